@@ -1,0 +1,70 @@
+//! Every limit of the service. Nothing that comes from outside runs without one of these bounds.
+
+/// Bounds on what one input may ask for. Checked before the work that they bound is begun.
+#[derive(Clone, Debug)]
+pub struct Limits {
+    /// Bytes of one DXF file.
+    pub dxf_bytes: usize,
+    /// Entities of one DXF file, those inside blocks included.
+    pub dxf_entities: usize,
+    /// Vertices of one DXF file, all polylines together.
+    pub dxf_vertices: usize,
+    /// Depth to which blocks may insert blocks.
+    pub dxf_nesting: usize,
+    /// Bytes of one line of a DXF file.
+    pub dxf_line_bytes: usize,
+    /// Panels of one pattern.
+    pub panels: usize,
+    /// Outline vertices of one panel.
+    pub panel_vertices: usize,
+    /// Smallest and largest side of a panel's bounding box \[m\].
+    pub panel_size_m: [f64; 2],
+    /// Seams of one garment.
+    pub seams: usize,
+    /// Bytes of one JSON request.
+    pub json_bytes: usize,
+    /// Characters of a name.
+    pub name_chars: usize,
+    /// Vertices of one garment's mesh.
+    pub mesh_vertices: usize,
+    /// Smallest and largest mesh edge that may be asked for \[m\].
+    pub edge_length_m: [f64; 2],
+    /// Newton iterations of one stage.
+    pub iterations: usize,
+    /// Steps of one trajectory.
+    pub steps: u64,
+    /// CPU time of one fit \[s\].
+    pub fit_cpu_s: f64,
+    /// Fits waiting in the queue.
+    pub queued_fits: usize,
+    /// How often a fit is begun again after its worker died.
+    pub attempts: u32,
+    /// Longest wait of one request that asks to wait \[s\].
+    pub wait_s: f64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            dxf_bytes: 20 << 20,
+            dxf_entities: 300_000,
+            dxf_vertices: 1_000_000,
+            dxf_nesting: 16,
+            dxf_line_bytes: 64 << 10,
+            panels: 500,
+            panel_vertices: 20_000,
+            panel_size_m: [1e-3, 20.0],
+            seams: 2_000,
+            json_bytes: 32 << 20,
+            name_chars: 256,
+            mesh_vertices: 300_000,
+            edge_length_m: [0.002, 0.1],
+            iterations: 2_000,
+            steps: 20_000_000,
+            fit_cpu_s: 3_600.0,
+            queued_fits: 1_000,
+            attempts: 3,
+            wait_s: 60.0,
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! The garment file: all that a fit needs, as JSON (P6).
+
+use crate::pattern::{Pattern, Placement, SeamPair};
+use crate::scene::{DressForm, Fabric};
+use crate::seam::FaceAsked;
+use crate::solver::Simulate;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use utoipa::ToSchema;
+use uuid::Uuid;
+
+/// Name and version of the garment file format.
+pub const SCHEMA: &str = "seamster/garment/1";
+
+fn schema() -> String {
+    SCHEMA.to_owned()
+}
+
+fn default_fabric() -> String {
+    "cotton-poplin".to_owned()
+}
+
+/// A garment: the saved file. Only `pattern` and `seams` are required.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Garment {
+    /// Always `seamster/garment/1`.
+    #[serde(default = "schema")]
+    pub schema: String,
+    /// The pattern, by id or whole. Absent only where a DXF comes beside the garment.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pattern: Option<PatternAsked>,
+    /// The seams, or `suggest`.
+    pub seams: SeamsAsked,
+    /// What is special about single panels, by id.
+    #[serde(default)]
+    pub panels: BTreeMap<String, PanelAsked>,
+    /// Fabric of panels that name none.
+    #[serde(default = "default_fabric")]
+    pub default_fabric: String,
+    /// Fabrics of one's own, by id.
+    #[serde(default)]
+    pub fabrics: BTreeMap<String, Fabric>,
+    /// The body: an id, measurements, or null for none. The default dress form if absent.
+    #[serde(default = "AvatarAsked::default_form")]
+    pub avatar: Option<AvatarAsked>,
+    /// Corners that do not move.
+    #[serde(default)]
+    pub pins: Vec<Pin>,
+    /// Moving air.
+    #[serde(default)]
+    pub wind: Option<Wind>,
+    /// Whether cloth may pass through cloth.
+    #[serde(default)]
+    pub self_contact: SelfContact,
+    /// Coulomb coefficient against the body; the fabrics' own if absent.
+    #[serde(default)]
+    pub friction: Option<f64>,
+    /// A fit to begin from.
+    #[serde(default)]
+    pub start_from: Option<Uuid>,
+    /// How to simulate.
+    #[serde(default)]
+    pub simulate: Simulate,
+    /// Maps wanted on the mesh.
+    #[serde(default)]
+    pub maps: Vec<MapKind>,
+}
+
+/// A pattern by id or whole.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(untagged)]
+pub enum PatternAsked {
+    /// Id of a stored pattern.
+    Id(Uuid),
+    /// The pattern itself.
+    Whole(Box<Pattern>),
+}
+
+/// The seams, or a word.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(untagged)]
+pub enum SeamsAsked {
+    /// As the client states them.
+    Pairs(Vec<SeamPair>),
+    /// Found by the service.
+    Word(SuggestWord),
+}
+
+/// The word that asks for suggested seams.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SuggestWord {
+    /// Use the service's own suggestions.
+    Suggest,
+}
+
+/// What is special about one panel.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct PanelAsked {
+    /// Id of its fabric.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fabric: Option<String>,
+    /// Id of its texture.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub texture: Option<String>,
+    /// Which side is out.
+    pub face: FaceAsked,
+    /// Order from the body outwards.
+    pub layer: i32,
+    /// Direction of the warp, overriding the pattern's \[degrees\].
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grain_deg: Option<f64>,
+    /// Width to cut away inside the outline before sewing \[m\].
+    pub seam_allowance_m: f64,
+    /// Edges that are shortened.
+    pub elastic: Vec<Elastic>,
+    /// Where it starts.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub placement: Option<Placement>,
+}
+
+/// A shortened edge.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Elastic {
+    /// Corner it begins at.
+    pub from: usize,
+    /// Corner it ends at.
+    pub to: usize,
+    /// Rest length over drawn length.
+    pub factor: f64,
+}
+
+/// The body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(untagged)]
+pub enum AvatarAsked {
+    /// Id of a stored avatar.
+    Id(Uuid),
+    /// A dress form made from measurements.
+    Form(FormAsked),
+}
+
+impl AvatarAsked {
+    #[expect(clippy::unnecessary_wraps, reason = "serde wants the field's own type")]
+    fn default_form() -> Option<Self> {
+        Some(Self::Form(FormAsked {
+            form: DressForm::default(),
+        }))
+    }
+}
+
+/// A dress form made from measurements.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FormAsked {
+    /// The measurements.
+    pub form: DressForm,
+}
+
+/// A corner that does not move.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Pin {
+    /// Id of the panel.
+    pub panel: String,
+    /// Index of the corner.
+    pub corner: usize,
+}
+
+/// Moving air.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Wind {
+    /// \[m/s\]
+    pub velocity_m_s: [f64; 3],
+    /// Share by which it swells and falls.
+    #[serde(default)]
+    pub gust: f64,
+}
+
+/// Whether cloth may pass through cloth.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum SelfContact {
+    /// The service chooses.
+    #[default]
+    Auto,
+    /// It may not.
+    On,
+    /// It may.
+    Off,
+}
+
+/// A map on the mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum MapKind {
+    /// Largest principal strain.
+    Strain,
+    /// Contact pressure \[Pa\].
+    Pressure,
+    /// Distance from the body \[m\].
+    Gap,
+}

@@ -1,0 +1,1 @@
+//! Fits queued, stored and run by workers.

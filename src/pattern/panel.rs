@@ -1,0 +1,145 @@
+//! A panel: one flat part of a garment, valid by construction.
+
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+
+/// One flat part of a garment.
+///
+/// The outline is a simple closed polyline stored clockwise (y up): `corners[i]`, then `edges[i]` from
+/// corner `i` to corner `i + 1` (the last edge back to corner 0). Coordinates are in metres.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Panel {
+    /// Unique in the pattern: made from the name (lower case, `-` for what is not a letter or digit).
+    pub id: String,
+    /// The name as the file has it.
+    pub name: String,
+    /// Area inside the outline less the holes \[m²\].
+    pub area_m2: f64,
+    /// Length of the outline \[m\].
+    pub perimeter_m: f64,
+    /// Area of the outline as drawn, before unfolding \[m²\].
+    pub drawn_area_m2: f64,
+    /// Whether half of it was drawn and it was unfolded about its mirror line.
+    #[serde(default)]
+    pub unfolded: bool,
+    /// For a mirrored copy: the id of its source.
+    #[serde(default)]
+    pub copy_of: Option<String>,
+    /// How many are cut, as the file says.
+    #[serde(default)]
+    pub quantity: Option<Quantity>,
+    /// Where the outline turns, clockwise.
+    pub corners: Vec<Corner>,
+    /// The stretches between corners: as many as corners.
+    pub edges: Vec<Edge>,
+    /// Outlines inside the outline whose inside is not cloth.
+    #[serde(default)]
+    pub holes: Vec<Hole>,
+    /// What is cut, where that differs from the outline (which is sewn).
+    #[serde(default)]
+    pub cut_line: Vec<[f64; 2]>,
+    /// Marks drilled through the cloth.
+    #[serde(default)]
+    pub drill_holes: Vec<[f64; 2]>,
+    /// Alignment marks on the outline.
+    #[serde(default)]
+    pub notches: Vec<Notch>,
+    /// Direction of the warp; `None` where the file does not say (then warp is +y).
+    #[serde(default)]
+    pub grain: Option<Grain>,
+    /// Lines drawn inside that are not cut.
+    #[serde(default)]
+    pub internal_lines: Vec<Vec<[f64; 2]>>,
+}
+
+/// Where an outline turns.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Corner {
+    /// Position in the panel's list of corners.
+    pub index: usize,
+    /// \[m\]
+    pub x: f64,
+    /// \[m\]
+    pub y: f64,
+}
+
+/// A stretch of outline between two corners: what a user picks.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Edge {
+    /// Position in the panel's list of edges.
+    pub index: usize,
+    /// Index of the corner it leaves, clockwise.
+    pub from: usize,
+    /// Index of the corner it reaches.
+    pub to: usize,
+    /// Arc length \[m\].
+    pub length_m: f64,
+    /// Its polyline, both corners included, at least two points \[m\].
+    pub points: Vec<[f64; 2]>,
+}
+
+/// An outline inside a panel whose inside is not cloth, stored counter-clockwise so that cloth lies to the right of every edge.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Hole {
+    /// Where it turns.
+    pub corners: Vec<Corner>,
+    /// The stretches between its corners.
+    pub edges: Vec<Edge>,
+}
+
+/// An alignment mark on an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Notch {
+    /// Position in the panel's list of notches.
+    pub index: usize,
+    /// The edge it lies on.
+    pub edge: usize,
+    /// Fraction of that edge's arc length, clockwise.
+    pub at: f64,
+    /// Its shape.
+    pub kind: NotchKind,
+    /// How deep it is cut, where the file says \[m\].
+    #[serde(default)]
+    pub depth_m: Option<f64>,
+}
+
+/// Shape of a notch, after the layers of ASTM D6673.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum NotchKind {
+    /// Layer 4.
+    V,
+    /// Layer 80.
+    T,
+    /// Layer 81.
+    Castle,
+    /// Layer 82.
+    Check,
+    /// Layer 83.
+    U,
+    /// A plain slit, or a mark of unknown shape.
+    Slit,
+}
+
+/// Direction of the warp on a panel.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Grain {
+    /// Counter-clockwise from +x, in [0, 180) \[degrees\].
+    pub angle_deg: f64,
+}
+
+/// How many of a panel are cut.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Quantity {
+    /// As drawn.
+    pub left: u32,
+    /// Mirrored.
+    pub right: u32,
+}

@@ -1,0 +1,108 @@
+//! Seam pairs as a file or a client states them: two picks, unchecked (P3, P4).
+
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+
+/// Two stretches of outline that are to be sewn together, as asked.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SeamPair {
+    /// The client's name for it, unique in the garment.
+    pub id: String,
+    /// One side.
+    pub a: Side,
+    /// The other side.
+    pub b: Side,
+    /// How the points of the two sides are put together.
+    #[serde(default, rename = "match")]
+    pub matching: Match,
+    /// Order of sewing: lower stages are sewn first.
+    #[serde(default)]
+    pub stage: u32,
+    /// Whether much ease is wanted.
+    #[serde(default)]
+    pub gather: bool,
+    /// Whether it may lie over another seam.
+    #[serde(default)]
+    pub layered: bool,
+    /// Whether it may make the surface one-sided.
+    #[serde(default)]
+    pub allow_twist: bool,
+}
+
+/// One side of a seam: a run, or several one after another.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(untagged)]
+pub enum Side {
+    /// A single run.
+    One(Run),
+    /// Runs one after another (M:N seams).
+    Many(Vec<Run>),
+}
+
+impl Side {
+    /// The runs of this side, in order.
+    pub fn runs(&self) -> &[Run] {
+        match self {
+            Self::One(run) => std::slice::from_ref(run),
+            Self::Many(runs) => runs,
+        }
+    }
+}
+
+/// A way along a panel's outline.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Run {
+    /// Id of the panel.
+    pub panel: String,
+    /// Where it begins.
+    pub from: Place,
+    /// Where it ends.
+    pub to: Place,
+    /// Which way round; needed only where the places do not say.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub direction: Option<Direction>,
+}
+
+/// A point of an outline.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(untagged)]
+pub enum Place {
+    /// A corner of the outline by its index.
+    Corner(usize),
+    /// A point inside an edge.
+    #[serde(rename_all = "snake_case")]
+    OnEdge {
+        /// Index of the edge.
+        edge: usize,
+        /// Fraction of its arc length, clockwise.
+        at: f64,
+    },
+    /// A notch.
+    AtNotch {
+        /// Index of the notch.
+        notch: usize,
+    },
+}
+
+/// Which way round an outline.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Direction {
+    /// Clockwise as stored: increasing corner index.
+    Cw,
+    /// Against it.
+    Ccw,
+}
+
+/// How the points of the two sides of a seam are put together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Match {
+    /// `from` of A meets `from` of B.
+    #[default]
+    AsPicked,
+    /// The service chooses the order of B and says so.
+    Auto,
+}

@@ -1,0 +1,129 @@
+//! What is known about a drape. Errors are RMS over the vertices.
+
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+
+/// How far to trust a drape.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct Report {
+    /// Whether a shape at rest was reached, within what was asked.
+    pub converged: bool,
+    /// Why it stopped, in words.
+    pub why: String,
+    /// r = sqrt(sum |f_i|² / n) / (M 9.80665 / n).
+    pub residual: f64,
+    /// Below this, r is rounding.
+    pub residual_floor: f64,
+    /// Estimate of the distance to the exact solution on this mesh \[m\].
+    pub error_estimate_m: Option<f64>,
+    /// Whether the conditions under which the estimate holds were met.
+    pub error_estimate_valid: bool,
+    /// Estimate of the distance to the solution on an ever finer mesh \[m\].
+    pub mesh_error_m: Option<f64>,
+    /// Energy by term.
+    pub energy_j: Energy,
+    /// Largest distance between the two points of any stitch \[m\].
+    pub seam_gap_max_m: f64,
+    /// Largest principal stretch less 1.
+    pub strain_max: f64,
+    /// Deepest that a vertex or the middle of a triangle lies inside the body \[m\].
+    pub penetration_max_m: f64,
+    /// Pairs of triangles that cross, where that was looked for.
+    pub self_intersections: Option<usize>,
+    /// Whether the body carries the garment.
+    pub worn: Worn,
+    /// Vertices of the mesh.
+    pub vertices: usize,
+    /// Triangles of the mesh.
+    pub triangles: usize,
+    /// Point pairs sewn together.
+    pub stitches: usize,
+    /// The terms that ran.
+    pub terms: Vec<Term>,
+    /// The terms that this scene did not need.
+    pub left_out: Vec<LeftOut>,
+    /// CPU time by stage.
+    pub cpu_s: CpuSeconds,
+    /// Largest resident memory of the process \[bytes\].
+    pub memory_peak_bytes: u64,
+    /// The way to the final shape.
+    pub error_against_run_time: Vec<ErrorPoint>,
+    /// The method that was used.
+    pub method: String,
+    /// The rungs of the ladder that were taken.
+    pub ladder: Vec<String>,
+    /// Version of the program.
+    pub version: String,
+}
+
+/// Energy by term \[J\].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct Energy {
+    /// Stretch and shear.
+    pub stretch: f64,
+    /// Bending.
+    pub bend: f64,
+    /// Height, against the start.
+    pub gravity: f64,
+    /// Seam springs.
+    pub seam: f64,
+    /// Contact with the body.
+    pub contact: f64,
+}
+
+/// Whether the body carries the garment.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+pub struct Worn {
+    /// Whether it does.
+    pub ok: bool,
+    /// Why, in words.
+    pub because: String,
+}
+
+/// A term that ran.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct Term {
+    /// `stretch`, `bend`, `gravity`, `seam`, `contact`, ...
+    pub name: String,
+    /// CPU time in it \[s\].
+    pub cpu_s: f64,
+}
+
+/// A term that this scene did not need.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+pub struct LeftOut {
+    /// The term.
+    pub name: String,
+    /// Why.
+    pub because: String,
+}
+
+/// CPU time by stage \[s\].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct CpuSeconds {
+    /// Meshing.
+    pub mesh: f64,
+    /// Assembling the scene and the solver's tables.
+    pub assemble: f64,
+    /// Sewing.
+    pub sew: f64,
+    /// Draping.
+    pub drape: f64,
+    /// Writing results.
+    pub export: f64,
+    /// All of it.
+    pub total: f64,
+}
+
+/// How far from the final shape it was, and what was known of that, at one moment.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct ErrorPoint {
+    /// CPU time of the fit \[s\].
+    pub cpu_s: f64,
+    /// Distance from the final shape \[m\].
+    pub rms_error_m: f64,
+    /// The estimate known then \[m\].
+    pub error_estimate_m: Option<f64>,
+    /// r then.
+    pub residual: f64,
+}
