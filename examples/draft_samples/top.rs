@@ -40,15 +40,15 @@ pub(crate) fn draft(body: &Body) -> Style {
         name: "FRONT",
         // The pit of the neck lies lower than its side by its half width and 10 mm.
         neck_depth: body.half_neck + 10.0 + 24.0,
-        half_across: body.half_back - 26.0,
-        notches: &[4],
+        half_across: body.half_back - 30.0,
+        notches: &[5],
         origin: [0.0, 0.0],
     };
     let back = Shape {
         name: "BACK",
         neck_depth: body.neck_rise + 12.0,
-        half_across: body.half_back - 17.0,
-        notches: &[3, 4],
+        half_across: body.half_back - 24.0,
+        notches: &[4, 5],
         origin: [650.0, 0.0],
     };
     Style {
@@ -87,8 +87,8 @@ fn piece(body: &Body, shape: &Shape) -> Piece {
     let hem = [quarter + HEM_WIDENING, waist_level - BELOW_WAIST];
 
     let neckline = fair([0.0, -shape.neck_depth], [1.0, 0.0], neck, [slope, 1.0]);
-    // Narrowest a little below the middle of the armhole.
-    let across = [shape.half_across, 0.45 * tip[1] + 0.55 * underarm[1]];
+    // Narrowest in the middle of the armhole.
+    let across = [shape.half_across, f64::midpoint(tip[1], underarm[1])];
     let upper = fair(tip, [-slope, -1.0], across, [0.0, -1.0]);
     let lower = fair(across, [0.0, -1.0], underarm, [1.0, 0.0]);
     let side = side_seam(underarm, waist, hem);
