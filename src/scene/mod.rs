@@ -3,7 +3,7 @@
 mod avatar;
 mod fabric;
 
-pub use avatar::{Avatar, BodySample, DressForm, TriangleMesh};
+pub use avatar::{Avatar, BodySample, DressForm, LANDMARKS, TriangleMesh};
 pub use fabric::{Fabric, library};
 
 use crate::mesh::ClothMesh;
