@@ -1,5 +1,7 @@
 //! What is exported, read back by readers that are not ours.
 
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
 use nalgebra::Vector3;
 use seamster::export::{GarmentMesh, PanelMesh, avatar_glb, garment_with_avatar_glb, glb, obj};
 use seamster::scene::TriangleMesh;
