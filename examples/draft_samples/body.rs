@@ -1,11 +1,11 @@
-//! Measurements that a draft needs, the missing ones by the proportions that drafting books use.
+//! Measurements that a draft needs, the missing ones by proportion.
 
 use seamster::scene::DressForm;
 
 /// Body measurements \[mm\].
 ///
-/// Height and girths are taken as they are; the rest follows proportional drafting: neck width a twentieth of the bust
-/// and 20 mm, armscye depth a tenth and 105 mm, half the back width an eighth and 55 mm, as the Müller system has it.
+/// Height and girths are taken as they are. The rest is proportional, as in drafting books (a twentieth of the bust and
+/// 20 mm for half the neck, an eighth and 55 mm for half the back), with constants that suit the dress form.
 pub(crate) struct Body {
     pub(crate) bust: f64,
     pub(crate) waist: f64,
@@ -37,10 +37,10 @@ impl Body {
             waist: mm(form.waist_m),
             hip: mm(form.hip_m),
             waist_to_hip: 0.119 * height,
-            nape_to_waist: 0.244 * height,
-            armscye_depth: bust / 10.0 + 105.0,
+            nape_to_waist: 0.226 * height,
+            armscye_depth: bust / 10.0 + 95.0,
             half_neck: bust / 20.0 + 20.0,
-            neck_rise: 20.0,
+            neck_rise: 10.0,
             half_shoulders: 0.107 * height,
             shoulder_slope: 20.0_f64.to_radians().tan(),
             half_back: bust / 8.0 + 55.0,

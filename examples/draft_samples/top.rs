@@ -46,7 +46,7 @@ pub(crate) fn draft(body: &Body) -> Style {
     };
     let back = Shape {
         name: "BACK",
-        neck_depth: body.neck_rise + 12.0,
+        neck_depth: body.neck_rise + 25.0,
         half_across: body.half_back - 24.0,
         notches: &[4, 5],
         origin: [650.0, 0.0],
