@@ -10,7 +10,7 @@ use serde_json::{Map, Value, json};
 
 /// Linear base colours of fabrics, in the order in which they appear: muted, and apart for readers who see few hues.
 const COLOURS: [[f64; 3]; 6] = [
-    [0.12, 0.25, 0.42],
+    [0.20, 0.34, 0.50],
     [0.60, 0.22, 0.12],
     [0.28, 0.38, 0.20],
     [0.68, 0.45, 0.12],
