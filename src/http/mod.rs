@@ -1,1 +1,8 @@
-//! The service over HTTP.
+//! The service.
+
+mod json_schema;
+mod nearest;
+mod problem;
+mod shape;
+
+pub use problem::Problem;
