@@ -34,6 +34,14 @@ pub enum EventKind {
 }
 
 impl Event {
+    /// What is known of a fit of which no event is kept.
+    pub(super) fn now(record: FitRecord) -> Self {
+        Self {
+            id: u64::from(record.attempts) * IDS_OF_ATTEMPT,
+            kind: EventKind::Status(Box::new(record)),
+        }
+    }
+
     /// The last event of a fit that came to its end before anyone asked.
     pub(super) fn last(record: FitRecord) -> Self {
         Self {
@@ -62,6 +70,14 @@ impl Events {
             past: past.into_iter().collect(),
             live: None,
         }
+    }
+
+    /// The same events, begun with what is known now if none is kept and all were asked for.
+    pub(super) fn or_now(mut self, record: FitRecord, after: Option<u64>) -> Self {
+        if self.past.is_empty() && after.is_none() {
+            self.past.push_front(Event::now(record));
+        }
+        self
     }
 
     /// The next event; `None` after the last one, or when the service shuts down.

@@ -11,6 +11,8 @@
 
 mod blobs;
 mod catalogue;
+#[cfg(test)]
+mod contract;
 mod feed;
 mod queue;
 mod record;

@@ -229,7 +229,7 @@ impl Queue {
         let events = self.feeds.follow(id, after);
         Ok(self.store.fit(id)?.map(|record| {
             if !record.status.is_final() {
-                return events;
+                return events.or_now(record, after);
             }
             let last = Event::last(record);
             Events::of((after < Some(last.id)).then_some(last))

@@ -5,6 +5,7 @@
 use super::record::{FitRecord, Status};
 use crate::progress::Progress;
 use std::sync::mpsc::Receiver;
+use std::time::Duration;
 use uuid::Uuid;
 
 /// A store that could not do what it was asked: the disk is full, the server is gone.
@@ -130,7 +131,7 @@ pub struct Page<T> {
 /// Records of fits and their queue.
 ///
 /// Records are the truth, changed by compare-and-set. The queue only hands out ids: at least once, oldest first, each under a
-/// lease that runs out unless it is renewed. `tests::store_contract` states what every implementation must keep.
+/// lease that runs out unless it is renewed. `contract::store_contract` states what every implementation must keep.
 pub trait JobStore: Send + Sync {
     /// Puts a fit on the queue, all or nothing, and sends [`Notice::Queued`].
     ///
@@ -167,6 +168,9 @@ pub trait JobStore: Send + Sync {
     /// # Errors
     /// If nothing could be read.
     fn counts(&self) -> Result<Counts, StoreError>;
+
+    /// How long a lease lasts unless it is renewed.
+    fn lease_time(&self) -> Duration;
 
     /// The oldest fit that is not final and that nobody has a live lease on.
     ///

@@ -1,14 +1,11 @@
-//! Threads that take fits from the store and run them.
+//! What a worker does with a garment.
 
-use super::catalogue::Catalogue;
-use super::queue::Queue;
-use super::store::StoreError;
 use crate::config::Limits;
 use crate::fault::Faults;
 use crate::fit::{self, Garment, Outcome};
+use crate::job::catalogue::Catalogue;
 use crate::progress::{CancelToken, Progress};
 use std::sync::Arc;
-use std::time::Duration;
 
 /// What a worker does with a garment.
 pub trait Runner: Send + Sync + 'static {
@@ -42,28 +39,4 @@ impl Runner for Sewing {
         let prepared = fit::prepare(garment, &*self.catalogue, &self.limits)?;
         fit::run(&prepared, &self.limits, cancel, progress)
     }
-}
-
-/// Threads that take fits from a queue and run them, each one at a time.
-pub struct WorkerPool {
-    _queue: Arc<Queue>,
-}
-
-impl WorkerPool {
-    /// Starts `count` workers.
-    ///
-    /// # Errors
-    /// If no thread can be started.
-    pub fn start(
-        queue: &Arc<Queue>,
-        _runner: impl Runner,
-        _count: usize,
-    ) -> Result<Self, StoreError> {
-        Ok(Self {
-            _queue: Arc::clone(queue),
-        })
-    }
-
-    /// Stops taking fits, gives running ones back to the queue and waits for the workers, at most `patience`.
-    pub fn shutdown(self, _patience: Duration) {}
 }
