@@ -1,4 +1,4 @@
-//! JSON Schema 2020-12 of a request type, made from the same derive as the OpenAPI document.
+//! JSON Schema 2020-12 of a request type, made from the same derive as the `OpenAPI` document.
 
 use serde_json::{Map, Value, json};
 use utoipa::ToSchema;

@@ -1,6 +1,7 @@
 //! What goes wrong, as RFC 9457 `application/problem+json`. The only place that knows status codes.
 
 use crate::fault::{Fault, Faults};
+use crate::job::{Failure, QueueError, StoreError};
 use axum::Json;
 use axum::extract::multipart::{MultipartError, MultipartRejection};
 use axum::extract::rejection::{BytesRejection, PathRejection, QueryRejection};
@@ -8,6 +9,9 @@ use axum::http::{HeaderName, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
+
+/// When to try again while the queue is full: about the time of one fit \[s\].
+const RETRY_FULL_S: u64 = 10;
 
 /// The body of every answer that is not a success.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
@@ -23,9 +27,9 @@ pub struct Problem {
     pub detail: String,
     /// Every fault of the request at once.
     pub errors: Vec<Fault>,
-    /// Headers that belong to it.
+    /// A header that belongs to it; boxed, as it is seldom there.
     #[serde(skip)]
-    pub(super) headers: Vec<(HeaderName, String)>,
+    header: Option<Box<(HeaderName, String)>>,
 }
 
 impl Problem {
@@ -36,13 +40,13 @@ impl Problem {
             status: status.as_u16(),
             detail: detail.into(),
             errors: vec![],
-            headers: vec![],
+            header: None,
         }
     }
 
-    /// The same problem with one more header.
+    /// The same problem with a header.
     fn with(mut self, name: HeaderName, value: impl Into<String>) -> Self {
-        self.headers.push((name, value.into()));
+        self.header = Some(Box::new((name, value.into())));
         self
     }
 
@@ -220,6 +224,43 @@ impl From<Fault> for Problem {
     }
 }
 
+impl From<StoreError> for Problem {
+    fn from(error: StoreError) -> Self {
+        Self::internal(error)
+    }
+}
+
+impl From<QueueError> for Problem {
+    fn from(error: QueueError) -> Self {
+        match error {
+            QueueError::Full(_) => Self::unavailable(error.to_string(), RETRY_FULL_S),
+            QueueError::KeyReused => {
+                Fault::new("fit/key_reused", "/Idempotency-Key", error.to_string())
+                    .fix("send a new key with a new request")
+                    .into()
+            }
+            QueueError::Store(error) => error.into(),
+        }
+    }
+}
+
+/// A failed fit's reason, as the answer that it would have been.
+impl From<Failure> for Problem {
+    fn from(failure: Failure) -> Self {
+        let status = match failure.code.as_str() {
+            "fit/panicked" | "fit/storage" | "fit/abandoned" => StatusCode::INTERNAL_SERVER_ERROR,
+            _ => StatusCode::UNPROCESSABLE_ENTITY,
+        };
+        let kind = failure.code.replace(['/', '_'], "-");
+        let faults = if failure.errors.is_empty() {
+            Fault::new(&failure.code, "", failure.detail.clone()).into()
+        } else {
+            Faults(failure.errors)
+        };
+        Self::new(status, &kind, "The fit failed", failure.detail).because(faults)
+    }
+}
+
 impl From<PathRejection> for Problem {
     fn from(rejection: PathRejection) -> Self {
         Self::not_found(format!("No such thing: {}.", rejection.body_text()))
@@ -263,7 +304,7 @@ impl Problem {
 impl IntoResponse for Problem {
     fn into_response(self) -> Response {
         let status = StatusCode::from_u16(self.status).unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
-        let headers = self.headers.clone();
+        let header = self.header.clone();
         let mut response = (status, Json(self)).into_response();
         let map = response.headers_mut();
         map.insert(
@@ -271,10 +312,10 @@ impl IntoResponse for Problem {
             HeaderValue::from_static("application/problem+json"),
         );
         map.insert(header::CACHE_CONTROL, HeaderValue::from_static("no-store"));
-        for (name, value) in headers {
-            if let Ok(value) = HeaderValue::from_str(&value) {
-                map.insert(name, value);
-            }
+        if let Some((name, value)) = header.map(|header| *header)
+            && let Ok(value) = HeaderValue::from_str(&value)
+        {
+            map.insert(name, value);
         }
         response
     }

@@ -87,7 +87,7 @@ impl Shape {
             kind => faults.push(Fault::new(
                 code(kind),
                 at,
-                error.masked_with(&excerpt(error.instance())).to_string(),
+                error.masked_with(excerpt(error.instance())).to_string(),
             )),
         }
     }
