@@ -4,4 +4,4 @@ mod limits;
 mod settings;
 
 pub use limits::Limits;
-pub use settings::{BlobKind, Config, ConfigError, StoreKind};
+pub use settings::{BlobKind, Config, ConfigError, Logging, StoreKind};

@@ -40,6 +40,14 @@ pub struct Config {
     pub limits: Limits,
 }
 
+/// What is logged.
+#[derive(Args, Clone, Debug)]
+pub struct Logging {
+    /// What is logged to stderr: error, warn, info, debug, or target=level, separated by commas
+    #[arg(long, env = "SEAMSTER_LOG", default_value = "info", global = true)]
+    pub log: String,
+}
+
 /// Settings that cannot be served.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ConfigError {
