@@ -6,9 +6,11 @@ use clap::Args;
 use seamster::config::Limits;
 use seamster::fault::{Fault, Faults};
 use seamster::fit::{self, Garment, Library, Outcome, PatternAsked, Prepared};
+use seamster::job::thread_cpu_s;
 use seamster::pattern::{self, ImportOptions, Pattern, Units};
 use seamster::progress::{CancelToken, Progress};
-use seamster::scene::{self, Avatar, Fabric};
+use seamster::scene::{self, DressForm, Fabric};
+use seamster::solver::Context;
 use serde::de::DeserializeOwned;
 use std::fs::File;
 use std::io::Read;
@@ -51,7 +53,13 @@ type Refused<'a> = (&'a Path, Faults);
 pub(super) fn sew(asked: &SewAsked) -> ExitCode {
     let limits = Limits::default();
     let ran = prepared(asked, &limits).and_then(|prepared| {
-        let ran = fit::run(&prepared, &limits, &CancelToken::new(), &mut teller());
+        let mut context = Context {
+            cpu_s: &thread_cpu_s,
+            cancel: &CancelToken::new(),
+            progress: &mut teller(),
+            limits: &limits,
+        };
+        let ran = fit::run(&prepared, &mut context);
         ran.map_err(|faults| (asked.garment(), faults))
     });
     match ran {
@@ -168,7 +176,7 @@ impl Library for Shipped {
         None
     }
 
-    fn avatar(&self, _id: Uuid) -> Option<Arc<Avatar>> {
+    fn form(&self, _id: Uuid) -> Option<DressForm> {
         None
     }
 
