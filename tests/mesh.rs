@@ -372,6 +372,47 @@ fn a_sharp_corner_forces_thin_triangles_only_at_itself() {
 }
 
 #[test]
+fn no_angle_is_smaller_than_20_degrees_or_the_outlines_own() {
+    let mut seed = 1_u64;
+    // Knuth's linear congruential generator.
+    let mut random = || {
+        seed = seed
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 33) as f64 / (1_u64 << 31) as f64
+    };
+    for trial in 0..100 {
+        let count = 4 + trial % 8;
+        let corner = |i: usize| {
+            let turn = (i as f64 + 0.9 * random()) / count as f64;
+            let (s, c) = (-std::f64::consts::TAU * turn).sin_cos();
+            let radius = 0.03 + 0.2 * random();
+            [radius * c, radius * s]
+        };
+        let outline: Vec<Point> = (0..count).map(corner).collect();
+        let at = |i: usize| outline[i % count];
+        let own = (0..count)
+            .map(|i| angle(at(i), at(i + 1), at(i + 2)))
+            .fold(180.0, f64::min);
+        let mesh = mesh(vec![polygon("star", &outline)], vec![]);
+        let angles = mesh.triangles.iter().map(|t| smallest_angle(&mesh, *t));
+        let smallest = angles.fold(180.0, f64::min);
+        // An outline's angle may be split once between two triangles.
+        assert!(
+            smallest >= 20.0_f64.min(0.5 * own),
+            "{smallest} {own} {outline:?}"
+        );
+    }
+}
+
+/// Angle at `b` from `a` to `c` in degrees, 0 to 180.
+fn angle(a: Point, b: Point, c: Point) -> f64 {
+    let (u, v) = ([a[0] - b[0], a[1] - b[1]], [c[0] - b[0], c[1] - b[1]]);
+    let cosine = (u[0] * v[0] + u[1] * v[1]) / (u[0].hypot(u[1]) * v[0].hypot(v[1]));
+    cosine.acos().to_degrees()
+}
+
+#[test]
 fn a_gathered_edge_keeps_its_angles() {
     let panels = vec![rectangle("waist", 0.4, 0.3), rectangle("skirt", 0.4, 0.55)];
     let gathers = vec![[stretch(0, 0, 0.0, 1.0), stretch(1, 0, 1.0, 0.0)]];

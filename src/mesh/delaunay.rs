@@ -1,7 +1,7 @@
 //! Constrained Delaunay triangulation of a panel, by `spade`.
 
-use super::Flaw;
 use super::boundary::Boundary;
+use super::check::Flaw;
 use super::geometry::{self, Point};
 use spade::handles::FixedVertexHandle;
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
@@ -35,12 +35,11 @@ impl Domain {
                 return Err(Flaw::Crossing(middle));
             }
         }
-        let domain = Self {
+        check_holes(boundary)?;
+        Ok(Self {
             cdt,
             boundary: boundary.points.clone(),
-        };
-        domain.check_area(boundary)?;
-        Ok(domain)
+        })
     }
 
     /// Number of boundary points; they come first in every triangulation.
@@ -68,23 +67,19 @@ impl Domain {
             .map(|face| face.map(|vertex| numbers[vertex.index()]))
             .collect()
     }
+}
 
-    /// A hole outside the outline, or inside another hole, would turn what is cloth inside out: the areas tell.
-    fn check_area(&self, boundary: &Boundary) -> Result<(), Flaw> {
-        let outline = -geometry::ring_area(&boundary.points[boundary.rings[0].clone()]);
-        if outline.abs() <= 0.0 {
-            return Err(Flaw::Empty);
+/// A hole outside the outline, or inside another hole, would turn what is cloth inside out.
+fn check_holes(boundary: &Boundary) -> Result<(), Flaw> {
+    for (index, hole) in boundary.rings[1..].iter().enumerate() {
+        let first = boundary.points[hole.start];
+        let others = boundary.rings.iter().filter(|ring| *ring != hole);
+        let around = others.filter(|ring| contains(&boundary.points[(*ring).clone()], first));
+        if around.count() != 1 {
+            return Err(Flaw::StrayHole(index));
         }
-        for (index, hole) in boundary.rings[1..].iter().enumerate() {
-            let first = boundary.points[hole.start];
-            let others = boundary.rings.iter().filter(|ring| *ring != hole);
-            let around = others.filter(|ring| contains(&boundary.points[(*ring).clone()], first));
-            if around.count() != 1 {
-                return Err(Flaw::StrayHole(index));
-            }
-        }
-        Ok(())
     }
+    Ok(())
 }
 
 /// Whether a ring goes round a point.

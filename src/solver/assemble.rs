@@ -41,7 +41,7 @@ pub(crate) fn assemble<'a>(
     let mass = particles.sum(&scene.mass);
     let mut forces: Vec<Box<dyn Force>> = vec![match ask.membrane {
         MembraneKind::Continuum => Box::new(ContinuumForce::new(membranes(scene, particles))),
-        MembraneKind::Springs => Box::new(SpringForce::new(springs(scene, particles))),
+        MembraneKind::Springs => Box::new(SpringForce::new(spring_net(scene, particles))),
     }];
     let hinges = hinges(scene, particles);
     if !hinges.is_empty() {
@@ -130,6 +130,15 @@ fn cut_triangles(scene: &Scene) -> impl Iterator<Item = ([usize; 3], &Fabric, [[
         })
 }
 
+/// The springs of the paper's membrane on `scene`, every vertex a particle: `(i, j, rest length [m], stiffness [N/m])`.
+pub fn springs(scene: &Scene) -> Vec<(usize, usize, f64, f64)> {
+    let apart = Particles::apart(scene.mesh.uv.len());
+    spring_net(scene, &apart)
+        .into_iter()
+        .map(|s| (s.a, s.b, s.rest_length, s.stiffness))
+        .collect()
+}
+
 fn membranes(scene: &Scene, particles: &Particles) -> Vec<Membrane> {
     cut_triangles(scene)
         .filter_map(|(t, fabric, rest)| {
@@ -148,7 +157,7 @@ fn membranes(scene: &Scene, particles: &Particles) -> Vec<Membrane> {
 /// Their constants are those of A. Van Gelder, "Approximate simulation of elastic membranes by triangulated spring meshes"
 /// (Journal of Graphics Tools 3(2), 1998), k = E sum A / l² over the edge's triangles, with the modulus of an orthotropic cloth
 /// along the edge, 1/E = cos⁴/Kw + sin⁴/Kf + sin² cos²/G.
-fn springs(scene: &Scene, particles: &Particles) -> Vec<Spring> {
+fn spring_net(scene: &Scene, particles: &Particles) -> Vec<Spring> {
     let mut edges: BTreeMap<(usize, usize), Spring> = BTreeMap::new();
     for (t, fabric, rest) in cut_triangles(scene) {
         let area = rest_area(rest).abs();

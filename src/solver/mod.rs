@@ -16,6 +16,7 @@ mod topology;
 mod trace;
 
 pub use ask::{Membrane, Method, SeamClose, Simulate, Want};
+pub use assemble::springs;
 pub use report::{CpuSeconds, Energy, ErrorPoint, LeftOut, Report, Term, Worn};
 pub use sew::drape;
 

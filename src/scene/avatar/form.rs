@@ -80,7 +80,7 @@ impl DressForm {
             .unwrap_or(0.176 * self.height_m + 0.09 * self.bust_m)
     }
 
-    fn check(&self) -> Vec<Fault> {
+    pub(crate) fn check(&self) -> Vec<Fault> {
         let mut faults = Vec::new();
         let mut within = |pointer: &str, value: f64, [least, most]: [f64; 2]| {
             // so written that a NaN is a fault
