@@ -9,7 +9,7 @@ use super::garment::Draft;
 use super::piece::{Piece, Style};
 
 /// Waistband longer than the waist by this \[mm\].
-const WAIST_EASE: f64 = 15.0;
+const WAIST_EASE: f64 = 20.0;
 const HIP_EASE: f64 = 56.0;
 /// Share of the widening from waist to hip that lies in its upper half: a body widens little just below the waist.
 const UPPER_SHARE: f64 = 0.53;
