@@ -108,3 +108,24 @@ fn print_all() {
     let wrong = table(&data.join("dxf"), |_| true);
     println!("{} wrong", wrong.len());
 }
+
+#[test]
+fn print_bad() {
+    let Some(data) = data("bad") else { return };
+    let folder = data.join("dxf-bad");
+    let manifest = json(&folder.join("manifest.json"));
+    for entry in manifest["files"].as_array().expect("a list of files") {
+        let name = entry["file"].as_str().expect("a file name");
+        let t = std::time::Instant::now();
+        let r = read(&folder.join(name));
+        let ms = t.elapsed().as_millis();
+        println!("== {name} [{ms} ms]\n   WANT {}", entry["expected"].as_str().unwrap_or_default());
+        match r {
+            Ok(p) => {
+                println!("   OK {} panels; {:?}", p.panels.len(), p.panels.iter().take(3).map(|p| (p.name.chars().take(30).collect::<String>(), p.id.chars().take(30).collect::<String>(), p.area_m2 * 1e6, p.corners.len(), p.holes.len(), p.cut_line.len())).collect::<Vec<_>>());
+                for w in p.warnings.iter().take(6) { println!("      w {} {} {}", w.code, w.pointer, w.detail); }
+            }
+            Err(f) => for f in f.0.iter().take(4) { println!("   ERR {} {} {} | {}", f.code, f.pointer, f.detail, f.fix.as_deref().unwrap_or("NO FIX")); },
+        }
+    }
+}
