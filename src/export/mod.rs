@@ -1,4 +1,14 @@
 //! From a drape to bytes: GLB, OBJ, JSON.
+//!
+//! In all of them the first texture coordinates are the pattern coordinates in metres, v up, so that a fabric
+//! of known repeat can be laid on to scale.
+
+mod glb;
+mod normals;
+mod obj;
+
+pub use glb::{avatar_glb, garment_with_avatar_glb, glb};
+pub use obj::obj;
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
@@ -23,14 +33,4 @@ pub struct PanelMesh {
     pub uv: Vec<[f64; 2]>,
     /// Counter-clockwise seen from outside; `#T`.
     pub triangles: Vec<[u32; 3]>,
-}
-
-/// Binary glTF 2.0.
-pub fn glb(_mesh: &GarmentMesh) -> Vec<u8> {
-    Vec::new()
-}
-
-/// Wavefront OBJ, one group per panel.
-pub fn obj(_mesh: &GarmentMesh) -> String {
-    String::new()
 }

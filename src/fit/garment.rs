@@ -144,11 +144,14 @@ pub enum AvatarAsked {
 }
 
 impl AvatarAsked {
+    /// A dress form.
+    pub fn form(form: DressForm) -> Self {
+        Self::Form(FormAsked { form })
+    }
+
     #[expect(clippy::unnecessary_wraps, reason = "serde wants the field's own type")]
     fn default_form() -> Option<Self> {
-        Some(Self::Form(FormAsked {
-            form: DressForm::default(),
-        }))
+        Some(Self::form(DressForm::default()))
     }
 }
 

@@ -1,10 +1,15 @@
 //! From a mesh, fabrics, an avatar and placements to a [`Scene`] of only the terms that it needs.
 
 mod avatar;
+mod build;
 mod fabric;
+mod placement;
 
-pub use avatar::{Avatar, BodySample, DressForm, TriangleMesh};
+pub use avatar::{Avatar, BodySample, DressForm, LANDMARKS, TriangleMesh};
 pub use fabric::{Fabric, library};
+
+pub use build::{PanelParts, Parts, build};
+pub use placement::{Placed, ToPlace, place};
 
 use crate::mesh::ClothMesh;
 use nalgebra::Vector3;

@@ -1,10 +1,25 @@
 //! From seam pairs as asked to checked [`Seam`]s: which point meets which, which face of each panel is out.
 
-use crate::config::Limits;
-use crate::fault::{Fault, Faults, Warning};
-use crate::pattern::{Direction, Pattern, SeamPair};
+mod check;
+mod correct;
+mod cycle;
+mod faces;
+mod finding;
+mod length;
+mod matching;
+mod nearest;
+mod overlap;
+mod parity;
+mod place;
+mod routed;
+mod runs;
+mod twist;
+
+pub use check::check;
+pub use finding::{SeamCheck, SeamFinding};
+
+use routed::Routed;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 use utoipa::ToSchema;
 
 /// A checked seam. Built only by [`check`].
@@ -14,7 +29,11 @@ pub struct Seam {
     pub id: String,
     /// Order of sewing: lower stages are sewn first.
     pub stage: u32,
-    /// Stretches of side A and side B that meet point to point, in order along the seam. The two of a pair get equally many points.
+    /// Stretches of side A and side B that meet point to point, in order along the seam from `from` of A.
+    ///
+    /// The two of a pair get equally many points, evenly by arc length: the start of the one meets the start of the other.
+    /// Each pair begins on either side where the one before it ends, at a corner or inside an edge, or where the next run of
+    /// that side begins. No stretch is empty. Fractions at corners are exactly 0 and 1.
     pub matched: Vec<[Stretch; 2]>,
 }
 
@@ -54,48 +73,6 @@ pub enum Face {
     Down,
 }
 
-/// What was found about a set of seams: the answer of `seams/check`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct SeamCheck {
-    /// Whether all of them can be sewn.
-    pub ok: bool,
-    /// The face of each panel, by id.
-    pub faces: BTreeMap<String, Face>,
-    /// Each seam as asked, in order.
-    pub seams: Vec<SeamFinding>,
-    /// For seams that could be corrected: how.
-    pub corrected: Vec<SeamPair>,
-}
-
-/// What was found about one seam.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct SeamFinding {
-    /// The client's name for it.
-    pub id: String,
-    /// Whether it can be sewn.
-    pub ok: bool,
-    /// Stitches it would get at the mesh edge length asked for.
-    pub stitch_count: usize,
-    /// Arc length of side A \[m\].
-    pub length_a_m: f64,
-    /// Arc length of side B \[m\].
-    pub length_b_m: f64,
-    /// Longer over shorter, less 1.
-    pub ease: f64,
-    /// Longer less shorter \[m\].
-    pub ease_m: f64,
-    /// Way of the first run of A.
-    pub direction_a: Option<Direction>,
-    /// Way of the first run of B, as sewn.
-    pub direction_b: Option<Direction>,
-    /// Whether the order of B was reversed (`match: auto`).
-    pub reversed: bool,
-    /// What keeps it from being sewn.
-    pub errors: Vec<Fault>,
-    /// What a user should know.
-    pub warnings: Vec<Warning>,
-}
-
 /// Checked seams with the faces they were checked for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeamSet {
@@ -103,33 +80,6 @@ pub struct SeamSet {
     pub seams: Vec<Seam>,
     /// The face of each panel, by index in the pattern.
     pub faces: Vec<Face>,
-}
-
-/// Checks `pairs` against `pattern`.
-///
-/// `faces` holds what was asked for each panel, by id (absent: auto); `edge_length` \[m\] is the mesh edge length
-/// that stitch counts are stated for. Pointers are `/seams/<i>/...`. The findings always cover every seam;
-/// the [`SeamSet`] is there only when all are right.
-///
-/// # Errors
-/// Every fault of every seam at once, in the second part.
-pub fn check(
-    _pattern: &Pattern,
-    _pairs: &[SeamPair],
-    _faces: &BTreeMap<String, FaceAsked>,
-    _edge_length: f64,
-    _limits: &Limits,
-) -> (SeamCheck, Result<SeamSet, Faults>) {
-    let check = SeamCheck {
-        ok: false,
-        faces: BTreeMap::new(),
-        seams: vec![],
-        corrected: vec![],
-    };
-    (
-        check,
-        Err(Fault::new("seam/unsupported", "/seams", "not yet").into()),
-    )
 }
 
 /// Number of mesh edges along two matched stretches of these lengths \[m\]: enough that neither side's are longer than `edge_length`.

@@ -1,0 +1,272 @@
+//! Binary glTF 2.0: one node and mesh per panel, named by its id; one material per fabric.
+//!
+//! Written by hand after the glTF 2.0 specification (Khronos Group, 2021), sections 3.6 (buffers, accessors),
+//! 3.7 (meshes), 3.9 (materials) and 4.4 (the binary container).
+
+use super::{GarmentMesh, PanelMesh, normals};
+use crate::scene::TriangleMesh;
+use nalgebra::Vector3;
+use serde_json::{Map, Value, json};
+
+/// Linear base colours of fabrics, in the order in which they appear: muted, and apart for readers who see few hues.
+const COLOURS: [[f64; 3]; 6] = [
+    [0.20, 0.34, 0.50],
+    [0.60, 0.22, 0.12],
+    [0.28, 0.38, 0.20],
+    [0.68, 0.45, 0.12],
+    [0.30, 0.12, 0.28],
+    [0.55, 0.50, 0.42],
+];
+const AVATAR_COLOUR: [f64; 3] = [0.45, 0.45, 0.45];
+
+const ARRAY_BUFFER: u32 = 34962;
+const ELEMENT_ARRAY_BUFFER: u32 = 34963;
+const FLOAT: u32 = 5126;
+const UNSIGNED_INT: u32 = 5125;
+
+/// The garment as binary glTF 2.0.
+///
+/// `POSITION` and `NORMAL` in metres, y up; `TEXCOORD_0` = pattern coordinates in metres with v up (glTF draws
+/// images with v down: a texture wants `KHR_texture_transform`). A panel without triangles is a node without a mesh.
+pub fn glb(mesh: &GarmentMesh) -> Vec<u8> {
+    let mut file = File::default();
+    file.garment(mesh);
+    file.bytes()
+}
+
+/// A body as binary glTF 2.0: one node, `avatar`.
+pub fn avatar_glb(surface: &TriangleMesh) -> Vec<u8> {
+    let mut file = File::default();
+    file.avatar(surface);
+    file.bytes()
+}
+
+/// The garment as [`glb`] writes it with the body beside it, as a node `avatar`.
+pub fn garment_with_avatar_glb(mesh: &GarmentMesh, surface: &TriangleMesh) -> Vec<u8> {
+    let mut file = File::default();
+    file.garment(mesh);
+    file.avatar(surface);
+    file.bytes()
+}
+
+/// A glTF document and its buffer as they grow.
+#[derive(Default)]
+struct File {
+    buffer: Vec<u8>,
+    views: Vec<Value>,
+    accessors: Vec<Value>,
+    materials: Vec<Value>,
+    meshes: Vec<Value>,
+    nodes: Vec<Value>,
+}
+
+impl File {
+    fn garment(&mut self, mesh: &GarmentMesh) {
+        let mut fabrics: Vec<&str> = Vec::new();
+        for panel in &mesh.panels {
+            let known = fabrics.iter().position(|fabric| *fabric == panel.fabric);
+            let material = known.unwrap_or_else(|| {
+                let colour = COLOURS[fabrics.len() % COLOURS.len()];
+                fabrics.push(&panel.fabric);
+                self.material(&panel.fabric, colour, true)
+            });
+            self.panel(panel, material);
+        }
+    }
+
+    fn panel(&mut self, panel: &PanelMesh, material: usize) {
+        let positions: Vec<_> = panel.positions.iter().map(|p| Vector3::from(*p)).collect();
+        let triangles: Vec<_> = panel
+            .triangles
+            .iter()
+            .map(|t| t.map(|i| i as usize))
+            .collect();
+        if triangles.is_empty() {
+            self.nodes.push(json!({"name": panel.panel}));
+            return;
+        }
+        let mut primitive = self.surface(&positions, &triangles);
+        primitive["attributes"]["TEXCOORD_0"] = self.floats(&panel.uv, false).into();
+        primitive["material"] = material.into();
+        self.mesh(
+            &panel.panel,
+            json!({
+                "name": panel.panel,
+                "primitives": [primitive],
+                "extras": {"panel": panel.panel, "texcoord_0": "pattern coordinates in metres, v up"},
+            }),
+        );
+    }
+
+    fn avatar(&mut self, surface: &TriangleMesh) {
+        let material = self.material("avatar", AVATAR_COLOUR, false);
+        if surface.triangles.is_empty() {
+            return;
+        }
+        let mut primitive = self.surface(&surface.vertices, &surface.triangles);
+        primitive["material"] = material.into();
+        self.mesh(
+            "avatar",
+            json!({"name": "avatar", "primitives": [primitive]}),
+        );
+    }
+
+    /// A primitive with positions, normals and triangles.
+    fn surface(&mut self, positions: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Value {
+        let normals: Vec<[f64; 3]> = normals::smooth(positions, triangles)
+            .into_iter()
+            .map(Into::into)
+            .collect();
+        let positions: Vec<[f64; 3]> = positions.iter().map(|p| (*p).into()).collect();
+        json!({
+            "attributes": {
+                "POSITION": self.floats(&positions, true),
+                "NORMAL": self.floats(&normals, false),
+            },
+            "indices": self.indices(triangles),
+        })
+    }
+
+    fn mesh(&mut self, node: &str, mesh: Value) {
+        self.nodes
+            .push(json!({"name": node, "mesh": self.meshes.len()}));
+        self.meshes.push(mesh);
+    }
+
+    /// Index of a new cloth-like material.
+    fn material(&mut self, name: &str, [r, g, b]: [f64; 3], double_sided: bool) -> usize {
+        self.materials.push(json!({
+            "name": name,
+            "pbrMetallicRoughness": {
+                "baseColorFactor": [r, g, b, 1.0],
+                "metallicFactor": 0.0,
+                "roughnessFactor": 0.9,
+            },
+            "doubleSided": double_sided,
+        }));
+        self.materials.len() - 1
+    }
+
+    /// Index of a new accessor of vectors, with its bounds where asked for.
+    fn floats<const N: usize>(&mut self, vectors: &[[f64; N]], bounded: bool) -> usize {
+        let vectors: Vec<[f32; N]> = vectors.iter().map(|v| v.map(single)).collect();
+        let start = self.buffer.len();
+        let bytes = vectors.iter().flatten().flat_map(|x| x.to_le_bytes());
+        self.buffer.extend(bytes);
+        let mut accessor = json!({
+            "bufferView": self.view(start, ARRAY_BUFFER),
+            "componentType": FLOAT,
+            "count": vectors.len(),
+            "type": format!("VEC{N}"),
+        });
+        if bounded {
+            let bound = |pick: fn(f32, f32) -> f32, start: f32| {
+                let fold = |k| vectors.iter().map(|v: &[f32; N]| v[k]).fold(start, pick);
+                (0..N).map(fold).collect::<Vec<_>>()
+            };
+            accessor["min"] = json!(bound(f32::min, f32::INFINITY));
+            accessor["max"] = json!(bound(f32::max, f32::NEG_INFINITY));
+        }
+        self.accessors.push(accessor);
+        self.accessors.len() - 1
+    }
+
+    /// Index of a new accessor of vertex indices.
+    fn indices(&mut self, triangles: &[[usize; 3]]) -> usize {
+        let start = self.buffer.len();
+        let bytes = triangles
+            .iter()
+            .flatten()
+            .flat_map(|i| length(*i).to_le_bytes());
+        self.buffer.extend(bytes);
+        let accessor = json!({
+            "bufferView": self.view(start, ELEMENT_ARRAY_BUFFER),
+            "componentType": UNSIGNED_INT,
+            "count": 3 * triangles.len(),
+            "type": "SCALAR",
+        });
+        self.accessors.push(accessor);
+        self.accessors.len() - 1
+    }
+
+    /// Index of a new view of the buffer from `start` to its end.
+    fn view(&mut self, start: usize, target: u32) -> usize {
+        self.views.push(json!({
+            "buffer": 0,
+            "byteOffset": start,
+            "byteLength": self.buffer.len() - start,
+            "target": target,
+        }));
+        self.views.len() - 1
+    }
+
+    /// The container: a header, the document, the buffer.
+    fn bytes(self) -> Vec<u8> {
+        let mut document = self.document().to_string().into_bytes();
+        // Every component has four bytes, so the buffer is aligned already.
+        document.resize(document.len().next_multiple_of(4), b' ');
+        let mut bytes = b"glTF".to_vec();
+        bytes.extend(2_u32.to_le_bytes());
+        bytes.extend([0; 4]);
+        chunk(&mut bytes, *b"JSON", &document);
+        if !self.buffer.is_empty() {
+            chunk(&mut bytes, *b"BIN\0", &self.buffer);
+        }
+        let total = length(bytes.len());
+        bytes[8..12].copy_from_slice(&total.to_le_bytes());
+        bytes
+    }
+
+    fn document(&self) -> Value {
+        let generator = concat!("seamster ", env!("CARGO_PKG_VERSION"));
+        let mut document = Map::new();
+        document.insert(
+            "asset".into(),
+            json!({"version": "2.0", "generator": generator}),
+        );
+        // The specification has no empty lists: without a node there is no scene.
+        if self.nodes.is_empty() {
+            return document.into();
+        }
+        document.insert("scene".into(), 0.into());
+        let roots: Vec<usize> = (0..self.nodes.len()).collect();
+        document.insert(
+            "scenes".into(),
+            json!([{"name": "garment", "nodes": roots}]),
+        );
+        let lists = [
+            ("nodes", &self.nodes),
+            ("meshes", &self.meshes),
+            ("materials", &self.materials),
+            ("accessors", &self.accessors),
+            ("bufferViews", &self.views),
+        ];
+        for (name, list) in lists {
+            if !list.is_empty() {
+                document.insert(name.into(), json!(list));
+            }
+        }
+        if !self.buffer.is_empty() {
+            document.insert("buffers".into(), json!([{"byteLength": self.buffer.len()}]));
+        }
+        document.into()
+    }
+}
+
+fn chunk(bytes: &mut Vec<u8>, kind: [u8; 4], data: &[u8]) {
+    bytes.extend(length(data.len()).to_le_bytes());
+    bytes.extend(kind);
+    bytes.extend(data);
+}
+
+fn length(count: usize) -> u32 {
+    u32::try_from(count).expect("limits keep meshes far below 4 GiB")
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "glTF stores single precision"
+)]
+fn single(x: f64) -> f32 {
+    x as f32
+}

@@ -1,0 +1,68 @@
+//! Wavefront OBJ.
+
+use super::{GarmentMesh, PanelMesh, normals};
+use nalgebra::Vector3;
+use std::fmt::Write;
+
+/// Wavefront OBJ, one group per panel, positions to the nanometre.
+///
+/// `usemtl` names the fabric; there is no material library.
+pub fn obj(mesh: &GarmentMesh) -> String {
+    let mut text = String::from("# seamster; metres, y up; vt = pattern coordinates in metres\n");
+    let mut first = 1;
+    for panel in &mesh.panels {
+        // A `String` takes all that is written to it.
+        let _ = group(&mut text, panel, first);
+        first += panel.positions.len();
+    }
+    text
+}
+
+/// Writes one panel whose vertices are counted from `first`.
+fn group(text: &mut String, panel: &PanelMesh, first: usize) -> std::fmt::Result {
+    writeln!(text, "g {}", word(&panel.panel))?;
+    writeln!(text, "usemtl {}", word(&panel.fabric))?;
+    for [x, y, z] in &panel.positions {
+        writeln!(text, "v {x:.9} {y:.9} {z:.9}")?;
+    }
+    for [u, v] in &panel.uv {
+        writeln!(text, "vt {u:.9} {v:.9}")?;
+    }
+    let positions: Vec<_> = panel.positions.iter().map(|p| Vector3::from(*p)).collect();
+    let triangles: Vec<_> = panel
+        .triangles
+        .iter()
+        .map(|t| t.map(|i| i as usize))
+        .collect();
+    for n in normals::smooth(&positions, &triangles) {
+        writeln!(text, "vn {:.6} {:.6} {:.6}", n.x, n.y, n.z)?;
+    }
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|i| first + i);
+        writeln!(text, "f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}")?;
+    }
+    Ok(())
+}
+
+/// A name as one word: OBJ ends names at white space.
+fn word(name: &str) -> String {
+    name.chars()
+        .map(|c| {
+            if c.is_whitespace() || c.is_control() {
+                '_'
+            } else {
+                c
+            }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_cannot_break_out_of_their_line() {
+        assert_eq!(word("left sleeve\nv 1 2 3"), "left_sleeve_v_1_2_3");
+    }
+}

@@ -1,0 +1,115 @@
+//! What is refused before and while meshing, and how a user is told.
+
+use super::divide::{Division, Divisions};
+use super::{geometry, lattice};
+use crate::config::Limits;
+use crate::fault::{Fault, Faults};
+use crate::pattern::{Panel, Pattern};
+
+/// What keeps one panel from being meshed.
+pub(super) enum Flaw {
+    /// Two boundary parts cross or touch at this point.
+    Crossing([f64; 2]),
+    /// A hole that is not inside the outline, by index.
+    StrayHole(usize),
+}
+
+impl Flaw {
+    /// The fault that tells a user about it.
+    pub(super) fn fault(&self, panel: &Panel) -> Fault {
+        let at = format!("/panels/{}", panel.id);
+        let (code, what) = match self {
+            Self::Crossing([x, y]) => (
+                "mesh/crossing",
+                format!(
+                    "the outline of panel \"{}\" crosses or touches itself near ({x:.4}, {y:.4}) m once it is divided into mesh edges",
+                    panel.name
+                ),
+            ),
+            Self::StrayHole(hole) => (
+                "mesh/stray_hole",
+                format!("hole {hole} of panel \"{}\" is not inside it", panel.name),
+            ),
+        };
+        Fault::new(code, at, what)
+            .fix("mend the panel's outline in the pattern, or ask for a smaller edge_length_m")
+    }
+}
+
+/// What a raised token comes to.
+pub(super) fn canceled() -> Fault {
+    Fault::new("fit/canceled", "", "meshing was stopped on request")
+}
+
+/// Refuses a mesh edge length outside the limits.
+pub(super) fn edge_length(edge_length: f64, limits: &Limits) -> Result<(), Fault> {
+    let [low, high] = limits.edge_length_m;
+    if (low..=high).contains(&edge_length) {
+        return Ok(());
+    }
+    Err(Fault::new(
+        "mesh/edge_length",
+        "/simulate/edge_length_m",
+        format!("a mesh edge length of {edge_length} m is outside the limits"),
+    )
+    .fix(format!("ask for {low} to {high} m")))
+}
+
+/// Refuses outlines that are not rings of finite polylines, so that nothing later has to.
+pub(super) fn outlines(pattern: &Pattern) -> Result<(), Faults> {
+    let mut faults = Faults(vec![]);
+    for panel in &pattern.panels {
+        let rings = std::iter::once((&panel.corners, &panel.edges));
+        let mut rings = rings.chain(panel.holes.iter().map(|hole| (&hole.corners, &hole.edges)));
+        let sound = rings.all(|(corners, edges)| {
+            !edges.is_empty()
+                && corners.len() == edges.len()
+                && edges.iter().all(|edge| geometry::is_sound(&edge.points))
+        });
+        if !sound {
+            let what = format!("the outline of panel \"{}\" is not closed", panel.name);
+            faults.0.push(
+                Fault::new("mesh/outline", format!("/panels/{}", panel.id), what)
+                    .fix("give every edge a length and finite points, one edge per corner"),
+            );
+        }
+    }
+    faults.or(())
+}
+
+/// Estimates the vertex count before the work is begun.
+pub(super) fn size(
+    pattern: &Pattern,
+    divisions: &Divisions,
+    edge_length: f64,
+    limits: &Limits,
+) -> Result<(), Fault> {
+    let cell = lattice::ROW * edge_length * edge_length;
+    let mut count = 0.0;
+    for (panel, parts) in pattern.panels.iter().zip(&divisions.panels) {
+        let ring: Vec<_> = panel
+            .edges
+            .iter()
+            .flat_map(|e| &e.points)
+            .copied()
+            .collect();
+        count += geometry::ring_area(&ring).abs() / cell;
+        #[expect(clippy::cast_precision_loss, reason = "an estimate")]
+        let on_boundary = parts.iter().map(Division::count).sum::<usize>() as f64;
+        count += on_boundary;
+        #[expect(clippy::cast_precision_loss, reason = "an estimate")]
+        let most = limits.mesh_vertices as f64;
+        if count > most {
+            return Err(Fault::new(
+                "mesh/too_fine",
+                format!("/panels/{}", panel.id),
+                format!(
+                    "with mesh edges of {edge_length} m the garment needs more than {most} vertices, reached at panel \"{}\"",
+                    panel.name
+                ),
+            )
+            .fix("ask for a larger edge_length_m"));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,109 @@
+//! The exact signed distance of a closed surface.
+
+use super::TriangleMesh;
+use super::tree::{Feature, Nearest, Tree};
+use nalgebra::Vector3;
+
+/// Distances by the nearest point, signs by angle-weighted pseudonormals, which tell inside from outside at edges and
+/// corners as well (J. A. Bærentzen, H. Aanæs, "Signed distance computation using the angle weighted pseudonormal",
+/// IEEE TVCG 11(3), 2005).
+#[derive(Clone, Debug)]
+pub(super) struct ExactDistance {
+    tree: Tree,
+    normals: Vec<Normals>,
+    bounds: [Vector3<f64>; 2],
+}
+
+/// Outward directions of a triangle; only their signs against a vector matter, so the edges' are not of length 1.
+#[derive(Clone, Copy, Debug, Default)]
+struct Normals {
+    face: Vector3<f64>,
+    edges: [Vector3<f64>; 3],
+    corners: [Vector3<f64>; 3],
+}
+
+impl ExactDistance {
+    /// For a surface that passed its check.
+    pub(super) fn new(surface: &TriangleMesh) -> Self {
+        let corners = || {
+            surface
+                .triangles
+                .iter()
+                .flatten()
+                .map(|&v| surface.vertices[v])
+        };
+        let lower = corners().fold(Vector3::repeat(f64::INFINITY), |l, v| l.inf(&v));
+        let upper = corners().fold(Vector3::repeat(f64::NEG_INFINITY), |u, v| u.sup(&v));
+        Self {
+            tree: Tree::new(surface),
+            normals: normals(surface),
+            bounds: [lower, upper],
+        }
+    }
+
+    /// Lowest and highest coordinates of the surface \[m\].
+    pub(super) fn bounds(&self) -> [Vector3<f64>; 2] {
+        self.bounds
+    }
+
+    /// Signed distance \[m\], negative inside; NaN where `p` is no point.
+    pub(super) fn signed(&self, p: &Vector3<f64>) -> f64 {
+        self.signed_within(p, f64::INFINITY)
+    }
+
+    /// The same, where it is known to be below `within` in size; else NaN.
+    pub(super) fn signed_within(&self, p: &Vector3<f64>, within: f64) -> f64 {
+        self.tree
+            .nearest(p, within)
+            .map_or(f64::NAN, |nearest| self.sign(p, &nearest))
+    }
+
+    /// The point of the surface nearest to `p` \[m\]; `p` where it is no point.
+    pub(super) fn nearest(&self, p: &Vector3<f64>) -> Vector3<f64> {
+        self.tree.nearest(p, f64::INFINITY).map_or(*p, |n| n.point)
+    }
+
+    fn sign(&self, p: &Vector3<f64>, nearest: &Nearest) -> f64 {
+        let normals = &self.normals[nearest.triangle];
+        let normal = match nearest.feature {
+            Feature::Face => normals.face,
+            Feature::Edge(k) => normals.edges[k],
+            Feature::Corner(k) => normals.corners[k],
+        };
+        nearest
+            .distance_squared
+            .sqrt()
+            .copysign(normal.dot(&(p - nearest.point)))
+    }
+}
+
+fn normals(surface: &TriangleMesh) -> Vec<Normals> {
+    let mut at_vertex = vec![Vector3::zeros(); surface.vertices.len()];
+    // (lower vertex, higher vertex, triangle, which edge of it): the two users of an edge come to lie side by side
+    let mut edges = Vec::with_capacity(3 * surface.triangles.len());
+    let mut normals = vec![Normals::default(); surface.triangles.len()];
+    for (t, triangle) in surface.triangles.iter().enumerate() {
+        let corners = surface.corners(t);
+        let face = (corners[1] - corners[0])
+            .cross(&(corners[2] - corners[0]))
+            .normalize();
+        normals[t].face = face;
+        for k in 0..3 {
+            let [here, next, last] = [k, (k + 1) % 3, (k + 2) % 3].map(|k| corners[k]);
+            at_vertex[triangle[k]] += face * (next - here).angle(&(last - here));
+            let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
+            edges.push((a.min(b), a.max(b), t, k));
+        }
+    }
+    edges.sort_unstable();
+    for pair in edges.chunks_exact(2) {
+        let sum = normals[pair[0].2].face + normals[pair[1].2].face;
+        for &(_, _, t, k) in pair {
+            normals[t].edges[k] = sum;
+        }
+    }
+    for (normals, triangle) in normals.iter_mut().zip(&surface.triangles) {
+        normals.corners = triangle.map(|v| at_vertex[v]);
+    }
+    normals
+}

@@ -1,0 +1,206 @@
+//! The smooth torso of a dress form: horizontal sections along a spline.
+
+use super::section::{Bump, Section};
+use super::spline::weights;
+
+/// Height of the person that the rows are written for \[m\].
+pub(super) const HEIGHT: f64 = 1.68;
+
+/// Heights of the measured places, as shares of the body height.
+///
+/// Near those of the CC0 MakeHuman woman of 1.68 m (bust 0.735, waist 0.651, hip 0.488, neck side 0.851, crotch
+/// 0.460), with the waist lowered to where a tailor ties it and the hip 20 cm below it.
+pub(super) mod share {
+    pub(in super::super) const NECK: f64 = 0.868;
+    pub(in super::super) const BUST: f64 = 0.726;
+    pub(in super::super) const WAIST: f64 = 0.629;
+    pub(in super::super) const HIP: f64 = 0.508;
+    pub(in super::super) const ARMPIT: f64 = 0.764;
+    pub(in super::super) const NECK_FRONT: f64 = 0.812;
+    pub(in super::super) const NECK_BACK: f64 = 0.852;
+}
+
+/// Polar angles from +z towards +x at which bust and seat stand out \[rad\].
+pub(super) const BUST_ANGLE: f64 = 0.68;
+pub(super) const SEAT_ANGLE: f64 = 2.55;
+
+/// Control rows from the top of the neck to the bottom \[m\]: y, half width, z of the widest line, z of the front, z of
+/// the back, exponent. Drawn for this project; the surface is their cubic B-spline, so it stays within them.
+const ROWS: [[f64; 6]; 35] = [
+    [1.500, 0.000, 0.016, 0.016, 0.016, 2.1],
+    [1.500, 0.028, 0.016, 0.044, -0.013, 2.1],
+    [1.494, 0.050, 0.015, 0.066, -0.037, 2.1],
+    [1.476, 0.056, 0.013, 0.069, -0.044, 2.1],
+    [1.455, 0.056, 0.010, 0.065, -0.047, 2.1],
+    [1.437, 0.059, 0.006, 0.062, -0.053, 2.1],
+    [1.424, 0.069, 0.001, 0.061, -0.062, 2.1],
+    [1.414, 0.088, -0.004, 0.063, -0.071, 2.1],
+    [1.404, 0.115, -0.008, 0.066, -0.079, 2.1],
+    [1.394, 0.142, -0.010, 0.070, -0.086, 2.15],
+    [1.383, 0.168, -0.011, 0.075, -0.092, 2.2],
+    [1.368, 0.188, -0.010, 0.081, -0.098, 2.25],
+    [1.345, 0.195, -0.008, 0.088, -0.104, 2.3],
+    [1.318, 0.188, -0.005, 0.096, -0.109, 2.35],
+    [1.288, 0.175, -0.002, 0.102, -0.112, 2.35],
+    [1.255, 0.163, 0.001, 0.106, -0.111, 2.3],
+    [1.220, 0.156, 0.003, 0.108, -0.107, 2.3],
+    [1.180, 0.149, 0.005, 0.105, -0.100, 2.25],
+    [1.140, 0.141, 0.006, 0.100, -0.091, 2.2],
+    [1.100, 0.133, 0.007, 0.095, -0.082, 2.2],
+    [1.060, 0.128, 0.008, 0.092, -0.076, 2.2],
+    [1.020, 0.135, 0.008, 0.095, -0.080, 2.2],
+    [0.980, 0.149, 0.006, 0.101, -0.091, 2.2],
+    [0.940, 0.162, 0.003, 0.105, -0.102, 2.25],
+    [0.900, 0.172, 0.000, 0.105, -0.111, 2.3],
+    [0.860, 0.178, -0.003, 0.102, -0.115, 2.3],
+    [0.820, 0.180, -0.004, 0.098, -0.114, 2.3],
+    [0.780, 0.178, -0.005, 0.094, -0.109, 2.3],
+    [0.745, 0.173, -0.005, 0.090, -0.103, 2.3],
+    [0.715, 0.165, -0.005, 0.084, -0.096, 2.3],
+    [0.693, 0.150, -0.005, 0.073, -0.084, 2.3],
+    [0.680, 0.125, -0.005, 0.058, -0.068, 2.25],
+    [0.674, 0.090, -0.005, 0.039, -0.049, 2.2],
+    [0.672, 0.048, -0.005, 0.018, -0.028, 2.1],
+    [0.672, 0.000, -0.005, -0.005, -0.005, 2.1],
+];
+
+/// By how much the sections are wider than the rows say, at the measured places.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Scale {
+    pub(super) height: f64,
+    pub(super) neck: f64,
+    pub(super) shoulder: f64,
+    pub(super) bust: f64,
+    pub(super) waist: f64,
+    pub(super) hip: f64,
+}
+
+/// Sections along a parameter from 0 (top) to [`Torso::END`] (bottom).
+#[derive(Clone, Debug)]
+pub(super) struct Torso {
+    /// y, half width, z of the widest line, depth before it, depth behind it, exponent; a row more at each end.
+    rows: Vec<[f64; 6]>,
+    scale: Scale,
+}
+
+impl Torso {
+    /// Largest parameter.
+    pub(super) const END: f64 = (ROWS.len() - 1) as f64;
+
+    pub(super) fn new(scale: Scale) -> Self {
+        let mut rows: Vec<_> = ROWS.iter().map(|row| scale.apply(row)).collect();
+        // the rows go on mirrored beyond each pole, which makes it round and its tangent plane level
+        let beyond =
+            |[y, half, centre, front, back, n]: [f64; 6]| [y, -half, centre, -front, -back, n];
+        rows.insert(0, beyond(rows[1]));
+        rows.push(beyond(rows[rows.len() - 2]));
+        Self { rows, scale }
+    }
+
+    fn row(&self, t: f64) -> [f64; 6] {
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "from 0 to the number of rows"
+        )]
+        let cell = (t.clamp(0.0, Self::END) as usize).min(self.rows.len() - 4);
+        let weights = weights(t - cell as f64);
+        let mut row = [0.0; 6];
+        for (weight, control) in weights.iter().zip(&self.rows[cell..]) {
+            for (sum, value) in row.iter_mut().zip(control) {
+                *sum += weight * value;
+            }
+        }
+        row
+    }
+
+    /// The section at a parameter strictly between the poles.
+    pub(super) fn section(&self, t: f64) -> Section {
+        let [y, half_width, centre, front, back, exponent] = self.row(t);
+        Section {
+            y,
+            half_width,
+            centre,
+            front,
+            back,
+            exponent,
+            bumps: self.bumps(y),
+        }
+    }
+
+    /// The point (y, z) of the middle at a pole or anywhere between \[m\].
+    pub(super) fn middle(&self, t: f64) -> [f64; 2] {
+        let row = self.row(t);
+        [row[0], row[2]]
+    }
+
+    /// The parameter of the section at height `y`, found by halving.
+    pub(super) fn parameter(&self, y: f64) -> f64 {
+        let (mut above, mut below) = (0.0, Self::END);
+        for _ in 0..60 {
+            let t = 0.5 * (above + below);
+            if self.row(t)[0] > y {
+                above = t;
+            } else {
+                below = t;
+            }
+        }
+        0.5 * (above + below)
+    }
+
+    fn bumps(&self, y: f64) -> [Bump; 2] {
+        let bell = |at: f64, spread: f64| {
+            let off = (y / self.scale.height - at) / spread;
+            (-0.5 * off * off).exp()
+        };
+        let bust = Bump {
+            height: 0.024 * self.scale.bust * bell(1.216, 0.048),
+            angle: BUST_ANGLE,
+            spread: 0.36,
+        };
+        let seat = Bump {
+            height: 0.014 * self.scale.hip * bell(0.835, 0.055),
+            angle: SEAT_ANGLE,
+            spread: 0.42,
+        };
+        [bust, seat]
+    }
+}
+
+impl Scale {
+    /// The row of a body of this scale, with depths in place of z.
+    fn apply(&self, &[y, half, centre, front, back, exponent]: &[f64; 6]) -> [f64; 6] {
+        let depth = self.between(y, 0.5 * (self.neck + self.bust));
+        [
+            y * self.height,
+            half * self.between(y, self.shoulder),
+            centre * depth,
+            (front - centre) * depth,
+            (centre - back) * depth,
+            exponent,
+        ]
+    }
+
+    /// The scale at the height of a row, linear between the measured places.
+    fn between(&self, y: f64, shoulder: f64) -> f64 {
+        let places = [
+            (1.437, self.neck),
+            (1.368, shoulder),
+            (1.220, self.bust),
+            (1.060, self.waist),
+            (0.860, self.hip),
+        ];
+        let first = places[0];
+        let last = places[places.len() - 1];
+        if y >= first.0 {
+            return first.1;
+        }
+        places
+            .windows(2)
+            .find(|pair| y >= pair[1].0)
+            .map_or(last.1, |pair| {
+                let s = (pair[0].0 - y) / (pair[0].0 - pair[1].0);
+                pair[0].1 + s * (pair[1].1 - pair[0].1)
+            })
+    }
+}

@@ -1,0 +1,80 @@
+//! A scene from its parts.
+
+use super::{Avatar, Cut, Fabric, Placed, Scene};
+use crate::mesh::ClothMesh;
+use nalgebra::Vector3;
+use std::sync::Arc;
+
+/// What a scene is made of.
+#[derive(Clone, Debug)]
+pub struct Parts {
+    /// The mesh of all panels.
+    pub mesh: ClothMesh,
+    /// What is special about each panel, in the mesh's order.
+    pub panels: Vec<PanelParts>,
+    /// Fabrics in use.
+    pub fabrics: Vec<Fabric>,
+    /// The body, if there is one.
+    pub avatar: Option<Arc<Avatar>>,
+    /// Coulomb coefficient against the body; that of the smoothest fabric in use if absent.
+    pub friction: Option<f64>,
+    /// Vertices that do not move.
+    pub pins: Vec<usize>,
+}
+
+/// What is special about one panel.
+#[derive(Clone, Debug)]
+pub struct PanelParts {
+    /// How it is cut.
+    pub cut: Cut,
+    /// Where it starts.
+    pub placed: Placed,
+}
+
+/// Gravity at the standard value, downwards \[m/s²\].
+const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.80665, 0.0);
+
+/// Puts every vertex at its start and gives it its share of the cloth's mass: a third of each of its triangles.
+pub fn build(parts: Parts) -> Scene {
+    let Parts {
+        mesh,
+        panels,
+        fabrics,
+        avatar,
+        friction,
+        pins,
+    } = parts;
+    let mut start = vec![Vector3::zeros(); mesh.uv.len()];
+    let mut mass = vec![0.0; mesh.uv.len()];
+    for (range, panel) in mesh.panels.iter().zip(&panels) {
+        let density = fabrics[panel.cut.fabric].density_kg_m2;
+        for v in range.vertices.clone() {
+            start[v] = panel.placed.position(mesh.uv[v]);
+        }
+        for triangle in &mesh.triangles[range.triangles.clone()] {
+            let [p, q, r] = triangle.map(|v| mesh.uv[v]);
+            let area = 0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+            for &v in triangle {
+                mass[v] += density * area / 3.0;
+            }
+        }
+    }
+    let friction = friction.unwrap_or_else(|| {
+        fabrics
+            .iter()
+            .map(|f| f.friction)
+            .fold(f64::INFINITY, f64::min)
+    });
+    let cut = panels.into_iter().map(|panel| panel.cut).collect();
+    Scene {
+        mesh,
+        start,
+        mass,
+        fabrics,
+        cut,
+        avatar,
+        friction,
+        gravity: GRAVITY,
+        pins,
+    }
+}

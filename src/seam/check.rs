@@ -1,0 +1,258 @@
+//! The check itself: each seam on its own, then all of them together.
+
+use super::correct::Request;
+use super::faces::{self, Colouring, Saying, Why};
+use super::runs::Resolver;
+use super::{
+    FaceAsked, Routed, Seam, SeamCheck, SeamFinding, SeamSet, Stretch, division_count, length,
+    overlap, twist,
+};
+use crate::config::Limits;
+use crate::fault::{Fault, Faults, Warning};
+use crate::pattern::{Pattern, SeamPair};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Checks `pairs` against `pattern`.
+///
+/// `faces` holds what was asked for each panel, by id (absent: auto); `edge_length` \[m\] is the mesh edge length
+/// that stitch counts are stated for. Pointers are `/seams/<i>/...`. The findings always cover every seam;
+/// the [`SeamSet`] is there only when all are right. The order of `pairs` and which side of a pair is A
+/// change neither what is right nor the faces found.
+///
+/// # Errors
+/// Every fault of every seam at once, in the second part.
+pub fn check(
+    pattern: &Pattern,
+    pairs: &[SeamPair],
+    faces: &BTreeMap<String, FaceAsked>,
+    edge_length: f64,
+    limits: &Limits,
+) -> (SeamCheck, Result<SeamSet, Faults>) {
+    let mut findings: Vec<_> = pairs
+        .iter()
+        .map(|pair| SeamFinding::blank(&pair.id))
+        .collect();
+    let stated = faces::stated(pattern, faces);
+    if pairs.len() > limits.seams {
+        findings[limits.seams]
+            .errors
+            .push(too_many(pairs.len(), limits.seams));
+        let none = faces::find(pattern, &stated, &[]);
+        let set = SeamSet {
+            seams: vec![],
+            faces: none.faces,
+        };
+        return answer(pattern, findings, set, vec![]);
+    }
+    find_double_ids(pairs, &mut findings);
+    let seams = route(pattern, pairs, &mut findings);
+    for (seam, fault) in overlap::faults(pattern, pairs, &seams) {
+        findings[seam].errors.push(fault);
+    }
+    let sayings: Vec<_> = seams
+        .iter()
+        .map(|seam| Saying::new(pattern, &pairs[seam.index], seam))
+        .collect();
+    let colouring = faces::find(pattern, &stated, &sayings);
+    let request = Request {
+        pattern,
+        pairs,
+        seams: &seams,
+        sayings: &sayings,
+    };
+    let mut corrected = vec![];
+    for twist in twist::find(&request, &stated, &colouring) {
+        findings[twist.seam].errors.push(twist.fault);
+        corrected.extend(twist.corrected);
+    }
+    tell_colouring(&colouring, &sayings, &mut findings);
+    let edge_length = edge_length
+        .max(limits.edge_length_m[0])
+        .min(limits.edge_length_m[1]);
+    let sewn = seams.iter().map(|seam| {
+        let seam = colouring.ordered(seam);
+        sew(pattern, pairs, &seam, edge_length, &mut findings)
+    });
+    let set = SeamSet {
+        seams: sewn.collect(),
+        faces: colouring.faces.clone(),
+    };
+    let (mut check, set) = answer(pattern, findings, set, corrected);
+    check.warnings = loose_panels(pattern, pairs);
+    (check, set)
+}
+
+fn too_many(count: usize, most: usize) -> Fault {
+    Fault::new(
+        "seam/too_many",
+        "/seams",
+        format!("{count} seams are more than the {most} that one garment may have"),
+    )
+    .fix("join seams that go on along neighbouring edges into lists of runs, or split the garment")
+}
+
+fn find_double_ids(pairs: &[SeamPair], findings: &mut [SeamFinding]) {
+    let mut first: BTreeMap<&str, usize> = BTreeMap::new();
+    for (i, pair) in pairs.iter().enumerate() {
+        let earlier = *first.entry(&pair.id).or_insert(i);
+        if earlier != i {
+            findings[i].errors.push(
+                Fault::new(
+                    "seam/duplicate_id",
+                    format!("/seams/{i}/id"),
+                    format!("seam {i} is named `{}` like seam {earlier}", pair.id),
+                )
+                .fix("give each seam a name of its own"),
+            );
+        }
+    }
+}
+
+/// Finds the runs of every seam; those with faults get them written into their findings and are left out.
+fn route(pattern: &Pattern, pairs: &[SeamPair], findings: &mut [SeamFinding]) -> Vec<Routed> {
+    let mut resolver = Resolver::new(pattern);
+    let mut seams = vec![];
+    for (index, pair) in pairs.iter().enumerate() {
+        let finding = &mut findings[index];
+        let a = resolver.side(&pair.a, &format!("/seams/{index}/a"));
+        let b = resolver.side(&pair.b, &format!("/seams/{index}/b"));
+        match (a, b) {
+            (Ok(a), Ok(b)) => {
+                let seam = Routed {
+                    index,
+                    sides: [a, b],
+                };
+                [finding.length_a_m, finding.length_b_m] = seam.lengths(pattern);
+                length::judge_ease(finding, pair, &format!("/seams/{index}"));
+                seams.push(seam);
+            }
+            (a, b) => finding
+                .errors
+                .extend([a.err(), b.err()].into_iter().flatten().flatten()),
+        }
+    }
+    seams
+}
+
+/// Writes into the findings which seams were reversed and why, and which twist.
+fn tell_colouring(colouring: &Colouring, sayings: &[Saying<'_>], findings: &mut [SeamFinding]) {
+    for saying in sayings {
+        let seam = saying.seam;
+        let (id, finding) = (&saying.pair.id, &mut findings[seam]);
+        if let Some(why) = colouring.reversed.get(&seam) {
+            finding.reversed = true;
+            let why = match why {
+                Why::Twisted => "as picked the garment would be twisted",
+                Why::UpsideDown => {
+                    "as picked the upper end of one side would meet the lower end of the other"
+                }
+            };
+            let told = format!("side b of seam `{id}` is sewn in the other order: {why}");
+            finding.warnings.push(Warning::new(
+                "seam/reversed",
+                format!("/seams/{seam}/b"),
+                told,
+            ));
+        }
+        if colouring.twists_allowed.contains(&seam) {
+            let told = format!("seam `{id}` makes the surface one-sided, as `allow_twist` allows");
+            finding.warnings.push(Warning::new(
+                "seam/twist_allowed",
+                format!("/seams/{seam}"),
+                told,
+            ));
+        }
+    }
+}
+
+/// The seam as it is sewn, with its stitch count and directions written into its finding.
+fn sew(
+    pattern: &Pattern,
+    pairs: &[SeamPair],
+    seam: &Routed,
+    edge_length: f64,
+    findings: &mut [SeamFinding],
+) -> Seam {
+    let (pair, finding) = (&pairs[seam.index], &mut findings[seam.index]);
+    let matched = seam.matched(pattern);
+    let [a, b] = &seam.sides;
+    finding.direction_a = a.first().map(|leg| leg.direction);
+    finding.direction_b = b.first().map(|leg| leg.direction);
+    finding.stitch_count = stitch_count(pattern, &matched, edge_length);
+    Seam {
+        id: pair.id.clone(),
+        stage: pair.stage,
+        matched,
+    }
+}
+
+/// Point pairs along matched stretches: one more than mesh edges, less one where the seam is closed, and less each end at which a panel meets itself (the tip of a dart).
+fn stitch_count(pattern: &Pattern, matched: &[[Stretch; 2]], edge_length: f64) -> usize {
+    let divisions: usize = matched
+        .iter()
+        .map(|[a, b]| division_count(a.length(pattern), b.length(pattern), edge_length))
+        .fold(0, usize::saturating_add);
+    let (Some(first), Some(last)) = (matched.first(), matched.last()) else {
+        return 0;
+    };
+    let point = |s: &Stretch, at: f64| {
+        let count = pattern.panels[s.panel].edges.len();
+        (
+            s.panel,
+            if at < 1.0 {
+                (s.edge, at)
+            } else {
+                ((s.edge + 1) % count, 0.0)
+            },
+        )
+    };
+    let start = first.map(|s| point(&s, s.from));
+    let end = last.map(|s| point(&s, s.to));
+    let closed = start == end;
+    let tips = [start, end].iter().filter(|[a, b]| a == b).count();
+    (divisions + 1)
+        .saturating_sub(usize::from(closed))
+        .saturating_sub(tips)
+}
+
+fn answer(
+    pattern: &Pattern,
+    mut findings: Vec<SeamFinding>,
+    set: SeamSet,
+    corrected: Vec<SeamPair>,
+) -> (SeamCheck, Result<SeamSet, Faults>) {
+    for finding in &mut findings {
+        finding.ok = finding.errors.is_empty();
+    }
+    let faults: Vec<Fault> = findings
+        .iter()
+        .flat_map(|finding| finding.errors.clone())
+        .collect();
+    let ids = pattern.panels.iter().map(|panel| panel.id.clone());
+    let check = SeamCheck {
+        ok: faults.is_empty(),
+        faces: ids.zip(set.faces.iter().copied()).collect(),
+        warnings: vec![],
+        seams: findings,
+        corrected,
+    };
+    (check, Faults(faults).or(set))
+}
+
+fn loose_panels(pattern: &Pattern, pairs: &[SeamPair]) -> Vec<Warning> {
+    let named: BTreeSet<&str> = pairs
+        .iter()
+        .flat_map(|pair| pair.a.runs().iter().chain(pair.b.runs()))
+        .map(|run| run.panel.as_str())
+        .collect();
+    let loose = pattern
+        .panels
+        .iter()
+        .filter(|panel| !named.contains(panel.id.as_str()));
+    loose
+        .map(|panel| {
+            let told = format!("panel `{}` is sewn to nothing", panel.id);
+            Warning::new("seam/loose_panel", "/seams", told)
+        })
+        .collect()
+}

@@ -1,0 +1,177 @@
+//! Corrections of a seam that twists the surface: its mirror edge, or side B reversed.
+
+use super::Routed;
+use super::faces::Saying;
+use super::place::opposite;
+use crate::pattern::{Panel, Pattern, Place, Run, SeamPair, Side};
+
+/// How far the reflection of an edge may be from the edge that is taken for its mirror: share of the panel's width and height.
+const MIRROR_SHARE: f64 = 0.02;
+
+/// A pair that could be sewn, and what was changed in words.
+pub(super) struct Correction {
+    pub pair: SeamPair,
+    pub told: String,
+}
+
+/// Pairs as asked with the runs found for them, and what they say.
+pub(super) struct Request<'a> {
+    pub pattern: &'a Pattern,
+    pub pairs: &'a [SeamPair],
+    pub seams: &'a [Routed],
+    pub sayings: &'a [Saying<'a>],
+}
+
+impl Request<'_> {
+    /// The correction of a seam for which reversing side B agrees with all other seams: its mirror edge where
+    /// that is free and heights agree as picked, else side B reversed where heights then agree.
+    pub(super) fn correction(&self, saying: &Saying<'_>) -> Option<Correction> {
+        let pair = saying.pair;
+        if saying.heights_agree != Some(false)
+            && let Some((mirrored, told)) = self.mirrored(pair)
+        {
+            return Some(Correction {
+                pair: mirrored,
+                told,
+            });
+        }
+        let agrees = saying.heights_agree != Some(true) && self.shares_as_many_ends(saying.seam);
+        agrees.then(|| Correction {
+            pair: SeamPair {
+                b: reversed(&pair.b),
+                ..pair.clone()
+            },
+            told: "pick the corners of side b in the other order".to_owned(),
+        })
+    }
+
+    fn mirrored(&self, pair: &SeamPair) -> Option<(SeamPair, String)> {
+        if let Some((run, told)) = self.mirror_run(&pair.b) {
+            return Some((
+                SeamPair {
+                    b: Side::One(run),
+                    ..pair.clone()
+                },
+                told,
+            ));
+        }
+        let (run, told) = self.mirror_run(&pair.a)?;
+        Some((
+            SeamPair {
+                a: Side::One(run),
+                ..pair.clone()
+            },
+            told,
+        ))
+    }
+
+    /// The run along the mirror image of the edge that `side` is, if there is such an edge and nothing is sewn to it.
+    fn mirror_run(&self, side: &Side) -> Option<(Run, String)> {
+        let Side::One(run) = side else { return None };
+        let (Place::Corner(from), Place::Corner(to)) = (run.from, run.to) else {
+            return None;
+        };
+        let index = self.pattern.panel_index(&run.panel)?;
+        let panel = &self.pattern.panels[index];
+        if panel.edges.len() < 3 {
+            return None;
+        }
+        let (from, to) = (mirror_corner(panel, from)?, mirror_corner(panel, to)?);
+        let edge = panel.edges.iter().position(|edge| {
+            [edge.from, edge.to] == [from, to] || [edge.to, edge.from] == [from, to]
+        })?;
+        let stretches = self
+            .seams
+            .iter()
+            .flat_map(|seam| seam.sides.iter().flatten());
+        let taken = stretches
+            .flat_map(|leg| &leg.stretches)
+            .any(|s| (s.panel, s.edge) == (index, edge));
+        let told = format!(
+            "take the edge on the other side of `{}`, from corner {from} to corner {to}",
+            panel.id
+        );
+        let run = Run {
+            panel: run.panel.clone(),
+            from: Place::Corner(from),
+            to: Place::Corner(to),
+            direction: None,
+        };
+        (!taken).then_some((run, told))
+    }
+
+    /// Whether at least as many ends of the seam meet where ends of other seams meet too once side B is reversed.
+    fn shares_as_many_ends(&self, index: usize) -> bool {
+        let others = || self.seams.iter().filter(move |seam| seam.index != index);
+        let shared = |seam: &Routed| {
+            let ends = self.ends(seam);
+            others()
+                .flat_map(|other| self.ends(other))
+                .filter(|end| ends.contains(end))
+                .count()
+        };
+        let Some(seam) = self.seams.iter().find(|seam| seam.index == index) else {
+            return false;
+        };
+        shared(&seam.reversed()) >= shared(seam)
+    }
+
+    /// Which points meet at the two ends of a seam, each as (panel, place on the outline), the lesser first.
+    fn ends(&self, seam: &Routed) -> [[(usize, u64); 2]; 2] {
+        let point = |side: usize, last: bool| {
+            let mut stretches = seam.sides[side].iter().flat_map(|leg| &leg.stretches);
+            let (stretch, at) = if last {
+                stretches.next_back().map(|s| (s, s.to))
+            } else {
+                stretches.next().map(|s| (s, s.from))
+            }
+            .expect("a run has at least one stretch");
+            let count = self.pattern.panels[stretch.panel].edges.len();
+            let place = (stretch.edge as f64 + at) % count as f64;
+            (stretch.panel, place.to_bits())
+        };
+        [false, true].map(|last| {
+            let mut meeting = [point(0, last), point(1, last)];
+            meeting.sort_unstable();
+            meeting
+        })
+    }
+}
+
+/// The corner at the reflection of `corner` about the upright line through the middle of the panel; not itself.
+fn mirror_corner(panel: &Panel, corner: usize) -> Option<usize> {
+    let bounds = |coordinate: fn(&[f64; 2]) -> f64| {
+        let values = panel
+            .edges
+            .iter()
+            .flat_map(|edge| &edge.points)
+            .map(coordinate);
+        values.fold([f64::MAX, f64::MIN], |[low, high], v| {
+            [low.min(v), high.max(v)]
+        })
+    };
+    let ([left, right], [low, high]) = (bounds(|p| p[0]), bounds(|p| p[1]));
+    let of = panel.corners.get(corner)?;
+    panel
+        .corners
+        .iter()
+        .position(|other| {
+            (other.x - (left + right - of.x)).abs() <= MIRROR_SHARE * (right - left)
+                && (other.y - of.y).abs() <= MIRROR_SHARE * (high - low)
+        })
+        .filter(|&mirror| mirror != corner)
+}
+
+/// The same runs gone from the end to the start.
+fn reversed(side: &Side) -> Side {
+    let turned = |run: &Run| Run {
+        panel: run.panel.clone(),
+        from: run.to,
+        to: run.from,
+        direction: run.direction.map(opposite),
+    };
+    match side {
+        Side::One(run) => Side::One(turned(run)),
+        Side::Many(runs) => Side::Many(runs.iter().rev().map(turned).collect()),
+    }
+}

@@ -1,0 +1,73 @@
+//! The findings: what a client is told about a set of seams and about each of them.
+
+use super::Face;
+use crate::fault::{Fault, Warning};
+use crate::pattern::{Direction, SeamPair};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use utoipa::ToSchema;
+
+/// What was found about a set of seams: the answer of `seams/check`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct SeamCheck {
+    /// Whether all of them can be sewn.
+    pub ok: bool,
+    /// The face of each panel, by id.
+    pub faces: BTreeMap<String, Face>,
+    /// Each seam as asked, in order.
+    pub seams: Vec<SeamFinding>,
+    /// What a user should know that belongs to no single seam.
+    #[serde(default)]
+    pub warnings: Vec<Warning>,
+    /// For seams that could be corrected: how.
+    pub corrected: Vec<SeamPair>,
+}
+
+/// What was found about one seam.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct SeamFinding {
+    /// The client's name for it.
+    pub id: String,
+    /// Whether it can be sewn.
+    pub ok: bool,
+    /// Stitches it would get at the mesh edge length asked for.
+    pub stitch_count: usize,
+    /// Arc length of side A \[m\].
+    pub length_a_m: f64,
+    /// Arc length of side B \[m\].
+    pub length_b_m: f64,
+    /// Longer over shorter, less 1.
+    pub ease: f64,
+    /// Longer less shorter \[m\].
+    pub ease_m: f64,
+    /// Way of the first run of A.
+    pub direction_a: Option<Direction>,
+    /// Way of the first run of B, as sewn.
+    pub direction_b: Option<Direction>,
+    /// Whether the order of B was reversed (`match: auto`).
+    pub reversed: bool,
+    /// What keeps it from being sewn.
+    pub errors: Vec<Fault>,
+    /// What a user should know.
+    pub warnings: Vec<Warning>,
+}
+
+impl SeamFinding {
+    /// A finding of which nothing but the name is known yet.
+    pub(super) fn blank(id: &str) -> Self {
+        Self {
+            id: id.to_owned(),
+            ok: false,
+            stitch_count: 0,
+            length_a_m: 0.0,
+            length_b_m: 0.0,
+            ease: 0.0,
+            ease_m: 0.0,
+            direction_a: None,
+            direction_b: None,
+            reversed: false,
+            errors: vec![],
+            warnings: vec![],
+        }
+    }
+}

@@ -1,0 +1,89 @@
+//! Lengths along edges, and the ease that two sides of different length leave.
+
+use super::{SeamFinding, Stretch};
+use crate::fault::{Fault, Warning};
+use crate::pattern::{Edge, Pattern, SeamPair};
+
+/// Differences above this are noted \[m\].
+const EASE_NOTED_M: f64 = 1e-3;
+
+/// Ease above this is much for a plain seam.
+const EASE_MUCH: f64 = 0.15;
+
+/// Ease above this is refused unless gathering is asked for.
+const EASE_MOST: f64 = 0.30;
+
+impl Stretch {
+    /// Arc length \[m\].
+    pub(super) fn length(&self, pattern: &Pattern) -> f64 {
+        (self.to - self.from).abs() * pattern.panels[self.panel].edges[self.edge].length_m
+    }
+
+    /// The same, gone from the end to the start.
+    pub(super) fn reversed(&self) -> Self {
+        Self {
+            from: self.to,
+            to: self.from,
+            ..*self
+        }
+    }
+
+    /// Whether it runs clockwise.
+    pub(super) fn is_clockwise(&self) -> bool {
+        self.to > self.from
+    }
+
+    /// Points where it begins and ends, in pattern coordinates \[m\].
+    pub(super) fn ends(&self, pattern: &Pattern) -> [[f64; 2]; 2] {
+        let edge = &pattern.panels[self.panel].edges[self.edge];
+        [point_at(edge, self.from), point_at(edge, self.to)]
+    }
+}
+
+/// The point of `edge` at this fraction of its arc length.
+fn point_at(edge: &Edge, at: f64) -> [f64; 2] {
+    let mut left = at * edge.length_m;
+    for pair in edge.points.windows(2) {
+        let [[x0, y0], [x1, y1]] = [pair[0], pair[1]];
+        let length = (x1 - x0).hypot(y1 - y0);
+        if left <= length && length > 0.0 {
+            let share = left / length;
+            return [x0 + share * (x1 - x0), y0 + share * (y1 - y0)];
+        }
+        left -= length;
+    }
+    edge.points.last().copied().unwrap_or_default()
+}
+
+/// Writes lengths and ease of a seam into its finding, with what is to be said about them.
+pub(super) fn judge_ease(finding: &mut SeamFinding, pair: &SeamPair, pointer: &str) {
+    let (a, b) = (finding.length_a_m, finding.length_b_m);
+    let (longer, shorter) = (a.max(b), a.min(b));
+    finding.ease = longer / shorter - 1.0;
+    finding.ease_m = longer - shorter;
+    let side = if a > b { "a" } else { "b" };
+    let told = format!(
+        "side {side} of seam `{}` is longer by {:.1} mm ({:.1} %): {:.1} mm to {:.1} mm",
+        pair.id,
+        finding.ease_m * 1e3,
+        finding.ease * 1e2,
+        longer * 1e3,
+        shorter * 1e3,
+    );
+    if finding.ease > EASE_MOST && !pair.gather {
+        finding.errors.push(
+            Fault::new("seam/ease_too_large", pointer, told)
+                .fix("check that the right edges are picked; set `gather` if the longer side is to be gathered"),
+        );
+    } else if finding.ease > EASE_MUCH && !pair.gather {
+        let told = format!("{told}, which is much for a seam that is not gathered");
+        finding
+            .warnings
+            .push(Warning::new("seam/ease", pointer, told));
+    } else if finding.ease_m > EASE_NOTED_M {
+        let told = format!("{told}, which is eased in");
+        finding
+            .warnings
+            .push(Warning::new("seam/ease", pointer, told));
+    }
+}

@@ -1,0 +1,151 @@
+//! Stretches that are sewn twice: seams that lie over one another, and seams sewn to themselves.
+
+use super::place::snap_distance;
+use super::{Routed, Stretch};
+use crate::fault::Fault;
+use crate::pattern::{Pattern, SeamPair};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A stretch that a seam covers, whichever way it goes along it.
+#[derive(Clone, Copy)]
+struct Cover<'a> {
+    low: f64,
+    high: f64,
+    seam: usize,
+    side: usize,
+    pointer: &'a str,
+}
+
+/// Faults by index of the seam that they are about: the later one where two lie over one another.
+pub(super) fn faults(
+    pattern: &Pattern,
+    pairs: &[SeamPair],
+    seams: &[Routed],
+) -> Vec<(usize, Fault)> {
+    let mut found = vec![];
+    for seam in seams {
+        let mut told = BTreeSet::new();
+        for [one, other] in overlaps(pattern, covers(seam)) {
+            if told.insert((one.side, other.side)) {
+                found.push((seam.index, with_itself(pattern, pairs, one, other)));
+            }
+        }
+    }
+    let plain = seams.iter().filter(|seam| !pairs[seam.index].layered);
+    let mut told = BTreeSet::new();
+    for [one, other] in overlaps(pattern, plain.flat_map(covers)) {
+        let (earlier, later) = if one.seam < other.seam {
+            (one, other)
+        } else {
+            (other, one)
+        };
+        if earlier.seam != later.seam && told.insert((earlier.seam, later.seam)) {
+            found.push((later.seam, with_another(pairs, earlier, later)));
+        }
+    }
+    found
+}
+
+type OnEdge<'a> = ((usize, usize), Cover<'a>);
+
+fn covers(seam: &Routed) -> impl Iterator<Item = OnEdge<'_>> {
+    seam.sides.iter().enumerate().flat_map(move |(side, legs)| {
+        legs.iter().flat_map(move |leg| {
+            let pointer = leg.pointer.as_str();
+            leg.stretches.iter().map(
+                move |&Stretch {
+                          panel,
+                          edge,
+                          from,
+                          to,
+                      }| {
+                    let (low, high) = (from.min(to), from.max(to));
+                    (
+                        (panel, edge),
+                        Cover {
+                            low,
+                            high,
+                            seam: seam.index,
+                            side,
+                            pointer,
+                        },
+                    )
+                },
+            )
+        })
+    })
+}
+
+/// Pairs of covers of one edge that share more than a point. Each cover is compared with the one before it that
+/// reaches farthest, so there are at most as many pairs as covers.
+fn overlaps<'a>(
+    pattern: &Pattern,
+    covers: impl Iterator<Item = OnEdge<'a>>,
+) -> Vec<[Cover<'a>; 2]> {
+    let mut by_edge: BTreeMap<(usize, usize), Vec<Cover<'a>>> = BTreeMap::new();
+    for (edge, cover) in covers {
+        by_edge.entry(edge).or_default().push(cover);
+    }
+    let mut found = vec![];
+    for ((panel, edge), mut covers) in by_edge {
+        covers.sort_by(|a, b| a.low.total_cmp(&b.low));
+        let length = pattern.panels[panel].edges[edge].length_m;
+        let touching = snap_distance(length) / length;
+        let mut farthest = covers[0];
+        for &cover in &covers[1..] {
+            if cover.low < farthest.high - touching {
+                found.push([farthest, cover]);
+            }
+            if cover.high > farthest.high {
+                farthest = cover;
+            }
+        }
+    }
+    found
+}
+
+fn with_itself(pattern: &Pattern, pairs: &[SeamPair], one: Cover<'_>, other: Cover<'_>) -> Fault {
+    let pair = &pairs[one.seam];
+    let name = |cover: Cover<'_>| if cover.side == 0 { "a" } else { "b" };
+    if one.side == other.side {
+        return Fault::new(
+            "seam/overlap",
+            other.pointer,
+            format!(
+                "side {} of seam `{}` goes twice over the same stretch",
+                name(one),
+                pair.id
+            ),
+        )
+        .fix("let each run of the list begin where the one before it ends");
+    }
+    let later = if one.side > other.side { one } else { other };
+    let panel = pair_panel(pattern, pair);
+    Fault::new(
+        "seam/sewn_to_itself",
+        later.pointer,
+        format!("seam `{}` sews a stretch of {panel} to itself", pair.id),
+    )
+    .fix("pick a different edge for side b; to close a folded edge, pick its one half for a and its other half for b")
+}
+
+fn pair_panel(pattern: &Pattern, pair: &SeamPair) -> String {
+    let run = pair.a.runs().first();
+    let index = run.and_then(|run| pattern.panel_index(&run.panel));
+    index.map_or_else(
+        || "a panel".to_owned(),
+        |i| format!("`{}`", pattern.panels[i].id),
+    )
+}
+
+fn with_another(pairs: &[SeamPair], earlier: Cover<'_>, later: Cover<'_>) -> Fault {
+    let (first, second) = (&pairs[earlier.seam].id, &pairs[later.seam].id);
+    Fault::new(
+        "seam/overlap",
+        later.pointer,
+        format!("seam `{second}` lies over seam `{first}`: the same stretch of edge is sewn twice"),
+    )
+    .fix(format!(
+        "pick another edge, or set `layered` on `{second}` if three plies are to be sewn together there"
+    ))
+}

@@ -1,0 +1,63 @@
+//! Union-find with parity: which panels have the same face out, as far as seams say.
+
+/// That the faces of two panels are the same (`same`) or not.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Link {
+    /// The two panels.
+    pub ends: [usize; 2],
+    /// Whether their faces are the same.
+    pub same: bool,
+}
+
+/// Sets of panels whose faces are known relative to one another.
+#[derive(Clone, Debug)]
+pub(super) struct Parity {
+    /// Parent of each, and whether it has the same face as its parent.
+    parent: Vec<(usize, bool)>,
+}
+
+impl Parity {
+    /// `count` panels of which nothing is known.
+    pub(super) fn new(count: usize) -> Self {
+        Self {
+            parent: (0..count).map(|i| (i, true)).collect(),
+        }
+    }
+
+    /// The head of the set that `i` is in, and whether `i` has the same face as the head.
+    pub(super) fn find(&mut self, i: usize) -> (usize, bool) {
+        let (mut head, mut same) = (i, true);
+        while self.parent[head].0 != head {
+            let (next, next_same) = self.parent[head];
+            same = same == next_same;
+            head = next;
+        }
+        self.parent[i] = (head, same);
+        (head, same)
+    }
+
+    /// Adds what `link` says; `false`, and nothing is added, if it contradicts what is known.
+    pub(super) fn join(&mut self, link: Link) -> bool {
+        let [(head_a, same_a), (head_b, same_b)] = link.ends.map(|end| self.find(end));
+        let heads_same = (same_a == same_b) == link.same;
+        if head_a != head_b {
+            self.parent[head_a.max(head_b)] = (head_a.min(head_b), heads_same);
+            return true;
+        }
+        heads_same
+    }
+
+    /// Adds all of `links`; `false` if any contradicts what is known. Those that do not are added all the same.
+    pub(super) fn join_all(&mut self, links: &[Link]) -> bool {
+        let mut fits = true;
+        for link in links {
+            fits &= self.join(*link);
+        }
+        fits
+    }
+
+    /// Whether all of `links` fit what is known and each other.
+    pub(super) fn fits(&self, links: &[Link]) -> bool {
+        self.clone().join_all(links)
+    }
+}

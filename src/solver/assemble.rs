@@ -1,0 +1,241 @@
+//! From a scene to the particles and terms of one stage: sewing, or the drape that follows.
+
+use super::ask::{Membrane as MembraneKind, Simulate};
+use super::contact::{BodyContact, Friction};
+use super::forces::{
+    BendForce, ContinuumForce, Force, Gravity, Hinge, HingeSide, Membrane, SewingForce, Spring,
+    SpringForce,
+};
+use super::system::{System, TimedForce};
+use super::topology::Particles;
+use crate::scene::{Fabric, Scene};
+use nalgebra::Vector3;
+use std::collections::BTreeMap;
+
+/// Distance that cloth is kept from the skin, besides half its thickness \[m\]: what keeps the middles of triangles, which
+/// cut across the body's curves, outside too (an edge of 12 mm sags 0.9 mm into a shoulder of 20 mm radius).
+const SKIN_OFFSET: f64 = 2e-3;
+
+/// What one stage of a fit asks for.
+pub(crate) struct Stage<'a> {
+    /// Which vertices are one particle.
+    pub(crate) particles: &'a Particles,
+    /// Vertex pairs that a spring pulls together, and its stiffness \[N/m\].
+    pub(crate) stitches: Option<(Vec<(usize, usize)>, f64)>,
+    /// Whether weight acts.
+    pub(crate) gravity: bool,
+    /// Whether the body holds cloth by friction.
+    pub(crate) friction: bool,
+    /// How far samples of the body are carried on \[m\].
+    pub(crate) reuse: f64,
+}
+
+/// The particles and terms of `stage`.
+pub(crate) fn assemble<'a>(
+    scene: &Scene,
+    ask: &Simulate,
+    stage: &Stage<'_>,
+    clock: &'a dyn Fn() -> f64,
+) -> System<'a> {
+    let particles = stage.particles;
+    let mass = particles.sum(&scene.mass);
+    let mut forces: Vec<Box<dyn Force>> = vec![match ask.membrane {
+        MembraneKind::Continuum => Box::new(ContinuumForce::new(membranes(scene, particles))),
+        MembraneKind::Springs => Box::new(SpringForce::new(spring_net(scene, particles))),
+    }];
+    let hinges = hinges(scene, particles);
+    if !hinges.is_empty() {
+        forces.push(Box::new(BendForce::new(hinges)));
+    }
+    if stage.gravity && scene.gravity != Vector3::zeros() {
+        let weight = mass.iter().map(|m| scene.gravity * *m).collect();
+        forces.push(Box::new(Gravity {
+            weight,
+            start: particles.mean(&scene.start),
+        }));
+    }
+    if let Some((stitches, stiffness)) = &stage.stitches {
+        let pairs = stitches
+            .iter()
+            .map(|&(a, b)| (particles.of_vertex[a], particles.of_vertex[b]))
+            .filter(|(a, b)| a != b)
+            .collect();
+        forces.push(Box::new(SewingForce::new(pairs, *stiffness)));
+    }
+    let mut held = vec![false; mass.len()];
+    for &pin in &scene.pins {
+        held[particles.of_vertex[pin]] = true;
+    }
+    let contact = scene.avatar.as_ref().map(|avatar| {
+        let thickness = scene
+            .fabrics
+            .iter()
+            .map(|f| f.thickness_m)
+            .fold(0.0, f64::max);
+        let area = particles.sum(&vertex_areas(scene));
+        let friction = (stage.friction && scene.friction > 0.0)
+            .then(|| Friction::new(scene.friction, mass.len()));
+        BodyContact::new(avatar.clone(), SKIN_OFFSET + 0.5 * thickness, &area)
+            .with_friction(friction)
+            .with_reuse(stage.reuse)
+    });
+    let terms = forces
+        .into_iter()
+        .map(|force| TimedForce { force, cpu_s: 0.0 })
+        .collect();
+    System {
+        mass,
+        held,
+        terms,
+        contact,
+        contact_cpu_s: 0.0,
+        clock,
+    }
+}
+
+/// Cloth area that each vertex stands for: a third of each of its triangles \[m²\].
+fn vertex_areas(scene: &Scene) -> Vec<f64> {
+    let mut area = vec![0.0; scene.mesh.uv.len()];
+    for triangle in &scene.mesh.triangles {
+        let third = rest_area(triangle.map(|v| scene.mesh.uv[v])) / 3.0;
+        for &v in triangle {
+            area[v] += third;
+        }
+    }
+    area
+}
+
+fn rest_area([p, q, r]: [[f64; 2]; 3]) -> f64 {
+    0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
+}
+
+/// Each triangle with the panel's fabric and its rest positions in warp-weft coordinates.
+fn cut_triangles(scene: &Scene) -> impl Iterator<Item = ([usize; 3], &Fabric, [[f64; 2]; 3])> {
+    scene
+        .mesh
+        .panels
+        .iter()
+        .zip(&scene.cut)
+        .flat_map(move |(panel, cut)| {
+            let (sin, cos) = cut.warp_angle.sin_cos();
+            scene.mesh.triangles[panel.triangles.clone()]
+                .iter()
+                .map(move |t| {
+                    let rest = t.map(|v| {
+                        let [u, v] = scene.mesh.uv[v];
+                        [u * cos + v * sin, v * cos - u * sin]
+                    });
+                    (*t, &scene.fabrics[cut.fabric], rest)
+                })
+        })
+}
+
+/// The springs of the paper's membrane on `scene`, every vertex a particle: `(i, j, rest length [m], stiffness [N/m])`.
+pub fn springs(scene: &Scene) -> Vec<(usize, usize, f64, f64)> {
+    let apart = Particles::apart(scene.mesh.uv.len());
+    spring_net(scene, &apart)
+        .into_iter()
+        .map(|s| (s.a, s.b, s.rest_length, s.stiffness))
+        .collect()
+}
+
+fn membranes(scene: &Scene, particles: &Particles) -> Vec<Membrane> {
+    cut_triangles(scene)
+        .filter_map(|(t, fabric, rest)| {
+            let moduli = [
+                fabric.stretch_warp_n_m,
+                fabric.stretch_weft_n_m,
+                fabric.shear_n_m,
+            ];
+            Membrane::new(t.map(|v| particles.of_vertex[v]), rest, moduli)
+        })
+        .collect()
+}
+
+/// Springs on the edges of the mesh, panel by panel.
+///
+/// Their constants are those of A. Van Gelder, "Approximate simulation of elastic membranes by triangulated spring meshes"
+/// (Journal of Graphics Tools 3(2), 1998), k = E sum A / l² over the edge's triangles, with the modulus of an orthotropic cloth
+/// along the edge, 1/E = cos⁴/Kw + sin⁴/Kf + sin² cos²/G.
+fn spring_net(scene: &Scene, particles: &Particles) -> Vec<Spring> {
+    let mut edges: BTreeMap<(usize, usize), Spring> = BTreeMap::new();
+    for (t, fabric, rest) in cut_triangles(scene) {
+        let area = rest_area(rest).abs();
+        for (i, j) in [(0, 1), (1, 2), (2, 0)] {
+            let d = [rest[j][0] - rest[i][0], rest[j][1] - rest[i][1]];
+            let square = d[0] * d[0] + d[1] * d[1];
+            let (cos2, sin2) = (d[0] * d[0] / square, d[1] * d[1] / square);
+            let softness = cos2 * cos2 / fabric.stretch_warp_n_m
+                + sin2 * sin2 / fabric.stretch_weft_n_m
+                + sin2 * cos2 / fabric.shear_n_m;
+            let (a, b) = (particles.of_vertex[t[i]], particles.of_vertex[t[j]]);
+            let key = (t[i].min(t[j]), t[i].max(t[j]));
+            edges
+                .entry(key)
+                .or_insert(Spring {
+                    a,
+                    b,
+                    rest_length: square.sqrt(),
+                    stiffness: 0.0,
+                })
+                .stiffness += area / square / softness;
+        }
+    }
+    // Both points of an edge may be one particle where a seam gathers.
+    edges.into_values().filter(|s| s.a != s.b).collect()
+}
+
+/// Hinges between triangles that share an edge, across seams that are welded too: a seam pressed open bends like the cloth.
+fn hinges(scene: &Scene, particles: &Particles) -> Vec<Hinge> {
+    struct Wing {
+        opposite: usize,
+        side: HingeSide,
+        rigidity: f64,
+    }
+    let mut wings: BTreeMap<(usize, usize), Vec<Wing>> = BTreeMap::new();
+    for (t, fabric, rest) in cut_triangles(scene) {
+        if fabric.bending_warp_n_m.max(fabric.bending_weft_n_m) <= 0.0 {
+            continue;
+        }
+        for i in 0..3 {
+            let (p, q, r) = (rest[i], rest[(i + 1) % 3], rest[(i + 2) % 3]);
+            let [a, b, opposite] =
+                [t[i], t[(i + 1) % 3], t[(i + 2) % 3]].map(|v| particles.of_vertex[v]);
+            let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
+            // The cloth bends across the edge: along warp by as much as the edge runs along weft.
+            let along_weft = dy * dy / (dx * dx + dy * dy);
+            let rigidity =
+                fabric.bending_warp_n_m * along_weft + fabric.bending_weft_n_m * (1.0 - along_weft);
+            let cotangents = [cotangent(p, q, r), cotangent(q, p, r)];
+            let cotangents = if a < b {
+                cotangents
+            } else {
+                [cotangents[1], cotangents[0]]
+            };
+            let side = HingeSide {
+                cotangents,
+                area: rest_area(rest).abs(),
+            };
+            wings.entry((a.min(b), a.max(b))).or_default().push(Wing {
+                opposite,
+                side,
+                rigidity,
+            });
+        }
+    }
+    let hinge = |((a, b), wings): ((usize, usize), Vec<Wing>)| match wings.as_slice() {
+        [s, t] if s.opposite != t.opposite && a != b => Some(Hinge::new(
+            [a, b, s.opposite, t.opposite],
+            [s.side, t.side],
+            0.5 * (s.rigidity + t.rigidity),
+        )),
+        _ => None,
+    };
+    wings.into_iter().filter_map(hinge).collect()
+}
+
+/// Cotangent of the angle at `p` between the ways to `q` and `r`.
+fn cotangent(p: [f64; 2], q: [f64; 2], r: [f64; 2]) -> f64 {
+    let (u, v) = ([q[0] - p[0], q[1] - p[1]], [r[0] - p[0], r[1] - p[1]]);
+    (u[0] * v[0] + u[1] * v[1]) / (u[0] * v[1] - u[1] * v[0]).abs()
+}

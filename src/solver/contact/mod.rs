@@ -1,0 +1,5 @@
+//! Contact with the body, with friction.
+
+mod body;
+
+pub(crate) use body::{BodyContact, Friction};

@@ -1,0 +1,41 @@
+//! Weight.
+
+use super::Force;
+use crate::solver::sparsity::{BlockMatrix, Sparsity};
+use nalgebra::Vector3;
+
+/// Energy -m g·(x - x0): zero at the start, so that little is lost to rounding.
+pub(crate) struct Gravity {
+    pub(crate) weight: Vec<Vector3<f64>>,
+    pub(crate) start: Vec<Vector3<f64>>,
+}
+
+impl Force for Gravity {
+    fn name(&self) -> &'static str {
+        "gravity"
+    }
+
+    fn couple(&self, _pairs: &mut Vec<(usize, usize)>) {}
+
+    fn bind(&mut self, _sparsity: &Sparsity) {}
+
+    fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
+        -self
+            .weight
+            .iter()
+            .zip(x)
+            .zip(&self.start)
+            .map(|((w, x), x0)| w.dot(&(x - x0)))
+            .sum::<f64>()
+    }
+
+    fn add_force(&mut self, _x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
+        for (f, w) in force.iter_mut().zip(&self.weight) {
+            *f += w;
+        }
+    }
+
+    fn add_hessian(&mut self, _x: &[Vector3<f64>], _convex: bool, _hessian: &mut BlockMatrix) {}
+
+    fn add_stiffness(&self, _stiffness: &mut [f64]) {}
+}

@@ -1,0 +1,43 @@
+//! The force terms, one file each: an energy, its force and its second derivative on particle positions.
+
+mod bend;
+mod continuum;
+mod gravity;
+mod sewing;
+mod spring;
+
+pub(crate) use bend::{BendForce, Hinge, HingeSide};
+pub(crate) use continuum::{ContinuumForce, Membrane};
+pub(crate) use gravity::Gravity;
+pub(crate) use sewing::SewingForce;
+pub(crate) use spring::{Spring, SpringForce};
+
+use super::sparsity::{BlockMatrix, Sparsity};
+use nalgebra::Vector3;
+
+/// One term of the energy of a garment.
+///
+/// `x` are particle positions \[m\]. Energies are in joules, forces in newtons, second derivatives in newtons per metre.
+pub(crate) trait Force {
+    /// The name that reports call it by.
+    fn name(&self) -> &'static str;
+
+    /// Appends every pair of particles that act on each other through it.
+    fn couple(&self, pairs: &mut Vec<(usize, usize)>);
+
+    /// Looks up where its second derivatives go.
+    fn bind(&mut self, sparsity: &Sparsity);
+
+    /// Energy \[J\].
+    fn energy(&mut self, x: &[Vector3<f64>]) -> f64;
+
+    /// Adds the negative gradient of the energy to `force` \[N\].
+    fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]);
+
+    /// Adds the second derivative of the energy, or, if `convex`, the part of it that has no negative eigenvalue.
+    fn add_hessian(&mut self, x: &[Vector3<f64>], convex: bool, hessian: &mut BlockMatrix);
+
+    /// Adds to each particle a bound on the row sum of its second derivatives in the rest shape \[N/m\]:
+    /// what limits an explicit step, and what rounding is measured by.
+    fn add_stiffness(&self, stiffness: &mut [f64]);
+}

@@ -1,0 +1,79 @@
+//! The seam force F = -k l of the paper (P8): springs of rest length zero between the two points of each stitch.
+
+use super::Force;
+use crate::solver::sparsity::{BlockMatrix, Slot, Sparsity};
+use nalgebra::{Matrix3, Vector3};
+
+/// Springs of rest length zero, all of one stiffness \[N/m\].
+pub(crate) struct SewingForce {
+    stitches: Vec<(usize, usize)>,
+    stiffness: f64,
+    slots: Vec<[Slot; 3]>,
+}
+
+impl SewingForce {
+    pub(crate) fn new(stitches: Vec<(usize, usize)>, stiffness: f64) -> Self {
+        Self {
+            stitches,
+            stiffness,
+            slots: Vec::new(),
+        }
+    }
+}
+
+impl Force for SewingForce {
+    fn name(&self) -> &'static str {
+        "seam"
+    }
+
+    fn couple(&self, pairs: &mut Vec<(usize, usize)>) {
+        pairs.extend(&self.stitches);
+    }
+
+    fn bind(&mut self, sparsity: &Sparsity) {
+        self.slots = self
+            .stitches
+            .iter()
+            .map(|&(a, b)| {
+                [
+                    sparsity.slot(a, a),
+                    sparsity.slot(b, b),
+                    sparsity.slot(a, b),
+                ]
+            })
+            .collect();
+    }
+
+    fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
+        0.5 * self.stiffness
+            * self
+                .stitches
+                .iter()
+                .map(|&(a, b)| (x[a] - x[b]).norm_squared())
+                .sum::<f64>()
+    }
+
+    fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
+        for &(a, b) in &self.stitches {
+            let f = (x[b] - x[a]) * self.stiffness;
+            force[a] += f;
+            force[b] -= f;
+        }
+    }
+
+    fn add_hessian(&mut self, _x: &[Vector3<f64>], _convex: bool, hessian: &mut BlockMatrix) {
+        let block = Matrix3::identity() * self.stiffness;
+        for &[aa, bb, ab] in &self.slots {
+            hessian.add(aa, &block);
+            hessian.add(bb, &block);
+            hessian.add(ab, &-block);
+        }
+    }
+
+    fn add_stiffness(&self, stiffness: &mut [f64]) {
+        for &(a, b) in &self.stitches {
+            stiffness[a] += 2.0 * self.stiffness;
+            stiffness[b] += 2.0 * self.stiffness;
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! Linear springs on mesh edges: the membrane of the paper (P8).
+
+use super::Force;
+use crate::solver::sparsity::{BlockMatrix, Slot, Sparsity};
+use nalgebra::{Matrix3, Vector3};
+
+/// A linear spring: energy k/2 (|xa - xb| - rest)².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Spring {
+    pub(crate) a: usize,
+    pub(crate) b: usize,
+    /// \[m\]
+    pub(crate) rest_length: f64,
+    /// \[N/m\]
+    pub(crate) stiffness: f64,
+}
+
+/// Springs, all of the same law.
+pub(crate) struct SpringForce {
+    springs: Vec<Spring>,
+    slots: Vec<Slot>,
+    diagonals: Vec<usize>,
+}
+
+impl SpringForce {
+    pub(crate) fn new(springs: Vec<Spring>) -> Self {
+        Self {
+            springs,
+            slots: Vec::new(),
+            diagonals: Vec::new(),
+        }
+    }
+}
+
+impl Force for SpringForce {
+    fn name(&self) -> &'static str {
+        "stretch"
+    }
+
+    fn couple(&self, pairs: &mut Vec<(usize, usize)>) {
+        pairs.extend(self.springs.iter().map(|s| (s.a, s.b)));
+    }
+
+    fn bind(&mut self, sparsity: &Sparsity) {
+        self.slots = self
+            .springs
+            .iter()
+            .map(|s| sparsity.slot(s.a, s.b))
+            .collect();
+        self.diagonals = (0..sparsity.particle_count())
+            .map(|i| sparsity.diagonal(i))
+            .collect();
+    }
+
+    fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
+        self.springs
+            .iter()
+            .map(|s| 0.5 * s.stiffness * ((x[s.a] - x[s.b]).norm() - s.rest_length).powi(2))
+            .sum()
+    }
+
+    fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
+        for s in &self.springs {
+            let d = x[s.b] - x[s.a];
+            let length = d.norm();
+            // A spring of no length has no direction to push in.
+            if length > 0.0 {
+                let f = d * (s.stiffness * (1.0 - s.rest_length / length));
+                force[s.a] += f;
+                force[s.b] -= f;
+            }
+        }
+    }
+
+    fn add_hessian(&mut self, x: &[Vector3<f64>], convex: bool, hessian: &mut BlockMatrix) {
+        for (s, &slot) in self.springs.iter().zip(&self.slots) {
+            let d = x[s.b] - x[s.a];
+            let length = d.norm();
+            if length == 0.0 {
+                continue;
+            }
+            let n = d / length;
+            let along = n * n.transpose();
+            // Across the spring the stiffness is its tension over its length: negative when it is pressed together.
+            let across = 1.0 - s.rest_length / length;
+            let across = if convex { across.max(0.0) } else { across };
+            let block = (along + (Matrix3::identity() - along) * across) * s.stiffness;
+            hessian.add_diagonal(self.diagonals[s.a], &block);
+            hessian.add_diagonal(self.diagonals[s.b], &block);
+            hessian.add(slot, &-block);
+        }
+    }
+
+    fn add_stiffness(&self, stiffness: &mut [f64]) {
+        for s in &self.springs {
+            stiffness[s.a] += 2.0 * s.stiffness;
+            stiffness[s.b] += 2.0 * s.stiffness;
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! What can be measured on a shape: seam gaps, strain, penetration.
+
+use crate::scene::Scene;
+use nalgebra::{Matrix2, Vector3};
+
+/// Largest distance between the two points of any of `stitches` \[m\].
+pub(crate) fn seam_gap(stitches: &[(usize, usize)], x: &[Vector3<f64>]) -> f64 {
+    stitches
+        .iter()
+        .map(|&(a, b)| (x[a] - x[b]).norm_squared())
+        .fold(0.0, f64::max)
+        .sqrt()
+}
+
+/// RMS distance between two shapes \[m\].
+pub(crate) fn rms_distance(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
+    (x.iter()
+        .zip(y)
+        .map(|(x, y)| (x - y).norm_squared())
+        .sum::<f64>()
+        / x.len().max(1) as f64)
+        .sqrt()
+}
+
+/// Largest principal stretch of any triangle, less 1.
+pub(crate) fn strain(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
+    let stretch = |t: &[usize; 3]| {
+        let [p, q, r] = t.map(|v| scene.mesh.uv[v]);
+        let rest =
+            Matrix2::new(q[0] - p[0], r[0] - p[0], q[1] - p[1], r[1] - p[1]).try_inverse()?;
+        let (e, f) = (x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]);
+        let metric =
+            rest.transpose() * Matrix2::new(e.dot(&e), e.dot(&f), e.dot(&f), f.dot(&f)) * rest;
+        let (mean, half) = (
+            0.5 * metric.trace(),
+            0.5 * (metric[(0, 0)] - metric[(1, 1)]),
+        );
+        Some((mean + half.hypot(metric[(0, 1)])).sqrt())
+    };
+    scene
+        .mesh
+        .triangles
+        .iter()
+        .filter_map(stretch)
+        .fold(f64::NEG_INFINITY, f64::max)
+        - 1.0
+}
+
+/// Deepest that a vertex, or the middle of a triangle or of one of its edges, lies inside the body \[m\]; 0 if none does.
+///
+/// Distances are those of the body's own triangles, not of the smooth field that contact uses.
+pub(crate) fn penetration(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
+    let Some(avatar) = &scene.avatar else {
+        return 0.0;
+    };
+    let depth = |p: &Vector3<f64>| match avatar.sample(p) {
+        Some(near) if near.distance < 2e-3 => -avatar.exact_distance(p),
+        _ => 0.0,
+    };
+    let vertices = x.iter().map(&depth).fold(0.0, f64::max);
+    let middles = scene.mesh.triangles.iter().flat_map(|t| {
+        let [p, q, r] = t.map(|v| x[v]);
+        [
+            (p + q + r) / 3.0,
+            (p + q) / 2.0,
+            (q + r) / 2.0,
+            (r + p) / 2.0,
+        ]
+    });
+    middles.map(|p| depth(&p)).fold(vertices, f64::max)
+}

@@ -1,0 +1,268 @@
+//! The shape at rest by pseudo-transient Newton iteration.
+//!
+//! Each iteration minimises a quadratic model of the energy plus a proximal term M / (2 γ²) |x - x_n|² (implicit Euler with
+//! the velocity forgotten; C. T. Kelley, D. E. Keyes, "Convergence analysis of pseudo-transient continuation", SIAM J.
+//! Numer. Anal. 35(2), 1998). γ grows while the model predicts well and shrinks where it does not.
+//!
+//! # Ladder
+//! The true second derivative first; its convex part where that has no Cholesky factor; a diagonal shift where that has none
+//! either. A line search on the energy accepts or shortens the step, and no particle moves further than 4 cm at once.
+//!
+//! # Guarantees
+//! Apart from friction, whose normal forces are lagged, the energy never rises. Stops at the residual asked for, at the
+//! round-off floor, at the limit of iterations or time, or when canceled, and says which.
+
+use super::cholesky::{Cholesky, OutOfMemory};
+use super::sparsity::{BlockMatrix, Sparsity};
+use super::system::System;
+use nalgebra::{Matrix3, Vector3};
+
+/// Furthest that a particle moves in one iteration \[m\]; much more would carry cloth through a body.
+const LARGEST_MOVE: f64 = 0.04;
+/// γ at the start \[s\]: about the time in which seams close.
+const FIRST_GAMMA: f64 = 0.01;
+/// γ beyond which the proximal term is lost in rounding \[s\].
+const LARGEST_GAMMA: f64 = 1e4;
+const SMALLEST_GAMMA: f64 = 1e-7;
+/// Share of the decrease that the slope promises which a step must bring (Armijo).
+const SUFFICIENT: f64 = 1e-4;
+/// Iterations for which the convex part is used after the true second derivative had no factor.
+const CONVEX_FOR: usize = 4;
+
+/// Why an iteration stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Stop {
+    /// The caller's test was met.
+    Reached,
+    /// No step lowers the energy any more.
+    Stalled,
+    /// The limit of iterations.
+    Iterations,
+    /// The caller asked to stop.
+    Interrupted,
+    /// No memory for the factor.
+    OutOfMemory,
+    /// Forces that are not finite.
+    NotFinite,
+}
+
+/// What an iteration looks like from outside.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Iteration<'a> {
+    pub(crate) number: usize,
+    pub(crate) residual: f64,
+    pub(crate) positions: &'a [Vector3<f64>],
+}
+
+/// What a caller decides after each iteration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Verdict {
+    Continue,
+    Reached,
+    Interrupt,
+}
+
+/// Which rungs of the ladder were taken.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Rungs {
+    pub(crate) true_hessian: bool,
+    pub(crate) convex_part: bool,
+    pub(crate) diagonal_shift: bool,
+    pub(crate) smaller_step: bool,
+}
+
+/// Newton's method on one system; owns all scratch memory.
+pub(crate) struct Newton {
+    sparsity: Sparsity,
+    hessian: BlockMatrix,
+    shifted: BlockMatrix,
+    cholesky: Cholesky,
+    force: Vec<Vector3<f64>>,
+    step: Vec<Vector3<f64>>,
+    trial: Vec<Vector3<f64>>,
+    gamma: f64,
+    convex_left: usize,
+    touching: Vec<bool>,
+    pub(crate) rungs: Rungs,
+    /// Whether the last step left the set of particles in contact as it was.
+    pub(crate) contact_settled: bool,
+}
+
+impl Newton {
+    /// Lays out the matrices of `system`.
+    pub(crate) fn new(system: &mut System<'_>) -> Result<Self, OutOfMemory> {
+        let sparsity = system.bind();
+        let count = system.particle_count();
+        Ok(Self {
+            hessian: BlockMatrix::zeros(&sparsity),
+            shifted: BlockMatrix::zeros(&sparsity),
+            cholesky: Cholesky::new(&sparsity)?,
+            sparsity,
+            force: vec![Vector3::zeros(); count],
+            step: vec![Vector3::zeros(); count],
+            trial: vec![Vector3::zeros(); count],
+            gamma: FIRST_GAMMA,
+            convex_left: 0,
+            touching: Vec::new(),
+            rungs: Rungs::default(),
+            contact_settled: true,
+        })
+    }
+
+    /// Iterates from `x` until `judge` says so, at most `limit` times. `x` is always the last accepted shape.
+    pub(crate) fn run(
+        &mut self,
+        system: &mut System<'_>,
+        x: &mut [Vector3<f64>],
+        limit: usize,
+        judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
+    ) -> Stop {
+        for number in 0..limit {
+            if let Some(contact) = &mut system.contact {
+                contact.accept(x);
+                let touching = contact.touching(x);
+                self.contact_settled = touching == self.touching;
+                self.touching = touching;
+            }
+            system.net_force(x, &mut self.force);
+            let residual = system.residual(&self.force);
+            if !residual.is_finite() {
+                return Stop::NotFinite;
+            }
+            match judge(Iteration {
+                number,
+                residual,
+                positions: x,
+            }) {
+                Verdict::Continue => {}
+                Verdict::Reached => return Stop::Reached,
+                Verdict::Interrupt => return Stop::Interrupted,
+            }
+            if !self.advance(system, x) {
+                return Stop::Stalled;
+            }
+        }
+        Stop::Iterations
+    }
+
+    /// ‖H⁻¹ f‖ over the particles \[m, RMS\], with whether H is positive definite: the distance to the solution of this mesh.
+    pub(crate) fn error_estimate(
+        &mut self,
+        system: &mut System<'_>,
+        x: &[Vector3<f64>],
+    ) -> Option<f64> {
+        system.net_force(x, &mut self.force);
+        system.hessian(x, false, &mut self.hessian);
+        self.hessian.hold(&self.sparsity, &system.held);
+        self.cholesky
+            .factorise(&self.sparsity, &self.hessian)
+            .ok()?;
+        self.step.copy_from_slice(&self.force);
+        self.cholesky.solve(&mut self.step);
+        Some(
+            (self.step.iter().map(Vector3::norm_squared).sum::<f64>() / self.step.len() as f64)
+                .sqrt(),
+        )
+    }
+
+    /// One step; false if there is none that lowers the energy.
+    fn advance(&mut self, system: &mut System<'_>, x: &mut [Vector3<f64>]) -> bool {
+        let energy = system.energy(x);
+        let convex = self.convex_left > 0;
+        self.convex_left = self.convex_left.saturating_sub(1);
+        system.hessian(x, convex, &mut self.hessian);
+        let mut convex = convex;
+        while self.gamma > SMALLEST_GAMMA {
+            if !self.factorise(system) {
+                if convex {
+                    self.rungs.diagonal_shift = true;
+                    self.gamma *= 0.25;
+                } else {
+                    convex = true;
+                    self.rungs.convex_part = true;
+                    self.convex_left = CONVEX_FOR;
+                    system.hessian(x, true, &mut self.hessian);
+                }
+                continue;
+            }
+            self.rungs.true_hessian |= !convex;
+            if self.search(system, x, energy) {
+                return true;
+            }
+            self.rungs.smaller_step = true;
+            self.gamma *= 0.1;
+        }
+        self.gamma = FIRST_GAMMA;
+        false
+    }
+
+    /// Factors H + M / γ².
+    fn factorise(&mut self, system: &System<'_>) -> bool {
+        self.shifted.blocks.copy_from_slice(&self.hessian.blocks);
+        for (i, mass) in system.mass.iter().enumerate() {
+            self.shifted.add_diagonal(
+                self.sparsity.diagonal(i),
+                &(Matrix3::identity() * (mass / (self.gamma * self.gamma))),
+            );
+        }
+        self.shifted.hold(&self.sparsity, &system.held);
+        self.cholesky
+            .factorise(&self.sparsity, &self.shifted)
+            .is_ok()
+    }
+
+    /// Solves for the step and walks along it as far as the energy allows.
+    fn search(&mut self, system: &mut System<'_>, x: &mut [Vector3<f64>], energy: f64) -> bool {
+        self.step.copy_from_slice(&self.force);
+        self.cholesky.solve(&mut self.step);
+        let longest = self
+            .step
+            .iter()
+            .map(Vector3::norm_squared)
+            .fold(0.0, f64::max)
+            .sqrt();
+        if !longest.is_finite() {
+            return false;
+        }
+        let slope: f64 = self
+            .step
+            .iter()
+            .zip(&self.force)
+            .map(|(d, f)| d.dot(f))
+            .sum();
+        let curvature = self.hessian.quadratic_form(&self.sparsity, &self.step);
+        let mut share = (LARGEST_MOVE / longest).min(1.0);
+        // Differences of energy below this are rounding: the model is trusted instead.
+        let rounding = 64.0 * f64::EPSILON * energy.abs() * (x.len() as f64).sqrt();
+        for attempt in 0..6 {
+            for ((t, x), d) in self.trial.iter_mut().zip(x.iter()).zip(&self.step) {
+                *t = x + d * share;
+            }
+            let predicted = share * slope - 0.5 * share * share * curvature;
+            let gained = energy - system.energy(&self.trial);
+            if gained >= SUFFICIENT * share * slope - rounding {
+                x.copy_from_slice(&self.trial);
+                self.adapt(attempt, gained, predicted, rounding);
+                return true;
+            }
+            share *= 0.5;
+        }
+        false
+    }
+
+    /// γ grows where the model foretold the energy well, and shrinks where it did not.
+    fn adapt(&mut self, attempt: usize, gained: f64, predicted: f64, rounding: f64) {
+        let quality = if predicted.abs() <= rounding {
+            1.0
+        } else {
+            gained / predicted
+        };
+        let factor = match attempt {
+            0 if quality > 0.75 => 3.0,
+            0 if quality > 0.25 => 1.5,
+            0 | 1 => 0.7,
+            _ => 0.3,
+        };
+        self.gamma = (self.gamma * factor).clamp(SMALLEST_GAMMA * 10.0, LARGEST_GAMMA);
+    }
+}

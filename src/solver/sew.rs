@@ -1,0 +1,471 @@
+//! The order of a fit (P9, P10): pull the seams shut, close them for good, let the garment fall and come to rest.
+
+use super::ask::{Method, SeamClose, Simulate};
+use super::assemble::{Stage, assemble};
+use super::measure;
+use super::newton::{Iteration, Newton, Rungs, Stop, Verdict};
+use super::report::{CpuSeconds, Energy, LeftOut, Report, Term, Worn};
+use super::symplectic_euler::{self, Motion};
+use super::system::System;
+use super::topology::Particles;
+use super::trace::{Look, Trace};
+use super::{Context, Drape};
+use crate::scene::Scene;
+use nalgebra::Vector3;
+
+/// Stiffness of a stitch if none is asked for \[N/m\]: about that of the cloth beside it.
+const SEAM_STIFFNESS: f64 = 1e4;
+/// How much stiffer than while sewing the spring of a closed seam is (P9).
+const CLOSED_STIFFER: f64 = 10.0;
+/// How often the stitches are made ten times stiffer when the seams settle with a gap.
+const STIFFER_AT_MOST: usize = 3;
+/// Residual at which an open seam counts as settled: nothing moves any more.
+const SETTLED: f64 = 1e-3;
+/// Share of the progress that sewing is told as.
+const SEWING_SHARE: f64 = 0.4;
+/// Distance for which explicit steps carry on a sample of the body \[m\]: third-order terms stay below 1e-11 m.
+const EXPLICIT_REUSE: f64 = 2e-5;
+/// Drag while sewing and while draping \[1/s\], and speed limit \[m/s\], of the paper's method. A garment sways at about
+/// 4 rad/s: twice that is critical.
+const SEWING_MOTION: Motion = Motion {
+    drag: 40.0,
+    speed_limit: 2.0,
+    step: None,
+};
+const DRAPING_MOTION: Motion = Motion {
+    drag: 8.0,
+    speed_limit: 5.0,
+    step: None,
+};
+/// Residual up to which ‖H⁻¹ f‖ was measured to be the error.
+const ESTIMATE_HOLDS: f64 = 1e-2;
+/// How far the middle of a garment may sink while it comes to rest before it counts as fallen off \[m\].
+const FALLEN: f64 = 0.15;
+
+/// One stage run to its end.
+struct Ended {
+    stop: Stop,
+    residual: f64,
+    rungs: Rungs,
+    /// The step that explicit steps may not exceed, if a longer one was asked for \[s\].
+    too_long: Option<f64>,
+}
+
+/// Sews and drapes.
+pub fn drape(scene: &Scene, ask: &Simulate, context: &mut Context<'_>) -> Drape {
+    let clock = context.cpu_s;
+    let limits = context.limits.clone();
+    let mut fit = Fit {
+        scene,
+        ask,
+        clock,
+        iterations: limits.iterations,
+        steps: limits.steps,
+        trace: Trace::new(context, ask.time_limit_s),
+    };
+    let mut x = scene.start.clone();
+    let mut report = Report {
+        method: fit.method().to_owned(),
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        ..Report::default()
+    };
+    let sewn = fit.sew(&mut x, &mut report);
+    report.cpu_s.sew = fit.trace.cpu_s();
+    match sewn {
+        Ok(stiffness) => fit.settle(&mut x, stiffness, &mut report),
+        Err(why) => {
+            report.why = why;
+            fit.measure(&x, &mut report);
+        }
+    }
+    report.error_against_run_time = fit.trace.error_against_run_time(&x);
+    Drape {
+        positions: x,
+        canceled: fit.trace.canceled,
+        report,
+    }
+}
+
+struct Fit<'s, 'c, 'w> {
+    scene: &'s Scene,
+    ask: &'s Simulate,
+    clock: &'w dyn Fn() -> f64,
+    iterations: usize,
+    steps: u64,
+    trace: Trace<'c, 'w>,
+}
+
+impl<'s, 'w> Fit<'s, '_, 'w> {
+    fn explicit(&self) -> bool {
+        self.ask.method == Method::SymplecticEuler
+    }
+
+    fn method(&self) -> &'static str {
+        if self.explicit() {
+            "symplectic_euler"
+        } else {
+            "newton"
+        }
+    }
+
+    fn stitches(&self, last_stage: u32) -> Vec<(usize, usize)> {
+        self.scene
+            .mesh
+            .stitches
+            .iter()
+            .filter(|s| s.stage <= last_stage)
+            .map(|s| (s.a, s.b))
+            .collect()
+    }
+
+    /// Pulls the seams shut, stage by stage; the stiffness that did it, or why it could not be done.
+    fn sew(&mut self, x: &mut Vec<Vector3<f64>>, report: &mut Report) -> Result<f64, String> {
+        let mut stiffness = self.ask.seam_stiffness_n_m.unwrap_or(SEAM_STIFFNESS);
+        let mut stages: Vec<u32> = self.scene.mesh.stitches.iter().map(|s| s.stage).collect();
+        stages.sort_unstable();
+        stages.dedup();
+        for stage in stages {
+            let stitches = self.stitches(stage);
+            let mut tries = 0;
+            loop {
+                let ended = self.pull(x, &stitches, stiffness);
+                note_rungs(&mut report.ladder, ended.rungs);
+                let gap = measure::seam_gap(&stitches, x);
+                if gap < self.ask.seam_eps_m {
+                    break;
+                }
+                if ended.stop != Stop::Reached || tries == STIFFER_AT_MOST {
+                    return Err(format!(
+                        "the seams of stage {stage} are still {:.2} mm apart: {}",
+                        gap * 1e3,
+                        self.reason(&ended)
+                    ));
+                }
+                tries += 1;
+                stiffness *= 10.0;
+                push_once(&mut report.ladder, "stiffer_seams");
+            }
+        }
+        Ok(stiffness)
+    }
+
+    fn pull(
+        &mut self,
+        x: &mut Vec<Vector3<f64>>,
+        stitches: &[(usize, usize)],
+        stiffness: f64,
+    ) -> Ended {
+        let particles = Particles::apart(x.len());
+        let stage = Stage {
+            particles: &particles,
+            stitches: Some((stitches.to_vec(), stiffness)),
+            gravity: false,
+            friction: false,
+            reuse: if self.explicit() { EXPLICIT_REUSE } else { 0.0 },
+        };
+        let mut system = assemble(self.scene, self.ask, &stage, self.clock);
+        let first_gap = measure::seam_gap(stitches, x).max(1e-9);
+        let eps = self.ask.seam_eps_m;
+        let motion = self.explicit().then_some(Motion {
+            step: self.ask.step_s,
+            ..SEWING_MOTION
+        });
+        let bounds = (self.iterations, self.steps);
+        let trace = &mut self.trace;
+        let mut last = f64::NAN;
+        let mut judge = |i: Iteration<'_>| {
+            last = i.residual;
+            let gap = measure::seam_gap(stitches, i.positions);
+            let closed = (gap / first_gap).ln() / (eps / first_gap).min(0.9).ln();
+            let verdict = trace.look(&Look {
+                stage: "sew",
+                fraction: SEWING_SHARE * closed,
+                residual: i.residual,
+                seam_gap: gap,
+                shape: None,
+            });
+            let settled = gap < eps || (i.number > 0 && i.residual < SETTLED);
+            if verdict == Verdict::Continue && settled {
+                Verdict::Reached
+            } else {
+                verdict
+            }
+        };
+        let mut ended = run(&mut system, x, motion, bounds, &mut judge).0;
+        ended.residual = last;
+        ended
+    }
+
+    /// Closes the seams for good and lets the garment come to rest.
+    fn settle(&mut self, x: &mut Vec<Vector3<f64>>, stiffness: f64, report: &mut Report) {
+        let stitches = self.stitches(u32::MAX);
+        let weld = self.ask.seam_close == SeamClose::Weld;
+        let particles = if weld {
+            Particles::welded(x.len(), stitches.iter().copied())
+        } else {
+            Particles::apart(x.len())
+        };
+        let springs =
+            (!weld && !stitches.is_empty()).then(|| (stitches.clone(), stiffness * CLOSED_STIFFER));
+        let reuse = if self.explicit() { EXPLICIT_REUSE } else { 0.0 };
+        let stage = Stage {
+            particles: &particles,
+            stitches: springs,
+            gravity: true,
+            friction: true,
+            reuse,
+        };
+        let mut system = assemble(self.scene, self.ask, &stage, self.clock);
+        let mut shape = particles.mean(x);
+        let first_height = mean_height(&shape);
+        let floor = system.residual_floor(&shape);
+        let tolerance = self.ask.tolerance.max(10.0 * floor);
+        let (ended, mut newton) =
+            self.fall(&mut system, &mut shape, &particles, &stitches, tolerance);
+        *x = particles.spread(&shape);
+        note_rungs(&mut report.ladder, ended.rungs);
+        report.residual = ended.residual;
+        report.residual_floor = floor;
+        report.converged = ended.stop == Stop::Reached;
+        report.why = self.reason(&ended);
+        if report.converged && tolerance > self.ask.tolerance {
+            report.why = format!(
+                "at rest: stopped by the round-off floor, r = {:.1e} at ten times {floor:.1e}",
+                ended.residual
+            );
+        }
+        if let Some(newton) = &mut newton {
+            report.error_estimate_m = newton.error_estimate(&mut system, &shape);
+            report.error_estimate_valid = report.error_estimate_m.is_some()
+                && newton.contact_settled
+                && ended.residual <= ESTIMATE_HOLDS;
+        }
+        report.energy_j = energies(&mut system, &shape);
+        report.cpu_s.drape = self.trace.cpu_s() - report.cpu_s.sew;
+        report.terms = terms(&system);
+        self.measure(x, report);
+        report.worn = worn(self.scene, report, first_height - mean_height(&shape));
+    }
+
+    fn fall(
+        &mut self,
+        system: &mut System<'_>,
+        shape: &mut Vec<Vector3<f64>>,
+        particles: &Particles,
+        stitches: &[(usize, usize)],
+        tolerance: f64,
+    ) -> (Ended, Option<Newton>) {
+        let motion = self.explicit().then_some(Motion {
+            step: self.ask.step_s,
+            ..DRAPING_MOTION
+        });
+        let bounds = (self.iterations, self.steps);
+        let trace = &mut self.trace;
+        let mut last = f64::NAN;
+        let mut judge = |i: Iteration<'_>| {
+            last = i.residual;
+            let gap = measure::seam_gap(stitches, &particles.spread(i.positions));
+            let done =
+                (1.0 - (i.residual / tolerance).ln() / (10.0 / tolerance).ln()).clamp(0.0, 1.0);
+            let spread = || particles.spread(i.positions);
+            let look = Look {
+                stage: "drape",
+                fraction: SEWING_SHARE + (1.0 - SEWING_SHARE) * done,
+                residual: i.residual,
+                seam_gap: gap,
+                shape: Some(&spread),
+            };
+            let verdict = trace.look(&look);
+            if verdict == Verdict::Continue && i.residual <= tolerance {
+                Verdict::Reached
+            } else {
+                verdict
+            }
+        };
+        let (mut ended, newton) = run(system, shape, motion, bounds, &mut judge);
+        ended.residual = last;
+        (ended, newton)
+    }
+
+    /// Fills in what can be measured on the shape alone.
+    fn measure(&self, x: &[Vector3<f64>], report: &mut Report) {
+        let mesh = &self.scene.mesh;
+        report.seam_gap_max_m = measure::seam_gap(&self.stitches(u32::MAX), x);
+        report.strain_max = measure::strain(self.scene, x);
+        report.penetration_max_m = measure::penetration(self.scene, x);
+        report.vertices = mesh.uv.len();
+        report.triangles = mesh.triangles.len();
+        report.stitches = mesh.stitches.len();
+        report.left_out = left_out(self.scene);
+        report.cpu_s = CpuSeconds {
+            total: self.trace.cpu_s(),
+            ..report.cpu_s
+        };
+    }
+
+    fn reason(&self, ended: &Ended) -> String {
+        let r = ended.residual;
+        if let Some(step) = ended.too_long {
+            return format!(
+                "step_s is above the stability limit of {step:.2e} s: give a shorter one or leave it out"
+            );
+        }
+        match ended.stop {
+            Stop::Reached => format!("at rest: r = {r:.1e}"),
+            Stop::Interrupted if self.trace.canceled => format!("canceled at r = {r:.1e}"),
+            Stop::Interrupted => format!("the time allowed was up at r = {r:.1e}"),
+            Stop::Stalled => format!("no step lowers the energy any more, at r = {r:.1e}"),
+            Stop::Iterations => format!("the limit of iterations was reached at r = {r:.1e}"),
+            Stop::OutOfMemory => "there is no memory for the matrix factor: ask for longer mesh edges".to_owned(),
+            Stop::NotFinite => "forces became infinite: look for panels that start inside the body or seams of very unlike length".to_owned(),
+        }
+    }
+}
+
+/// Runs one stage by explicit steps if `motion` is given, else by Newton's method.
+fn run(
+    system: &mut System<'_>,
+    x: &mut Vec<Vector3<f64>>,
+    motion: Option<Motion>,
+    (iterations, steps): (usize, u64),
+    judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
+) -> (Ended, Option<Newton>) {
+    let ended = |stop| Ended {
+        stop,
+        residual: f64::NAN,
+        rungs: Rungs::default(),
+        too_long: None,
+    };
+    if let Some(motion) = motion {
+        return match symplectic_euler::run(system, x, motion, steps, judge) {
+            Ok(stop) => (ended(stop), None),
+            Err(stable) => (
+                Ended {
+                    too_long: Some(stable),
+                    ..ended(Stop::Stalled)
+                },
+                None,
+            ),
+        };
+    }
+    match Newton::new(system) {
+        Ok(mut newton) => {
+            let stop = newton.run(system, x, iterations, judge);
+            (
+                Ended {
+                    rungs: newton.rungs,
+                    ..ended(stop)
+                },
+                Some(newton),
+            )
+        }
+        Err(_) => (ended(Stop::OutOfMemory), None),
+    }
+}
+
+fn energies(system: &mut System<'_>, x: &[Vector3<f64>]) -> Energy {
+    Energy {
+        stretch: system.energy_of("stretch", x),
+        bend: system.energy_of("bend", x),
+        gravity: system.energy_of("gravity", x),
+        seam: system.energy_of("seam", x),
+        contact: system.energy_of("contact", x),
+    }
+}
+
+fn terms(system: &System<'_>) -> Vec<Term> {
+    let mut terms: Vec<Term> = system
+        .terms
+        .iter()
+        .map(|t| Term {
+            name: t.force.name().to_owned(),
+            cpu_s: t.cpu_s,
+        })
+        .collect();
+    if system.contact.is_some() {
+        terms.push(Term {
+            name: "contact".to_owned(),
+            cpu_s: system.contact_cpu_s,
+        });
+    }
+    terms
+}
+
+fn left_out(scene: &Scene) -> Vec<LeftOut> {
+    let mut left_out = vec![LeftOut {
+        name: "wind".to_owned(),
+        because: "the scene has none".to_owned(),
+    }];
+    let mut leave = |name: &str, because: &str| {
+        left_out.push(LeftOut {
+            name: name.to_owned(),
+            because: because.to_owned(),
+        })
+    };
+    leave("self_contact", "cloth against cloth is not looked for");
+    if scene.avatar.is_none() {
+        leave("contact", "the scene has no avatar");
+    } else if scene.friction == 0.0 {
+        leave("friction", "the coefficient is 0");
+    }
+    if scene.mesh.stitches.is_empty() {
+        leave("seam", "the scene has no seams");
+    }
+    if scene
+        .fabrics
+        .iter()
+        .all(|f| f.bending_warp_n_m.max(f.bending_weft_n_m) <= 0.0)
+    {
+        leave("bend", "the fabrics have no bending rigidity");
+    }
+    left_out
+}
+
+fn mean_height(x: &[Vector3<f64>]) -> f64 {
+    x.iter().map(|p| p.y).sum::<f64>() / x.len().max(1) as f64
+}
+
+/// Whether the body carries the garment: it came to rest on it without sinking far.
+fn worn(scene: &Scene, report: &Report, sunk: f64) -> Worn {
+    let (ok, because) = if scene.avatar.is_none() {
+        (false, "there is no avatar".to_owned())
+    } else if !report.converged {
+        (false, "it did not come to rest".to_owned())
+    } else if sunk > FALLEN {
+        (
+            false,
+            format!(
+                "it sank by {:.0} mm: nothing holds it where it was put",
+                sunk * 1e3
+            ),
+        )
+    } else {
+        (
+            true,
+            format!(
+                "it came to rest on the body, {:.0} mm lower than it was sewn",
+                sunk * 1e3
+            ),
+        )
+    };
+    Worn { ok, because }
+}
+
+fn note_rungs(ladder: &mut Vec<String>, rungs: Rungs) {
+    for (taken, name) in [
+        (rungs.true_hessian, "true_hessian"),
+        (rungs.convex_part, "convex_part"),
+        (rungs.diagonal_shift, "diagonal_shift"),
+        (rungs.smaller_step, "smaller_step"),
+    ] {
+        if taken {
+            push_once(ladder, name);
+        }
+    }
+}
+
+fn push_once(ladder: &mut Vec<String>, name: &str) {
+    if !ladder.iter().any(|n| n == name) {
+        ladder.push(name.to_owned());
+    }
+}

@@ -1,0 +1,124 @@
+//! The particles of a garment and the force terms that act on them: only those that the scene needs.
+
+use super::contact::BodyContact;
+use super::forces::Force;
+use super::sparsity::{BlockMatrix, Sparsity};
+use nalgebra::Vector3;
+
+/// Standard gravity, by which residuals are scaled \[m/s²\].
+pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// Particles and the terms that act on them.
+pub(crate) struct System<'a> {
+    /// \[kg\]; one per particle.
+    pub(crate) mass: Vec<f64>,
+    /// Particles that do not move.
+    pub(crate) held: Vec<bool>,
+    /// The terms, with the CPU time spent in each.
+    pub(crate) terms: Vec<TimedForce>,
+    /// Contact with the body, kept apart from the other terms because it remembers what slipped.
+    pub(crate) contact: Option<BodyContact>,
+    /// CPU time in contact \[s\].
+    pub(crate) contact_cpu_s: f64,
+    /// The only clock \[CPU s\].
+    pub(crate) clock: &'a dyn Fn() -> f64,
+}
+
+/// A term and the CPU time spent in it.
+pub(crate) struct TimedForce {
+    pub(crate) force: Box<dyn Force>,
+    pub(crate) cpu_s: f64,
+}
+
+impl System<'_> {
+    /// Number of particles.
+    pub(crate) fn particle_count(&self) -> usize {
+        self.mass.len()
+    }
+
+    /// Lays out the second derivatives and tells every term its place in them.
+    pub(crate) fn bind(&mut self) -> Sparsity {
+        let mut pairs = Vec::new();
+        for term in &self.terms {
+            term.force.couple(&mut pairs);
+        }
+        let sparsity = Sparsity::from_pairs(self.particle_count(), pairs);
+        self.for_each(|force| force.bind(&sparsity));
+        sparsity
+    }
+
+    /// Energy of all terms \[J\].
+    pub(crate) fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
+        let mut sum = 0.0;
+        self.for_each(|force| sum += force.energy(x));
+        sum
+    }
+
+    /// Energy of the term `name` \[J\], 0 if there is none.
+    pub(crate) fn energy_of(&mut self, name: &str, x: &[Vector3<f64>]) -> f64 {
+        let mut sum = 0.0;
+        self.for_each(|force| {
+            if force.name() == name {
+                sum += force.energy(x);
+            }
+        });
+        sum
+    }
+
+    /// Net force on each particle, zero on those that are held \[N\].
+    pub(crate) fn net_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
+        force.fill(Vector3::zeros());
+        self.for_each(|term| term.add_force(x, force));
+        for (f, _) in force.iter_mut().zip(&self.held).filter(|(_, held)| **held) {
+            *f = Vector3::zeros();
+        }
+    }
+
+    /// Second derivative of the energy, or its convex part.
+    pub(crate) fn hessian(&mut self, x: &[Vector3<f64>], convex: bool, hessian: &mut BlockMatrix) {
+        hessian.clear();
+        self.for_each(|force| force.add_hessian(x, convex, hessian));
+    }
+
+    /// Bound on the stiffness that each particle feels in the rest shape \[N/m\].
+    pub(crate) fn stiffness(&mut self) -> Vec<f64> {
+        let mut sum = vec![0.0; self.particle_count()];
+        self.for_each(|force| force.add_stiffness(&mut sum));
+        sum
+    }
+
+    /// r = sqrt(sum |f_i|² / n) / (M 9.80665 / n): the net force on a particle over its weight.
+    pub(crate) fn residual(&self, force: &[Vector3<f64>]) -> f64 {
+        let count = force.len() as f64;
+        let weight = self.mass.iter().sum::<f64>() * STANDARD_GRAVITY / count;
+        (force.iter().map(Vector3::norm_squared).sum::<f64>() / count).sqrt() / weight
+    }
+
+    /// The residual below which forces are rounding: k eps |x| / (m g), k the stiffness a particle feels.
+    pub(crate) fn residual_floor(&mut self, x: &[Vector3<f64>]) -> f64 {
+        let stiffness = self.stiffness();
+        let count = x.len() as f64;
+        let weight = self.mass.iter().sum::<f64>() * STANDARD_GRAVITY / count;
+        // Each of the ~10 differences that make up a force is rounded on its own, so the errors add as squares.
+        let rounding = stiffness
+            .iter()
+            .zip(x)
+            .map(|(k, x)| (k * f64::EPSILON * x.norm()).powi(2) / 10.0)
+            .sum::<f64>();
+        (rounding / count).sqrt() / weight
+    }
+
+    fn for_each(&mut self, mut run: impl FnMut(&mut dyn Force)) {
+        let mut before = (self.clock)();
+        for term in &mut self.terms {
+            run(term.force.as_mut());
+            let now = (self.clock)();
+            term.cpu_s += now - before;
+            before = now;
+        }
+        if let Some(contact) = &mut self.contact {
+            run(contact);
+            self.contact_cpu_s += (self.clock)() - before;
+        }
+    }
+}

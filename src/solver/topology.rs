@@ -1,0 +1,94 @@
+//! Which vertices are one particle: all apart while sewing, those of a stitch together once it is welded.
+
+use nalgebra::Vector3;
+
+/// The particle that each vertex is.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Particles {
+    /// `#V`
+    pub(crate) of_vertex: Vec<usize>,
+    /// Number of particles.
+    pub(crate) count: usize,
+}
+
+impl Particles {
+    /// Every vertex a particle of its own.
+    pub(crate) fn apart(vertex_count: usize) -> Self {
+        Self {
+            of_vertex: (0..vertex_count).collect(),
+            count: vertex_count,
+        }
+    }
+
+    /// The vertices of each pair, and all that hang together through pairs, one particle.
+    pub(crate) fn welded(vertex_count: usize, pairs: impl Iterator<Item = (usize, usize)>) -> Self {
+        let mut parent: Vec<usize> = (0..vertex_count).collect();
+        for (a, b) in pairs {
+            let (a, b) = (root(&mut parent, a), root(&mut parent, b));
+            // The lower index stays, so that particles are numbered in the order of vertices.
+            parent[a.max(b)] = a.min(b);
+        }
+        let mut of_vertex = vec![0; vertex_count];
+        let mut count = 0;
+        for v in 0..vertex_count {
+            let r = root(&mut parent, v);
+            of_vertex[v] = if r == v {
+                count += 1;
+                count - 1
+            } else {
+                of_vertex[r]
+            };
+        }
+        Self { of_vertex, count }
+    }
+
+    /// Sum over the vertices of each particle.
+    pub(crate) fn sum(&self, of_vertex: &[f64]) -> Vec<f64> {
+        let mut sum = vec![0.0; self.count];
+        for (&particle, value) in self.of_vertex.iter().zip(of_vertex) {
+            sum[particle] += value;
+        }
+        sum
+    }
+
+    /// Mean over the vertices of each particle.
+    pub(crate) fn mean(&self, of_vertex: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
+        let mut mean = vec![Vector3::zeros(); self.count];
+        let mut number = vec![0.0; self.count];
+        for (&particle, value) in self.of_vertex.iter().zip(of_vertex) {
+            mean[particle] += value;
+            number[particle] += 1.0;
+        }
+        mean.iter_mut().zip(&number).for_each(|(m, n)| *m /= *n);
+        mean
+    }
+
+    /// The value of each vertex's particle.
+    pub(crate) fn spread(&self, of_particle: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
+        self.of_vertex
+            .iter()
+            .map(|&particle| of_particle[particle])
+            .collect()
+    }
+}
+
+fn root(parent: &mut [usize], mut v: usize) -> usize {
+    while parent[v] != v {
+        parent[v] = parent[parent[v]];
+        v = parent[v];
+    }
+    v
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn chains_of_pairs_become_one_particle() {
+        let particles = Particles::welded(5, [(4, 2), (2, 0)].into_iter());
+        assert_eq!(particles.of_vertex, [0, 1, 0, 2, 0]);
+        assert_eq!(particles.count, 3);
+        assert_eq!(particles.sum(&[1.0; 5]), [3.0, 1.0, 1.0]);
+    }
+}

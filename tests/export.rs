@@ -1,0 +1,257 @@
+//! What is exported, read back by readers that are not ours.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
+use nalgebra::Vector3;
+use seamster::export::{GarmentMesh, PanelMesh, avatar_glb, garment_with_avatar_glb, glb, obj};
+use seamster::scene::TriangleMesh;
+use std::path::Path;
+use std::process::Command;
+
+/// A half pipe of radius 0.15 m about the y axis: the front one bulges to +z, the back one to -z.
+fn half_pipe(panel: &str, fabric: &str, facing: f64) -> PanelMesh {
+    const ROWS: u32 = 7;
+    const COLUMNS: u32 = 13;
+    let mut mesh = PanelMesh {
+        panel: panel.to_owned(),
+        fabric: fabric.to_owned(),
+        ..PanelMesh::default()
+    };
+    for row in 0..=ROWS {
+        for column in 0..=COLUMNS {
+            let u = 0.15 * std::f64::consts::PI * f64::from(column) / f64::from(COLUMNS);
+            let v = 0.3 * f64::from(row) / f64::from(ROWS);
+            let (sin, cos) = (u / 0.15).sin_cos();
+            let position = [-0.15 * cos * facing, 1.0 + v, 0.15 * sin * facing];
+            mesh.positions.push(position);
+            mesh.uv.push([u, v]);
+        }
+    }
+    for row in 0..ROWS {
+        for column in 0..COLUMNS {
+            let a = row * (COLUMNS + 1) + column;
+            let above = a + COLUMNS + 1;
+            mesh.triangles.push([a, a + 1, above]);
+            mesh.triangles.push([a + 1, above + 1, above]);
+        }
+    }
+    mesh
+}
+
+fn garment() -> GarmentMesh {
+    GarmentMesh {
+        panels: vec![
+            half_pipe("front", "cotton-poplin", 1.0),
+            half_pipe("back", "denim", -1.0),
+            half_pipe("sleeve~mirror", "cotton-poplin", 1.0),
+        ],
+    }
+}
+
+fn body() -> TriangleMesh {
+    let p = |x, y, z| Vector3::new(x, y, z);
+    TriangleMesh {
+        vertices: vec![
+            p(0.0, 1.0, 0.0),
+            p(0.1, 1.0, 0.0),
+            p(0.0, 1.1, 0.0),
+            p(0.0, 1.0, 0.1),
+        ],
+        triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+    }
+}
+
+fn single<const N: usize>(v: [f64; N]) -> [f32; N] {
+    #[expect(clippy::cast_possible_truncation, reason = "what glTF stores")]
+    v.map(|x| x as f32)
+}
+
+/// Every normal has unit length and lies on the counter-clockwise side of every triangle round it.
+fn assert_normals_point_out(positions: &[[f32; 3]], normals: &[[f32; 3]], triangles: &[[u32; 3]]) {
+    assert_eq!(positions.len(), normals.len());
+    for normal in normals {
+        assert!((Vector3::from(*normal).norm() - 1.0).abs() < 1e-5);
+    }
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|i| Vector3::from(positions[i as usize]));
+        let out = (b - a).cross(&(c - a)).normalize();
+        for i in triangle {
+            assert!(Vector3::from(normals[*i as usize]).dot(&out) > 0.9);
+        }
+    }
+}
+
+/// The document, checked, and its buffer.
+fn read(bytes: &[u8]) -> (gltf::Document, Vec<u8>) {
+    let file = gltf::Gltf::from_slice(bytes).unwrap();
+    (file.document, file.blob.unwrap_or_default())
+}
+
+fn triples(indices: impl Iterator<Item = u32>) -> Vec<[u32; 3]> {
+    let flat: Vec<u32> = indices.collect();
+    flat.chunks(3).map(|t| [t[0], t[1], t[2]]).collect()
+}
+
+#[test]
+fn glb_reads_back_the_same_mesh() {
+    let garment = garment();
+    let (document, blob) = read(&glb(&garment));
+    let nodes: Vec<_> = document.default_scene().unwrap().nodes().collect();
+    assert_eq!(nodes.len(), garment.panels.len());
+    for (node, panel) in nodes.iter().zip(&garment.panels) {
+        assert_eq!(node.name(), Some(panel.panel.as_str()));
+        let primitives: Vec<_> = node.mesh().unwrap().primitives().collect();
+        let [primitive] = &primitives[..] else {
+            panic!("one primitive a panel");
+        };
+        let reader = primitive.reader(|buffer| (buffer.index() == 0).then_some(&blob[..]));
+        let positions: Vec<[f32; 3]> = reader.read_positions().unwrap().collect();
+        let expected: Vec<_> = panel.positions.iter().map(|p| single(*p)).collect();
+        assert_eq!(positions, expected);
+        let uv: Vec<[f32; 2]> = reader.read_tex_coords(0).unwrap().into_f32().collect();
+        let expected: Vec<_> = panel.uv.iter().map(|p| single(*p)).collect();
+        assert_eq!(uv, expected);
+        let triangles = triples(reader.read_indices().unwrap().into_u32());
+        assert_eq!(triangles, panel.triangles);
+        let normals: Vec<[f32; 3]> = reader.read_normals().unwrap().collect();
+        assert_normals_point_out(&positions, &normals, &triangles);
+        assert_eq!(primitive.material().name(), Some(panel.fabric.as_str()));
+        assert!(primitive.material().double_sided());
+    }
+    assert_eq!(document.materials().count(), 2, "one a fabric");
+}
+
+#[test]
+fn glb_bounds_enclose_the_positions() {
+    let garment = garment();
+    let (document, _) = read(&glb(&garment));
+    for (mesh, panel) in document.meshes().zip(&garment.panels) {
+        let bounds = mesh.primitives().next().unwrap().bounding_box();
+        for k in 0..3 {
+            let along = || panel.positions.iter().map(|p| single(*p)[k]);
+            assert_eq!(bounds.min[k], along().fold(f32::INFINITY, f32::min));
+            assert_eq!(bounds.max[k], along().fold(f32::NEG_INFINITY, f32::max));
+        }
+    }
+}
+
+#[test]
+fn avatar_stands_beside_the_panels() {
+    let (document, _) = read(&garment_with_avatar_glb(&garment(), &body()));
+    let names: Vec<_> = document
+        .nodes()
+        .map(|n| n.name().unwrap().to_owned())
+        .collect();
+    assert_eq!(names, ["front", "back", "sleeve~mirror", "avatar"]);
+    let (document, blob) = read(&avatar_glb(&body()));
+    let primitive = document
+        .meshes()
+        .next()
+        .unwrap()
+        .primitives()
+        .next()
+        .unwrap();
+    let reader = primitive.reader(|buffer| (buffer.index() == 0).then_some(&blob[..]));
+    assert_eq!(reader.read_positions().unwrap().count(), 4);
+    assert_eq!(reader.read_indices().unwrap().into_u32().count(), 12);
+}
+
+#[test]
+fn garments_without_cloth_are_valid_files() {
+    let bare = GarmentMesh {
+        panels: vec![PanelMesh {
+            panel: "front".to_owned(),
+            ..PanelMesh::default()
+        }],
+    };
+    for garment in [GarmentMesh::default(), bare] {
+        let (document, _) = read(&glb(&garment));
+        assert_eq!(document.nodes().count(), garment.panels.len());
+        assert_eq!(document.meshes().count(), 0);
+    }
+}
+
+#[test]
+fn khronos_validator_finds_nothing_to_fault() {
+    let folder = tempfile::tempdir().unwrap();
+    let files = [
+        ("garment.glb", glb(&garment())),
+        ("dressed.glb", garment_with_avatar_glb(&garment(), &body())),
+        ("avatar.glb", avatar_glb(&body())),
+        ("nothing.glb", glb(&GarmentMesh::default())),
+    ]
+    .map(|(name, bytes)| {
+        let path = folder.path().join(name);
+        std::fs::write(&path, bytes).unwrap();
+        path
+    });
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/browser/validate-gltf.mjs");
+    let output = Command::new("node").arg(script).args(files).output();
+    let output = output.expect("node runs (and `npm ci` was run in tests/browser)");
+    let text = String::from_utf8_lossy(&output.stdout);
+    let faults = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{text}{faults}");
+    assert_eq!(text.matches(" 0 errors, 0 warnings").count(), 4, "{text}");
+}
+
+#[test]
+fn obj_reads_back_the_same_mesh() {
+    let garment = garment();
+    let text = obj(&garment);
+    let options = tobj::LoadOptions {
+        single_index: true,
+        ..tobj::LoadOptions::default()
+    };
+    let no_materials = |_: &Path| Err(tobj::LoadError::OpenFileFailed);
+    let (models, _) = tobj::load_obj_buf(&mut text.as_bytes(), &options, no_materials).unwrap();
+    assert_eq!(models.len(), garment.panels.len());
+    for (model, panel) in models.iter().zip(&garment.panels) {
+        assert_eq!(model.name, panel.panel);
+        // A reader numbers vertices as faces come, so compare corner by corner.
+        assert_eq!(model.mesh.indices.len(), 3 * panel.triangles.len());
+        for (read, drawn) in model
+            .mesh
+            .indices
+            .iter()
+            .zip(panel.triangles.iter().flatten())
+        {
+            let (read, drawn) = (*read as usize, *drawn as usize);
+            let of = |list: &[f32], n: usize| list[n * read..n * (read + 1)].to_vec();
+            // Half a nanometre as printed, then one rounding to single precision of at most 2 m.
+            let close = |a: &[f32], b: &[f64]| {
+                a.iter()
+                    .zip(b)
+                    .all(|(a, b)| (f64::from(*a) - b).abs() < 0.5e-9 + 1.2e-7)
+            };
+            assert!(close(
+                &of(&model.mesh.positions, 3),
+                &panel.positions[drawn]
+            ));
+            assert!(close(&of(&model.mesh.texcoords, 2), &panel.uv[drawn]));
+        }
+        let vectors = |list: &[f32]| {
+            list.chunks(3)
+                .map(|p| [p[0], p[1], p[2]])
+                .collect::<Vec<_>>()
+        };
+        assert_normals_point_out(
+            &vectors(&model.mesh.positions),
+            &vectors(&model.mesh.normals),
+            &triples(model.mesh.indices.iter().copied()),
+        );
+    }
+}
+
+#[test]
+fn json_reads_back_the_same_mesh() {
+    let garment = garment();
+    let text = serde_json::to_string(&garment).unwrap();
+    let read: GarmentMesh = serde_json::from_str(&text).unwrap();
+    assert_eq!(read, garment);
+}
+
+#[test]
+fn same_mesh_gives_the_same_bytes() {
+    assert_eq!(glb(&garment()), glb(&garment()));
+    assert_eq!(obj(&garment()), obj(&garment()));
+}
