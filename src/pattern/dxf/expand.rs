@@ -96,10 +96,17 @@ pub(super) fn sheets(
             entities,
         });
     }
-    let loose: Vec<Entity> =
-        model.iter().filter(|e| !matches!(e.shape, Shape::Insert(_))).map(|e| Map::scale(scale).entity(e)).collect();
+    let loose: Vec<Entity> = model
+        .iter()
+        .filter(|e| !matches!(e.shape, Shape::Insert(_)))
+        .map(|e| Map::scale(scale).entity(e))
+        .collect();
     if loose.iter().any(|e| matches!(e.shape, Shape::Path(_))) {
-        sheets.push(Sheet { block: None, line: loose[0].line, entities: loose });
+        sheets.push(Sheet {
+            block: None,
+            line: loose[0].line,
+            entities: loose,
+        });
     }
     for sheet in &mut sheets {
         sheet.bring_near(findings);
@@ -115,7 +122,13 @@ impl Sheet {
         let points: Vec<P> = self
             .entities
             .iter()
-            .filter_map(|e| if let Shape::Path(path) = &e.shape { Some(&path.points) } else { None })
+            .filter_map(|e| {
+                if let Shape::Path(path) = &e.shape {
+                    Some(&path.points)
+                } else {
+                    None
+                }
+            })
             .flatten()
             .copied()
             .collect();
@@ -125,7 +138,14 @@ impl Sheet {
         }
         let map = Map::shift([-low[0], -low[1]]);
         self.entities = self.entities.iter().map(|e| map.entity(e)).collect();
-        findings.warn("pattern/moved", self.line, format!("the drawing lies at ({:.4e}, {:.4e}) m and was moved to the origin", low[0], low[1]));
+        findings.warn(
+            "pattern/moved",
+            self.line,
+            format!(
+                "the drawing lies at ({:.4e}, {:.4e}) m and was moved to the origin",
+                low[0], low[1]
+            ),
+        );
     }
 }
 

@@ -69,7 +69,10 @@ fn read(
         .fix("export fewer pieces or sizes"));
     }
     sniff::refuse_other(bytes)?;
-    let converted = bytes.strip_prefix(sniff::BINARY).map(binary::to_text).transpose()?;
+    let converted = bytes
+        .strip_prefix(sniff::BINARY)
+        .map(binary::to_text)
+        .transpose()?;
     let text = encoding::decode(converted.as_deref().unwrap_or(bytes));
     let drawing = Drawing::read(&text, limits, findings)?;
     if let Some(last) = findings.faults.pop() {
@@ -240,12 +243,18 @@ fn panels(pieces: &[Piece], style: &str, limits: &Limits, findings: &mut Finding
 
 /// Sew lines became outlines on every panel, or the file does not say. Where only some panels have one, the user is told.
 fn allowance(pieces: &[Piece], panels: &[Panel], findings: &mut Findings) -> Allowance {
-    let sewn = pieces.iter().zip(panels).filter(|(piece, panel)| piece.sewn || piece.sew.is_some() && !panel.cut_line.is_empty());
+    let sewn = pieces
+        .iter()
+        .zip(panels)
+        .filter(|(piece, panel)| piece.sewn || piece.sew.is_some() && !panel.cut_line.is_empty());
     match sewn.count() {
         0 => Allowance::Unknown,
         count if count == panels.len() => Allowance::SewLine,
         count => {
-            let detail = format!("{count} of {} panels have a sew line; the outlines of the others may include seam allowance", panels.len());
+            let detail = format!(
+                "{count} of {} panels have a sew line; the outlines of the others may include seam allowance",
+                panels.len()
+            );
             findings.warn("pattern/allowance_mixed", pieces[0].line, detail);
             Allowance::Unknown
         }

@@ -4,7 +4,9 @@ use super::chain::Chain;
 use super::entity::P;
 use super::{Findings, at_line};
 use crate::fault::Fault;
-use crate::pattern::outline::{bounds, contains, length, nearest, perimeter, segments, signed_area};
+use crate::pattern::outline::{
+    bounds, contains, length, nearest, perimeter, segments, signed_area,
+};
 
 /// Widest seam allowance that is taken for one \[m\].
 const ALLOWANCE: f64 = 0.06;
@@ -40,7 +42,11 @@ pub(super) struct Loop {
 impl Loop {
     /// Measures a chain.
     pub(super) fn new(chain: Chain) -> Self {
-        Self { bounds: bounds(&chain.points), area: signed_area(&chain.points).abs(), chain }
+        Self {
+            bounds: bounds(&chain.points),
+            area: signed_area(&chain.points).abs(),
+            chain,
+        }
     }
 
     /// Whether a point is in its box, or at most `margin` outside.
@@ -56,7 +62,8 @@ impl Loop {
 
     /// Whether a point lies at most `reach` from the line.
     pub(super) fn beside(&self, p: P, reach: f64) -> bool {
-        self.boxes(p, reach) && nearest(segments(&self.chain.points), p).is_some_and(|n| n.distance <= reach)
+        self.boxes(p, reach)
+            && nearest(segments(&self.chain.points), p).is_some_and(|n| n.distance <= reach)
     }
 
     /// Whether it lies in `outer`: its box does, and so does most of it (sew lines run on the outline along a fold).
@@ -65,13 +72,19 @@ impl Loop {
             return false;
         }
         let sample: Vec<&P> = sample(&self.chain.points, 16).collect();
-        2 * sample.iter().filter(|at| contains(&outer.chain.points, ***at)).count() > sample.len()
+        2 * sample
+            .iter()
+            .filter(|at| contains(&outer.chain.points, ***at))
+            .count()
+            > sample.len()
     }
 
     /// Whether `inner` is its sew line, from its course.
     pub(super) fn is_sewn_on(&self, inner: &Self) -> bool {
         let large = inner.area >= SEW_SHARE * self.area && inner.area < self.area;
-        inner.chain.closed && large && sample(&inner.chain.points, 200).all(|at| self.beside(*at, ALLOWANCE))
+        inner.chain.closed
+            && large
+            && sample(&inner.chain.points, 200).all(|at| self.beside(*at, ALLOWANCE))
     }
 
     /// Whether an open line runs about it at the distance of a seam allowance.
@@ -82,7 +95,8 @@ impl Loop {
 
     fn is_drawn_over(&self, other: &Self) -> bool {
         let near = |x: f64, y: f64| (x - y).abs() <= 1e-6;
-        (0..2).all(|i| (0..2).all(|k| near(self.bounds[i][k], other.bounds[i][k]))) && near(self.area, other.area)
+        (0..2).all(|i| (0..2).all(|k| near(self.bounds[i][k], other.bounds[i][k])))
+            && near(self.area, other.area)
     }
 }
 
@@ -115,7 +129,10 @@ pub(super) fn nest(outlines: Vec<Loop>) -> (Vec<Loop>, Vec<(usize, Loop)>) {
     let mut outer: Vec<usize> = Vec::new();
     let mut owner = vec![None; outlines.len()];
     for i in order {
-        owner[i] = outer.iter().find(|o| outlines[i].lies_in(&outlines[**o])).copied();
+        owner[i] = outer
+            .iter()
+            .find(|o| outlines[i].lies_in(&outlines[**o]))
+            .copied();
         if owner[i].is_none() {
             outer.push(i);
         }
@@ -134,8 +151,12 @@ pub(super) fn nest(outlines: Vec<Loop>) -> (Vec<Loop>, Vec<(usize, Loop)>) {
 
 /// The fault for more panels than the limit.
 pub(super) fn too_many(count: usize, limit: usize, line: usize) -> Fault {
-    Fault::new("pattern/too_many_panels", at_line(line), format!("the file has {count} pieces; at most {limit} are read"))
-        .fix("export fewer pieces or sizes")
+    Fault::new(
+        "pattern/too_many_panels",
+        at_line(line),
+        format!("the file has {count} pieces; at most {limit} are read"),
+    )
+    .fix("export fewer pieces or sizes")
 }
 
 #[cfg(test)]
@@ -144,7 +165,13 @@ mod tests {
 
     fn rectangle(x: f64, y: f64, w: f64, h: f64) -> Loop {
         let points = vec![[x, y], [x + w, y], [x + w, y + h], [x, y + h]];
-        Loop::new(Chain { run_end: vec![false; 4], points, closed: true, repaired: None, line: 1 })
+        Loop::new(Chain {
+            run_end: vec![false; 4],
+            points,
+            closed: true,
+            repaired: None,
+            line: 1,
+        })
     }
 
     #[test]
@@ -162,7 +189,13 @@ mod tests {
             rectangle(1.0, 0.0, 0.3, 0.4),
             rectangle(0.05, 0.05, 0.2, 0.3),
         ]);
-        assert_eq!(outer.iter().map(|l| l.bounds[0]).collect::<Vec<_>>(), [[0.0, 0.0], [1.0, 0.0]]);
-        assert_eq!(inner.iter().map(|(owner, _)| *owner).collect::<Vec<_>>(), [0, 0]);
+        assert_eq!(
+            outer.iter().map(|l| l.bounds[0]).collect::<Vec<_>>(),
+            [[0.0, 0.0], [1.0, 0.0]]
+        );
+        assert_eq!(
+            inner.iter().map(|(owner, _)| *owner).collect::<Vec<_>>(),
+            [0, 0]
+        );
     }
 }

@@ -8,7 +8,9 @@ use super::{Findings, at_line};
 use crate::config::Limits;
 use crate::fault::Fault;
 use crate::pattern::assemble::{self, Outline};
-use crate::pattern::outline::{P, bounds, cross, crossing, distance, nearest, segments, signed_area, sub};
+use crate::pattern::outline::{
+    P, bounds, cross, crossing, distance, nearest, segments, signed_area, sub,
+};
 use crate::pattern::{Grain, Hole, NotchKind, Panel};
 
 /// A notch belongs to an outline that is at most this far away (sew lines lie inside the notched cut line) \[m\].
@@ -17,18 +19,30 @@ const NOTCH_REACH: f64 = 0.03;
 /// Makes a panel of a piece. What keeps it from being one becomes a fault at its line.
 pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> Option<Panel> {
     let drawn = checked_ring(piece, &piece.outline.chain, limits, findings)?;
-    let sew = piece.sew.as_ref().and_then(|sew| sew_ring(piece, sew, limits, findings));
+    let sew = piece
+        .sew
+        .as_ref()
+        .and_then(|sew| sew_ring(piece, sew, limits, findings));
     let fold = fold(piece, &drawn, findings);
-    let whole = |ring: &Ring| fold.and_then(|fold| fold.unfold(ring)).unwrap_or_else(|| ring.clone());
+    let whole = |ring: &Ring| {
+        fold.and_then(|fold| fold.unfold(ring))
+            .unwrap_or_else(|| ring.clone())
+    };
     let cut = whole(&drawn);
-    let ring = sew.as_ref().map_or_else(|| cut.clone(), whole).into_clockwise();
+    let ring = sew
+        .as_ref()
+        .map_or_else(|| cut.clone(), whole)
+        .into_clockwise();
     if let Some(place) = crossing(&ring.points) {
         findings.faults.push(crosses(piece, place));
         return None;
     }
     let outline = assemble::outline(&ring.points, &ring.corner);
     let holes = holes(piece, fold, limits, findings);
-    let hole_area: f64 = holes.iter().map(|hole| signed_area(&assemble::ring(&hole.edges))).sum();
+    let hole_area: f64 = holes
+        .iter()
+        .map(|hole| signed_area(&assemble::ring(&hole.edges)))
+        .sum();
     Some(Panel {
         id: String::new(),
         name: piece.name.chars().take(limits.name_chars).collect(),
@@ -42,7 +56,11 @@ pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> 
         corners: outline.corners,
         edges: outline.edges,
         holes,
-        cut_line: if sew.is_some() { cut.points } else { drawn_cut_line(piece, fold) },
+        cut_line: if sew.is_some() {
+            cut.points
+        } else {
+            drawn_cut_line(piece, fold)
+        },
         drill_holes: doubled(piece.marks.drills.clone(), fold),
         grain: grain(&piece.marks.grains),
         internal_lines: internal_lines(piece, sew.is_some(), fold),
@@ -52,12 +70,18 @@ pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> 
 /// The fold line that the outline is to be unfolded about, if it has one.
 fn fold(piece: &Piece, drawn: &Ring, findings: &mut Findings) -> Option<Fold> {
     let lines = &piece.marks.folds;
-    let found = lines.iter().filter_map(|line| Fold::new(*line)).find(|fold| fold.unfold(drawn).is_some());
+    let found = lines
+        .iter()
+        .filter_map(|line| Fold::new(*line))
+        .find(|fold| fold.unfold(drawn).is_some());
     if found.is_none() && !lines.is_empty() {
         findings.warn(
             "pattern/fold_ignored",
             piece.line,
-            format!("the fold line of {:?} is not an edge of it; the piece was not unfolded", piece.name),
+            format!(
+                "the fold line of {:?} is not an edge of it; the piece was not unfolded",
+                piece.name
+            ),
         );
     }
     found
@@ -133,7 +157,12 @@ fn checked_ring(
     }
     let ring = Ring::new(chain, &piece.marks.turns);
     if ring.points.len() < 3 || swept_area(&ring.points) < 1e-6 * side * side {
-        findings.faults.push(refuse(piece, "pattern/no_area", "has no area", "delete it, or draw its outline anew"));
+        findings.faults.push(refuse(
+            piece,
+            "pattern/no_area",
+            "has no area",
+            "delete it, or draw its outline anew",
+        ));
         return None;
     }
     Some(ring)
@@ -142,7 +171,9 @@ fn checked_ring(
 /// The areas of the triangles from the first point to each segment, none taken from another: 0 only where all points
 /// lie on one line.
 fn swept_area(ring: &[P]) -> f64 {
-    segments(ring).map(|(a, b)| 0.5 * cross(sub(a, ring[0]), sub(b, ring[0])).abs()).sum()
+    segments(ring)
+        .map(|(a, b)| 0.5 * cross(sub(a, ring[0]), sub(b, ring[0])).abs())
+        .sum()
 }
 
 /// The sew line as an outline; one that is open along a fold is closed there.
@@ -179,7 +210,9 @@ fn doubled(mut points: Vec<P>, fold: Option<Fold>) -> Vec<P> {
 
 /// The cut line drawn about a sewn outline; an open one is unfolded like the piece.
 fn drawn_cut_line(piece: &Piece, fold: Option<Fold>) -> Vec<P> {
-    let Some(cut) = &piece.cut else { return Vec::new() };
+    let Some(cut) = &piece.cut else {
+        return Vec::new();
+    };
     let mut line = cut.points.clone();
     if let Some(fold) = fold.filter(|_| !cut.closed) {
         line.extend(cut.points.iter().rev().map(|p| fold.mirror(*p)));

@@ -59,14 +59,24 @@ impl Piece {
         let labels = Labels::of(own.iter().copied());
         let free_text = || {
             own.iter().find_map(|e| match &e.shape {
-                Shape::Text(_, text) if !text.contains(':') && !text.trim().is_empty() => Some(text.trim().to_owned()),
+                Shape::Text(_, text) if !text.contains(':') && !text.trim().is_empty() => {
+                    Some(text.trim().to_owned())
+                }
                 _ => None,
             })
         };
-        let name = labels.get("piece name").map(str::to_owned).or_else(|| sheet.block.clone()).or_else(free_text);
+        let name = labels
+            .get("piece name")
+            .map(str::to_owned)
+            .or_else(|| sheet.block.clone())
+            .or_else(free_text);
         Self {
             name: name.unwrap_or_else(|| "panel".to_owned()),
-            line: if alone { sheet.line } else { outline.chain.line },
+            line: if alone {
+                sheet.line
+            } else {
+                outline.chain.line
+            },
             labels,
             outline,
             sewn: false,
@@ -96,5 +106,9 @@ pub(super) fn owner(pieces: &[Piece], at: P, alone: bool) -> Option<usize> {
         return (!pieces.is_empty()).then_some(0);
     }
     let held = pieces.iter().position(|piece| piece.outline.holds(at));
-    held.or_else(|| pieces.iter().position(|piece| piece.outline.beside(at, BESIDE)))
+    held.or_else(|| {
+        pieces
+            .iter()
+            .position(|piece| piece.outline.beside(at, BESIDE))
+    })
 }

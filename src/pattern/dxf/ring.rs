@@ -132,12 +132,17 @@ impl Ring {
 /// Which points of an outline have a mark on them.
 fn marked(points: &[P], marks: &[P]) -> Vec<bool> {
     let cells: BTreeSet<(i64, i64)> = marks.iter().map(|p| cell(*p)).collect();
-    let near = |(x, y): (i64, i64)| (-1..=1).any(|dx| (-1..=1).any(|dy| cells.contains(&(x + dx, y + dy))));
+    let near = |(x, y): (i64, i64)| {
+        (-1..=1).any(|dx| (-1..=1).any(|dy| cells.contains(&(x + dx, y + dy))))
+    };
     points.iter().map(|p| near(cell(*p))).collect()
 }
 
 /// The cell of 10 um that a point lies in: marks are rounded like outlines, to 3 um at worst.
-#[expect(clippy::cast_possible_truncation, reason = "outlines are checked to be smaller than 20 m and near the origin")]
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "outlines are checked to be smaller than 20 m and near the origin"
+)]
 fn cell(p: P) -> (i64, i64) {
     let index = |c: f64| (c * 1e5).round().clamp(-1e15, 1e15) as i64;
     (index(p[0]), index(p[1]))

@@ -19,14 +19,22 @@ pub(super) fn pieces(sheet: &Sheet, panel_limit: usize, findings: &mut Findings)
     let outlines = lines.outlines(sheet, findings);
     // Sizes and letters drawn as outlines make more outlines than panels, but not without end.
     if outlines.len() > 4 * panel_limit {
-        findings.faults.push(nest::too_many(outlines.len(), panel_limit, sheet.line));
+        findings
+            .faults
+            .push(nest::too_many(outlines.len(), panel_limit, sheet.line));
         return Vec::new();
     }
     let (outer, inner) = nest::nest(nest::drop_duplicates(outlines, findings));
     let alone = outer.len() == 1 && sheet.block.is_some();
-    let mut pieces: Vec<Piece> = outer.into_iter().map(|outline| Piece::new(sheet, outline, alone)).collect();
+    let mut pieces: Vec<Piece> = outer
+        .into_iter()
+        .map(|outline| Piece::new(sheet, outline, alone))
+        .collect();
     for piece in &mut pieces {
-        piece.sewn = lines.sew.iter().any(|sew| sew.line == piece.outline.chain.line);
+        piece.sewn = lines
+            .sew
+            .iter()
+            .any(|sew| sew.line == piece.outline.chain.line);
     }
     for (owner, inner) in inner {
         let sewn = pieces[owner].outline.is_sewn_on(&inner);
@@ -57,7 +65,13 @@ impl Lines {
                 .entities
                 .iter()
                 .filter(|e| role(&e.layer) == wanted)
-                .filter_map(|e| if let Shape::Path(path) = &e.shape { Some((path, e.line)) } else { None })
+                .filter_map(|e| {
+                    if let Shape::Path(path) = &e.shape {
+                        Some((path, e.line))
+                    } else {
+                        None
+                    }
+                })
                 .collect();
             chains(&paths)
         };
@@ -68,7 +82,10 @@ impl Lines {
             cutout: of(Role::Cutout),
             mirror: of(Role::Mirror),
             general: of(Role::General),
-            seam_first: sheet.entities.iter().any(|e| role(&e.layer) == Role::Sew && is_named(&e.layer)),
+            seam_first: sheet
+                .entities
+                .iter()
+                .any(|e| role(&e.layer) == Role::Sew && is_named(&e.layer)),
         }
     }
 
@@ -77,19 +94,36 @@ impl Lines {
     fn outlines(&self, sheet: &Sheet, findings: &mut Findings) -> Vec<Loop> {
         let (boundary, sew) = (loops(&self.boundary), loops(&self.sew));
         let mut found = if self.seam_first {
-            let alone = boundary.into_iter().filter(|cut| !sew.iter().any(|s| s.lies_in(cut)));
+            let alone = boundary
+                .into_iter()
+                .filter(|cut| !sew.iter().any(|s| s.lies_in(cut)));
             alone.chain(sew.clone()).collect()
         } else {
-            let alone: Vec<Loop> = sew.into_iter().filter(|s| !boundary.iter().any(|cut| s.lies_in(cut))).collect();
-            if sheet.block.is_some() && !boundary.is_empty() { boundary } else { boundary.into_iter().chain(alone).collect() }
+            let alone: Vec<Loop> = sew
+                .into_iter()
+                .filter(|s| !boundary.iter().any(|cut| s.lies_in(cut)))
+                .collect();
+            if sheet.block.is_some() && !boundary.is_empty() {
+                boundary
+            } else {
+                boundary.into_iter().chain(alone).collect()
+            }
         };
         if found.is_empty() {
             found = loops(&self.general);
         }
-        let lost = sheet.block.is_some() && !self.seam_first && self.boundary.iter().all(|c| !c.closed);
+        let lost =
+            sheet.block.is_some() && !self.seam_first && self.boundary.iter().all(|c| !c.closed);
         if found.is_empty() || lost && !self.boundary.is_empty() {
-            let open = self.boundary.iter().chain(&self.sew).chain(&self.general).filter(|c| !c.closed);
-            findings.faults.extend(open.map(|chain| open_outline(sheet, chain)));
+            let open = self
+                .boundary
+                .iter()
+                .chain(&self.sew)
+                .chain(&self.general)
+                .filter(|c| !c.closed);
+            findings
+                .faults
+                .extend(open.map(|chain| open_outline(sheet, chain)));
         }
         found
     }
@@ -97,8 +131,14 @@ impl Lines {
     /// Gives every line that is not an outline to the piece that it lies in.
     fn assign(&self, pieces: &mut [Piece], alone: bool, findings: &mut Findings) {
         let middle = |chain: &Chain| chain.points.get(chain.points.len() / 2).copied();
-        let is_outline = |pieces: &[Piece], chain: &Chain| pieces.iter().any(|p| p.outline.chain.line == chain.line);
-        let known = self.sew.iter().map(|c| (c, Inner::Sew)).chain(self.cutout.iter().map(|c| (c, Inner::Hole)));
+        let is_outline = |pieces: &[Piece], chain: &Chain| {
+            pieces.iter().any(|p| p.outline.chain.line == chain.line)
+        };
+        let known = self
+            .sew
+            .iter()
+            .map(|c| (c, Inner::Sew))
+            .chain(self.cutout.iter().map(|c| (c, Inner::Hole)));
         for (chain, kind) in known {
             if is_outline(pieces, chain) {
                 continue;
@@ -108,8 +148,11 @@ impl Lines {
             }
         }
         for (i, chain) in self.internal.iter().enumerate() {
-            let Some(at) = middle(chain).and_then(|at| owner(pieces, at, alone)) else { continue };
-            let asked = i < COMPARED && chain.closed && pieces[at].sew.is_none() && !pieces[at].sewn;
+            let Some(at) = middle(chain).and_then(|at| owner(pieces, at, alone)) else {
+                continue;
+            };
+            let asked =
+                i < COMPARED && chain.closed && pieces[at].sew.is_none() && !pieces[at].sewn;
             let sewn = asked && pieces[at].outline.is_sewn_on(&Loop::new(chain.clone()));
             pieces[at].adopt(chain.clone(), if sewn { Inner::Sew } else { Inner::Line });
         }
@@ -119,10 +162,21 @@ impl Lines {
     /// Lines on the outline layers that are not outlines: cut lines about a seam, else left out with a warning.
     fn assign_cut_lines(&self, pieces: &mut [Piece], findings: &mut Findings) {
         let closed_cut = self.boundary.iter().filter(|c| c.closed && self.seam_first);
-        let open = self.boundary.iter().chain(&self.general).filter(|c| !c.closed && c.points.len() > 1);
+        let open = self
+            .boundary
+            .iter()
+            .chain(&self.general)
+            .filter(|c| !c.closed && c.points.len() > 1);
         for (i, chain) in closed_cut.chain(open).enumerate() {
-            let is_free = |piece: &Piece| piece.cut.is_none() && piece.outline.chain.line != chain.line;
-            let found = (i < COMPARED).then(|| pieces.iter().position(|p| is_free(p) && p.outline.is_cut_along(chain))).flatten();
+            let is_free =
+                |piece: &Piece| piece.cut.is_none() && piece.outline.chain.line != chain.line;
+            let found = (i < COMPARED)
+                .then(|| {
+                    pieces
+                        .iter()
+                        .position(|p| is_free(p) && p.outline.is_cut_along(chain))
+                })
+                .flatten();
             match found {
                 Some(at) => pieces[at].cut = Some(chain.clone()),
                 None if !chain.closed => findings.warn(
@@ -137,20 +191,34 @@ impl Lines {
 }
 
 fn loops(chains: &[Chain]) -> Vec<Loop> {
-    chains.iter().filter(|c| c.closed).cloned().map(Loop::new).collect()
+    chains
+        .iter()
+        .filter(|c| c.closed)
+        .cloned()
+        .map(Loop::new)
+        .collect()
 }
 
 fn open_outline(sheet: &Sheet, chain: &Chain) -> Fault {
-    let name = Labels::of(sheet.entities.iter()).get("piece name").map(str::to_owned).or(sheet.block.clone());
+    let name = Labels::of(sheet.entities.iter())
+        .get("piece name")
+        .map(str::to_owned)
+        .or(sheet.block.clone());
     let of = name.map_or_else(String::new, |name| format!(" of {name:?}"));
     let ends = match (chain.points.first(), chain.points.last()) {
-        (Some(a), Some(b)) => format!(" between ({:.4}, {:.4}) m and ({:.4}, {:.4}) m", a[0], a[1], b[0], b[1]),
+        (Some(a), Some(b)) => format!(
+            " between ({:.4}, {:.4}) m and ({:.4}, {:.4}) m",
+            a[0], a[1], b[0], b[1]
+        ),
         _ => String::new(),
     };
     Fault::new(
         "pattern/open_outline",
         at_line(chain.line),
-        format!("an outline{of} is open by {:.2} mm{ends}", 1000.0 * chain.gap()),
+        format!(
+            "an outline{of} is open by {:.2} mm{ends}",
+            1000.0 * chain.gap()
+        ),
     )
     .fix("close the outline in the CAD program; gaps up to 0.5 mm are closed for you")
 }
@@ -171,10 +239,16 @@ fn assign_marks(sheet: &Sheet, mirror: &[Chain], pieces: &mut [Piece], alone: bo
             _ => None,
         };
         let is_point = matches!(entity.shape, Shape::Point(_));
-        if !matches!(role, Role::Turn | Role::Notch(_) | Role::Drill | Role::Grain) {
+        if !matches!(
+            role,
+            Role::Turn | Role::Notch(_) | Role::Drill | Role::Grain
+        ) {
             continue;
         }
-        let Some((line, at)) = line.and_then(|line| Some((line, owner(pieces, line[0], alone)?))) else { continue };
+        let Some((line, at)) = line.and_then(|line| Some((line, owner(pieces, line[0], alone)?)))
+        else {
+            continue;
+        };
         let marks = &mut pieces[at].marks;
         match role {
             Role::Turn if is_point => marks.turns.push(line[0]),
