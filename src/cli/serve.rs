@@ -1,0 +1,73 @@
+//! Serves over HTTP and runs fits, until it is asked to end.
+
+use super::{fail, refuse};
+use seamster::config::Config;
+use seamster::http;
+use seamster::job::{Queue, Sewing, WorkerPool};
+use std::io;
+use std::process::ExitCode;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::signal::unix::{SignalKind, signal};
+use tokio::sync::oneshot;
+use tokio::time::timeout;
+
+/// How long running work may take to end; container engines kill after ten seconds.
+const PATIENCE: Duration = Duration::from_secs(8);
+
+/// Serves until SIGTERM or SIGINT.
+pub(super) fn serve(config: Config) -> ExitCode {
+    let config = match config.checked() {
+        Ok(config) => config,
+        Err(error) => return refuse(&error.to_string()),
+    };
+    match start(&config) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => fail(&error.to_string()),
+    }
+}
+
+fn start(config: &Config) -> Result<(), Box<dyn std::error::Error>> {
+    let queue = Queue::open(config)?;
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .enable_all()
+        .build()?;
+    let runner = Sewing {
+        catalogue: Arc::clone(queue.catalogue()),
+        limits: config.limits.clone(),
+    };
+    let pool = WorkerPool::start(&queue, runner, config.worker_count())?;
+    tracing::info!(workers = config.worker_count(), data = %config.data.display(), "started");
+    let served = runtime.block_on(until_asked(config, queue, pool));
+    // Threads that still wait for a client must not hold the process up.
+    runtime.shutdown_timeout(Duration::from_millis(100));
+    Ok(served?)
+}
+
+/// Serves until a signal, then gives running fits back while requests end.
+async fn until_asked(config: &Config, queue: Arc<Queue>, pool: WorkerPool) -> io::Result<()> {
+    let mut terminate = signal(SignalKind::terminate())?;
+    let mut interrupt = signal(SignalKind::interrupt())?;
+    let (end, ended) = oneshot::channel::<()>();
+    let server = http::serve(config, queue, async {
+        // An error means that nobody can ask any more: then it is time too.
+        let _ = ended.await;
+    });
+    tokio::pin!(server);
+    let served = tokio::select! {
+        served = &mut server => Some(served),
+        _ = terminate.recv() => None,
+        _ = interrupt.recv() => None,
+    };
+    drop(end);
+    let workers = tokio::task::spawn_blocking(move || pool.shutdown(PATIENCE));
+    let served = match served {
+        Some(served) => served,
+        None => {
+            tracing::info!("ending");
+            timeout(PATIENCE, server).await.unwrap_or(Ok(()))
+        }
+    };
+    workers.await.map_err(io::Error::other)?;
+    served
+}

@@ -1,0 +1,186 @@
+//! Sews one garment without a server.
+
+use super::output::{MeshOutput, write};
+use super::{BAD_INPUT, FAILED, faults};
+use clap::Args;
+use seamster::config::Limits;
+use seamster::fault::{Fault, Faults};
+use seamster::fit::{self, Garment, Library, Outcome, PatternAsked, Prepared};
+use seamster::job::thread_cpu_s;
+use seamster::pattern::{self, ImportOptions, Pattern, Units};
+use seamster::progress::{CancelToken, Progress};
+use seamster::scene::{self, DressForm, Fabric};
+use seamster::solver::Context;
+use serde::de::DeserializeOwned;
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+use uuid::Uuid;
+
+/// What to sew, and where to write it.
+#[derive(Args)]
+pub(super) struct SewAsked {
+    /// The pattern, and the garment without its pattern; or a saved garment alone
+    #[arg(required = true, num_args = 1..=2, value_names = ["PATTERN.dxf", "GARMENT.json"])]
+    inputs: Vec<PathBuf>,
+    /// Where to write the mesh; the name says the format: .glb, .obj or .json
+    #[arg(short, long, value_name = "OUT.glb")]
+    output: MeshOutput,
+    /// Where to write the report
+    #[arg(long, value_name = "R.json")]
+    report: Option<PathBuf>,
+    /// Where to write the assembled scene
+    #[arg(long, value_name = "S.json")]
+    scene: Option<PathBuf>,
+    /// Unit of the pattern's coordinates, overriding what it says: mm, cm, m or inch
+    #[arg(long, value_parser = word::<Units>)]
+    units: Option<Units>,
+    /// Size to sew of a graded pattern; its sample size if not given
+    #[arg(long)]
+    size: Option<String>,
+}
+
+fn word<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+    serde_json::from_value(text.into()).map_err(|error| error.to_string())
+}
+
+/// Why nothing was sewn: the file at fault, and its faults.
+type Refused<'a> = (&'a Path, Faults);
+
+/// Sews a garment, and says by the exit code what came of it.
+pub(super) fn sew(asked: &SewAsked) -> ExitCode {
+    let limits = Limits::default();
+    let ran = prepared(asked, &limits).and_then(|prepared| {
+        let mut context = Context {
+            cpu_s: &thread_cpu_s,
+            cancel: &CancelToken::new(),
+            progress: &mut teller(),
+            limits: &limits,
+        };
+        let ran = fit::run(&prepared, &mut context);
+        ran.map_err(|faults| (asked.garment(), faults))
+    });
+    match ran {
+        Ok(outcome) => written(asked, &outcome),
+        Err((file, faults)) => {
+            faults::tell(file, &faults);
+            BAD_INPUT.into()
+        }
+    }
+}
+
+impl SewAsked {
+    fn garment(&self) -> &Path {
+        self.inputs.last().expect("clap asks for at least one")
+    }
+
+    fn pattern(&self) -> Option<&Path> {
+        match self.inputs.as_slice() {
+            [pattern, _] => Some(pattern),
+            _ => None,
+        }
+    }
+}
+
+/// Reads both files and checks the garment whole.
+fn prepared<'a>(asked: &'a SewAsked, limits: &Limits) -> Result<Prepared, Refused<'a>> {
+    let file = asked.garment();
+    let in_garment = |faults| (file, faults);
+    let mut garment = read_garment(file, limits).map_err(in_garment)?;
+    if let Some(file) = asked.pattern() {
+        if garment.pattern.is_some() {
+            let detail = "the pattern is given as a file and in the garment too";
+            let fault = Fault::new("fit/two_patterns", "/pattern", detail);
+            return Err(in_garment(fault.fix("leave it out of the garment").into()));
+        }
+        let pattern = read_pattern(file, asked, limits).map_err(|faults| (file, faults))?;
+        faults::warn(file, &pattern.warnings);
+        garment.pattern = Some(PatternAsked::Whole(Box::new(pattern)));
+    }
+    fit::prepare(garment, &Shipped, limits).map_err(in_garment)
+}
+
+fn read_garment(file: &Path, limits: &Limits) -> Result<Garment, Faults> {
+    let bytes = read(file, limits.json_bytes)?;
+    serde_json::from_slice(&bytes)
+        .map_err(|error| Fault::new("request/shape", "", error.to_string()).into())
+}
+
+fn read_pattern(file: &Path, asked: &SewAsked, limits: &Limits) -> Result<Pattern, Faults> {
+    let bytes = read(file, limits.dxf_bytes)?;
+    let name = file.file_stem().and_then(|name| name.to_str());
+    let options = ImportOptions {
+        name: name.map(str::to_owned),
+        units: asked.units,
+        size: asked.size.clone(),
+    };
+    pattern::import(&bytes, &options, limits)
+}
+
+/// The bytes of a file, at most `limit`.
+fn read(file: &Path, limit: usize) -> Result<Vec<u8>, Faults> {
+    let cannot = |detail: String| Faults::from(Fault::new("file/unreadable", "", detail));
+    let mut bytes = Vec::new();
+    File::open(file)
+        .and_then(|file| file.take(limit as u64 + 1).read_to_end(&mut bytes))
+        .map_err(|error| cannot(error.to_string()))?;
+    if bytes.len() > limit {
+        return Err(cannot(format!("it has more than {limit} bytes")));
+    }
+    Ok(bytes)
+}
+
+/// Logs each stage as it begins.
+fn teller() -> impl FnMut(Progress) {
+    let mut stage = String::new();
+    move |progress| {
+        if progress.stage != stage {
+            tracing::info!(cpu_s = progress.cpu_s, "{}", progress.stage);
+            stage = progress.stage;
+        }
+    }
+}
+
+fn written(asked: &SewAsked, outcome: &Outcome) -> ExitCode {
+    if let Err(error) = write_all(asked, outcome) {
+        return super::fail(&error);
+    }
+    let report = &outcome.report;
+    if !report.converged {
+        eprintln!("seamster: it did not converge: {}", report.why);
+        return FAILED.into();
+    }
+    ExitCode::SUCCESS
+}
+
+fn write_all(asked: &SewAsked, outcome: &Outcome) -> Result<(), String> {
+    asked.output.write(&outcome.mesh)?;
+    if let Some(path) = &asked.report {
+        let json = serde_json::to_vec_pretty(&outcome.report).map_err(|error| error.to_string())?;
+        write(path, &json)?;
+    }
+    if let Some(path) = &asked.scene {
+        let json = serde_json::to_vec(&outcome.scene).map_err(|error| error.to_string())?;
+        write(path, &json)?;
+    }
+    Ok(())
+}
+
+/// What a garment may refer to where nothing is stored.
+struct Shipped;
+
+impl Library for Shipped {
+    fn pattern(&self, _id: Uuid) -> Option<Arc<Pattern>> {
+        None
+    }
+
+    fn form(&self, _id: Uuid) -> Option<DressForm> {
+        None
+    }
+
+    fn fabric(&self, id: &str) -> Option<Fabric> {
+        scene::library().remove(id)
+    }
+}

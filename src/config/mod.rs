@@ -1,0 +1,7 @@
+//! What the operator sets: one [`Config`], and the [`Limits`] on everything that comes from outside.
+
+mod limits;
+mod settings;
+
+pub use limits::Limits;
+pub use settings::{BlobKind, Config, ConfigError, Logging, StoreKind};

@@ -1,0 +1,189 @@
+//! The settings of the service, from flags and the environment; nothing else reads the environment.
+
+use super::Limits;
+use clap::Args;
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use std::str::FromStr;
+
+/// Settings of the service.
+#[derive(Args, Clone, Debug)]
+pub struct Config {
+    /// Address to listen on; a public one needs tokens
+    #[arg(long, env = "SEAMSTER_LISTEN", default_value = "127.0.0.1:8737")]
+    pub listen: SocketAddr,
+    /// Folder of everything that is kept
+    #[arg(long, env = "SEAMSTER_DATA", default_value = "./data")]
+    pub data: PathBuf,
+    /// Where records and the queue are kept: sqlite
+    #[arg(long, env = "SEAMSTER_STORE", default_value = "sqlite")]
+    pub store: StoreKind,
+    /// Where results are kept: file
+    #[arg(long, env = "SEAMSTER_BLOBS", default_value = "file")]
+    pub blobs: BlobKind,
+    /// Fits run at the same time; one less than the cores if not given
+    #[arg(long, env = "SEAMSTER_WORKERS")]
+    pub workers: Option<usize>,
+    /// Bearer tokens that may call, separated by commas
+    #[arg(
+        long,
+        env = "SEAMSTER_TOKENS",
+        value_delimiter = ',',
+        hide_env_values = true
+    )]
+    pub tokens: Vec<String>,
+    /// Further names that clients may call the service by, separated by commas
+    #[arg(long, env = "SEAMSTER_HOSTS", value_delimiter = ',')]
+    pub hosts: Vec<String>,
+    /// Bounds on what one input may ask for.
+    #[arg(skip)]
+    pub limits: Limits,
+}
+
+/// What is logged.
+#[derive(Args, Clone, Debug)]
+pub struct Logging {
+    /// What is logged to stderr: error, warn, info, debug, or target=level, separated by commas
+    #[arg(long, env = "SEAMSTER_LOG", default_value = "info", global = true)]
+    pub log: String,
+}
+
+/// Settings that cannot be served.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ConfigError {
+    /// Anyone could call.
+    #[error(
+        "{0} can be reached from other machines: set SEAMSTER_TOKENS (or --tokens), or listen on 127.0.0.1"
+    )]
+    PublicWithoutTokens(SocketAddr),
+    /// Nothing would ever run.
+    #[error("SEAMSTER_WORKERS (or --workers) must be at least 1")]
+    NoWorkers,
+}
+
+impl Config {
+    /// The same settings, with empty tokens and hosts dropped, once they are known to go together.
+    ///
+    /// # Errors
+    /// A public address without tokens, no workers.
+    pub fn checked(mut self) -> Result<Self, ConfigError> {
+        for list in [&mut self.tokens, &mut self.hosts] {
+            *list = list.iter().map(|item| item.trim().to_owned()).collect();
+            list.retain(|item| !item.is_empty());
+        }
+        if self.tokens.is_empty() && !self.listen.ip().to_canonical().is_loopback() {
+            return Err(ConfigError::PublicWithoutTokens(self.listen));
+        }
+        if self.workers == Some(0) {
+            return Err(ConfigError::NoWorkers);
+        }
+        Ok(self)
+    }
+
+    /// Fits run at the same time: as set, else one less than the cores so that requests are still answered.
+    pub fn worker_count(&self) -> usize {
+        let cores = std::thread::available_parallelism().map_or(1, usize::from);
+        self.workers.unwrap_or(cores.saturating_sub(1)).max(1)
+    }
+}
+
+/// Where records and the queue are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StoreKind {
+    /// In a file of the data folder, for one process.
+    Sqlite,
+}
+
+impl FromStr for StoreKind {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "sqlite" => Ok(Self::Sqlite),
+            _ => Err(format!(
+                "`{text}` is not a store of this version: only `sqlite` is"
+            )),
+        }
+    }
+}
+
+/// Where results are kept.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum BlobKind {
+    /// In files of the data folder.
+    File,
+}
+
+impl FromStr for BlobKind {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text {
+            "file" => Ok(Self::File),
+            _ => Err(format!(
+                "`{text}` is no place for results in this version: only `file` is"
+            )),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::Parser;
+
+    #[derive(Parser)]
+    struct Command {
+        #[command(flatten)]
+        config: Config,
+    }
+
+    fn parse(flags: &[&str]) -> Result<Config, clap::Error> {
+        Command::try_parse_from([&["seamster"], flags].concat()).map(|command| command.config)
+    }
+
+    #[test]
+    fn public_address_without_tokens_is_refused() {
+        for listen in [
+            "0.0.0.0:80",
+            "[::]:80",
+            "192.0.2.1:80",
+            "[::ffff:10.0.0.1]:80",
+        ] {
+            let config = parse(&["--listen", listen]).unwrap();
+            assert!(
+                matches!(config.checked(), Err(ConfigError::PublicWithoutTokens(_))),
+                "{listen}"
+            );
+        }
+    }
+
+    #[test]
+    fn empty_tokens_are_no_tokens() {
+        let config = parse(&["--listen", "0.0.0.0:80", "--tokens", " ,,"]).unwrap();
+        assert!(config.checked().is_err());
+        let config = parse(&["--listen", "0.0.0.0:80", "--tokens", ", a , "]).unwrap();
+        assert_eq!(config.checked().unwrap().tokens, ["a"]);
+    }
+
+    #[test]
+    fn loopback_needs_no_tokens() {
+        for listen in ["127.0.0.1:0", "[::1]:0", "[::ffff:127.0.0.1]:0"] {
+            assert!(parse(&["--listen", listen]).unwrap().checked().is_ok());
+        }
+    }
+
+    #[test]
+    fn stores_of_later_versions_are_refused() {
+        for flags in [["--store", "nats://localhost"], ["--blobs", "s3://bucket"]] {
+            let error = parse(&flags).unwrap_err().to_string();
+            assert!(error.contains("in this version") || error.contains("of this version"));
+        }
+    }
+
+    #[test]
+    fn there_is_always_a_worker() {
+        assert!(parse(&[]).unwrap().worker_count() >= 1);
+        assert!(parse(&["--workers", "0"]).unwrap().checked().is_err());
+    }
+}

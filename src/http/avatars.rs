@@ -1,0 +1,146 @@
+//! `/v1/avatars`: bodies to drape on.
+
+use super::body::Checked;
+use super::listing::{Asking, Id, ListAsked};
+use super::problem::Problem;
+use super::state::App;
+use crate::job::{AvatarRecord, DocumentKind, Stored};
+use crate::scene::{Avatar, DressForm};
+use axum::extract::State;
+use axum::http::{StatusCode, header};
+use axum::response::IntoResponse;
+use axum::routing::get;
+use axum::{Json, Router};
+use jiff::Timestamp;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use utoipa::ToSchema;
+use uuid::Uuid;
+
+pub(super) fn router() -> Router<App> {
+    Router::new()
+        .route("/v1/avatars", get(list).post(create))
+        .route("/v1/avatars/{id}", get(show).delete(remove))
+}
+
+/// A stored avatar.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub(super) struct AvatarItem {
+    /// Its id.
+    pub id: Uuid,
+    /// Name for a person.
+    pub name: Option<String>,
+    /// When it was stored.
+    #[schema(value_type = String, format = DateTime)]
+    pub created_at: Timestamp,
+    /// The measurements it was made from.
+    pub form: DressForm,
+    /// Named points of the body \[m\]; not in lists.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub landmarks: Option<BTreeMap<String, [f64; 3]>>,
+}
+
+impl AvatarItem {
+    fn of(stored: Stored<AvatarRecord>) -> Self {
+        Self {
+            id: stored.id,
+            name: stored.value.name,
+            created_at: stored.created_at,
+            form: stored.value.form,
+            landmarks: None,
+        }
+    }
+
+    fn with_landmarks(mut self, avatar: &Avatar) -> Self {
+        let points = avatar.landmarks.iter();
+        let points = points.map(|(name, at)| (name.clone(), [at.x, at.y, at.z]));
+        self.landmarks = Some(points.collect());
+        self
+    }
+}
+
+/// Avatars, newest first.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub(super) struct AvatarList {
+    /// The avatars.
+    pub avatars: Vec<AvatarItem>,
+    /// `cursor` of the next page, if there is one.
+    pub next_cursor: Option<Uuid>,
+}
+
+/// Make a dress form from measurements and keep it
+#[utoipa::path(post, path = "/v1/avatars", tag = "avatars", request_body = AvatarRecord, responses(
+    (status = 201, description = "It is kept", body = AvatarItem, headers(("Location", description = "The avatar"))),
+    (status = 422, description = "Every measurement that no person has", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn create(
+    State(app): State<App>,
+    Checked(asked): Checked<AvatarRecord>,
+) -> Result<impl IntoResponse, Problem> {
+    let item = app
+        .heavy(move |app| {
+            let avatar = asked.form.build().map_err(|faults| faults.under("/form"))?;
+            let stored = app.catalogue().add_avatar(asked)?;
+            Ok::<_, Problem>(AvatarItem::of(stored).with_landmarks(&avatar))
+        })
+        .await??;
+    let location = format!("/v1/avatars/{}", item.id);
+    Ok((
+        StatusCode::CREATED,
+        [(header::LOCATION, location)],
+        Json(item),
+    ))
+}
+
+/// The avatars that are kept, newest first
+#[utoipa::path(get, path = "/v1/avatars", tag = "avatars", params(ListAsked), responses(
+    (status = 200, description = "A part of the list", body = AvatarList)))]
+pub(super) async fn list(
+    State(app): State<App>,
+    Asking(asked): Asking<ListAsked>,
+) -> Result<Json<AvatarList>, Problem> {
+    let page = asked.page()?;
+    let page = app
+        .blocking(move |app| app.catalogue().avatars(&page))
+        .await??;
+    Ok(Json(AvatarList {
+        avatars: page.items.into_iter().map(AvatarItem::of).collect(),
+        next_cursor: page.next,
+    }))
+}
+
+/// One avatar
+#[utoipa::path(get, path = "/v1/avatars/{id}", tag = "avatars", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The avatar", body = AvatarItem),
+    (status = 404, description = "There is none", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn show(State(app): State<App>, Id(id): Id) -> Result<Json<AvatarItem>, Problem> {
+    let (stored, avatar) = built(&app, id).await?;
+    Ok(Json(AvatarItem::of(stored).with_landmarks(&avatar)))
+}
+
+/// Remove an avatar; fits keep their own copy
+#[utoipa::path(delete, path = "/v1/avatars/{id}", tag = "avatars", params(("id" = Uuid, Path)), responses(
+    (status = 204, description = "It is gone"),
+    (status = 404, description = "There is none", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn remove(State(app): State<App>, Id(id): Id) -> Result<StatusCode, Problem> {
+    let removed = app
+        .blocking(move |app| app.catalogue().remove(DocumentKind::Avatar, id))
+        .await??;
+    removed
+        .then_some(StatusCode::NO_CONTENT)
+        .ok_or_else(|| unknown(id))
+}
+
+/// A stored avatar and its body.
+async fn built(app: &App, id: Uuid) -> Result<(Stored<AvatarRecord>, Avatar), Problem> {
+    let found = app
+        .blocking(move |app| app.catalogue().find_avatar(id))
+        .await??;
+    let stored = found.ok_or_else(|| unknown(id))?;
+    let form = stored.value.form;
+    let avatar = app.heavy(move |_| form.build()).await?;
+    Ok((stored, avatar.map_err(Problem::internal)?))
+}
+
+fn unknown(id: Uuid) -> Problem {
+    Problem::not_found(format!("There is no avatar {id}."))
+}

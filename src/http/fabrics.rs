@@ -1,0 +1,122 @@
+//! `/v1/fabrics`: the library, and fabrics of one's own.
+
+use super::body::Checked;
+use super::problem::Problem;
+use super::state::App;
+use crate::fault::{Fault, Faults};
+use crate::scene::Fabric;
+use axum::extract::{Path, State};
+use axum::http::{StatusCode, header};
+use axum::response::IntoResponse;
+use axum::routing::get;
+use axum::{Json, Router};
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+
+pub(super) fn router() -> Router<App> {
+    Router::new()
+        .route("/v1/fabrics", get(list).post(create))
+        .route("/v1/fabrics/{id}", get(show))
+}
+
+/// A fabric with the id that garments name it by.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub(super) struct FabricItem {
+    /// Its id.
+    pub id: String,
+    /// Its coefficients.
+    #[serde(flatten)]
+    pub fabric: Fabric,
+}
+
+/// All fabrics.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub(super) struct FabricList {
+    /// Those shipped and those stored, by id.
+    pub fabrics: Vec<FabricItem>,
+}
+
+/// All fabrics: those shipped and those stored
+#[utoipa::path(get, path = "/v1/fabrics", tag = "fabrics", responses(
+    (status = 200, description = "The fabrics", body = FabricList)))]
+pub(super) async fn list(State(app): State<App>) -> Result<Json<FabricList>, Problem> {
+    let fabrics = app.blocking(|app| app.catalogue().fabrics()).await??;
+    let items = fabrics.into_iter();
+    let fabrics = items
+        .map(|(id, fabric)| FabricItem { id, fabric })
+        .collect();
+    Ok(Json(FabricList { fabrics }))
+}
+
+/// Keep a fabric of one's own
+#[utoipa::path(post, path = "/v1/fabrics", tag = "fabrics", request_body = Fabric, responses(
+    (status = 201, description = "It is kept", body = FabricItem, headers(("Location", description = "The fabric"))),
+    (status = 422, description = "Every figure that no cloth has", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn create(
+    State(app): State<App>,
+    Checked(fabric): Checked<Fabric>,
+) -> Result<impl IntoResponse, Problem> {
+    check(&fabric, app.limits().name_chars)?;
+    let stored = app
+        .blocking(move |app| app.catalogue().add_fabric(fabric))
+        .await??;
+    let location = format!("/v1/fabrics/{}", stored.id);
+    let item = FabricItem {
+        id: stored.id.to_string(),
+        fabric: stored.value,
+    };
+    Ok((
+        StatusCode::CREATED,
+        [(header::LOCATION, location)],
+        Json(item),
+    ))
+}
+
+/// One fabric
+#[utoipa::path(get, path = "/v1/fabrics/{id}", tag = "fabrics", params(("id" = String, Path)), responses(
+    (status = 200, description = "The fabric", body = FabricItem),
+    (status = 404, description = "There is none", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn show(
+    State(app): State<App>,
+    Path(id): Path<String>,
+) -> Result<Json<FabricItem>, Problem> {
+    let mut fabrics = app.blocking(|app| app.catalogue().fabrics()).await??;
+    let found = fabrics.remove(&id);
+    let fabric = found.ok_or_else(|| Problem::not_found(format!("There is no fabric {id:?}.")))?;
+    Ok(Json(FabricItem { id, fabric }))
+}
+
+/// Every figure that no cloth has.
+fn check(fabric: &Fabric, name_chars: usize) -> Result<(), Faults> {
+    let above_zero = [
+        ("density_kg_m2", fabric.density_kg_m2),
+        ("thickness_m", fabric.thickness_m),
+        ("stretch_warp_n_m", fabric.stretch_warp_n_m),
+        ("stretch_weft_n_m", fabric.stretch_weft_n_m),
+        ("shear_n_m", fabric.shear_n_m),
+    ];
+    let not_below_zero = [
+        ("bending_warp_n_m", fabric.bending_warp_n_m),
+        ("bending_weft_n_m", fabric.bending_weft_n_m),
+        ("friction", fabric.friction),
+        ("damping_ratio", fabric.damping_ratio),
+    ];
+    let low = above_zero.into_iter().filter(|(_, figure)| *figure <= 0.0);
+    let negative = not_below_zero
+        .into_iter()
+        .filter(|(_, figure)| *figure < 0.0);
+    let mut faults: Vec<Fault> = low
+        .map(|(name, figure)| outside(name, figure, "above"))
+        .chain(negative.map(|(name, figure)| outside(name, figure, "at least")))
+        .collect();
+    if fabric.name.chars().count() > name_chars {
+        let detail = format!("the name is longer than {name_chars} characters");
+        faults.push(Fault::new("fabric/name_too_long", "/name", detail));
+    }
+    Faults(faults).or(())
+}
+
+fn outside(name: &str, figure: f64, bound: &str) -> Fault {
+    let detail = format!("{name} is {figure}; it must be {bound} 0");
+    Fault::new("fabric/out_of_range", format!("/{name}"), detail)
+}

@@ -1,0 +1,91 @@
+//! The `OpenAPI` 3.1 document and the JSON Schema of the garment file, made from the code.
+
+use super::answer::Answer;
+use super::problem::Problem;
+use super::state::App;
+use super::{
+    avatars, events, fabrics, fits, health, json_schema, metrics, patterns, results, seams,
+};
+use crate::fit::Garment;
+use axum::Router;
+use axum::http::HeaderMap;
+use axum::response::Response;
+use axum::routing::get;
+use std::sync::LazyLock;
+use utoipa::openapi::security::{Http, HttpAuthScheme, SecurityScheme};
+use utoipa::{Modify, OpenApi, ToSchema};
+
+pub(super) fn router() -> Router<App> {
+    Router::new().route("/openapi.json", get(openapi))
+}
+
+#[derive(OpenApi)]
+#[openapi(
+    info(
+        title = "Seamster",
+        description = "Garment sewing without a screen: DXF patterns and seams in, a garment draped on a body out.\n\nLengths are in metres, times in seconds, angles in degrees. Every answer that is no success is a `Problem` (RFC 9457) that lists all faults at once.",
+        license(name = "MIT", identifier = "MIT")
+    ),
+    paths(
+        patterns::create, patterns::list, patterns::show, patterns::remove, seams::check,
+        fabrics::list, fabrics::create, fabrics::show,
+        avatars::create, avatars::list, avatars::show, avatars::remove,
+        fits::create, fits::list, fits::show, fits::cancel, events::events,
+        results::mesh, results::mesh_glb, results::mesh_obj, results::mesh_json,
+        results::report, results::scene, results::garment,
+        health::live, health::ready, metrics::metrics,
+    ),
+    components(schemas(crate::progress::Progress)),
+    security(("token" = []), ()),
+    modifiers(&Token)
+)]
+struct Document;
+
+/// The security scheme; a service without tokens needs none.
+struct Token;
+
+impl Modify for Token {
+    fn modify(&self, document: &mut utoipa::openapi::OpenApi) {
+        let scheme = SecurityScheme::Http(Http::new(HttpAuthScheme::Bearer));
+        let components = document.components.get_or_insert_default();
+        components.add_security_scheme("token", scheme);
+    }
+}
+
+/// A form with a pattern file.
+#[derive(ToSchema)]
+#[expect(dead_code, reason = "only its description is used")]
+pub(super) struct PatternForm {
+    /// The DXF.
+    #[schema(value_type = String, format = Binary)]
+    file: Vec<u8>,
+}
+
+/// A form with a pattern file and a garment.
+#[derive(ToSchema)]
+#[expect(dead_code, reason = "only its description is used")]
+pub(super) struct FitForm {
+    /// The DXF.
+    #[schema(value_type = String, format = Binary)]
+    pattern: Vec<u8>,
+    /// The garment, without `pattern`.
+    garment: Garment,
+}
+
+/// The `OpenAPI` document, as `api/openapi.json` has it.
+pub fn openapi_json() -> String {
+    let json = Document::openapi().to_pretty_json();
+    json.expect("a document of strings always serialises") + "\n"
+}
+
+/// The JSON Schema of the garment file, as `api/garment.schema.json` has it.
+pub fn garment_schema_json() -> String {
+    let json = serde_json::to_string_pretty(&json_schema::of::<Garment>());
+    json.expect("a schema always serialises") + "\n"
+}
+
+async fn openapi(headers: HeaderMap) -> Result<Response, Problem> {
+    // Made from the code alone, once.
+    static JSON: LazyLock<String> = LazyLock::new(openapi_json);
+    Answer::new(JSON.as_bytes(), "application/json").to(&headers)
+}

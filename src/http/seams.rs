@@ -1,0 +1,74 @@
+//! `/v1/patterns/{id}/seams`: what is right and wrong about a set of seams.
+
+use super::body::Checked;
+use super::listing::Id;
+use super::patterns;
+use super::problem::Problem;
+use super::state::{App, Shared};
+use crate::fault::{Fault, Faults};
+use crate::fit::{Garment, SeamsAsked};
+use crate::pattern::{Pattern, SeamPair};
+use crate::seam::{self, SeamCheck};
+use axum::extract::State;
+use axum::routing::post;
+use axum::{Json, Router};
+
+pub(super) fn router() -> Router<App> {
+    Router::new().route("/v1/patterns/{id}/seams/check", post(check))
+}
+
+/// Check seams against a pattern: every fault of every seam, and how to mend it
+#[utoipa::path(post, path = "/v1/patterns/{id}/seams/check", tag = "patterns", params(("id" = Uuid, Path)),
+    request_body(content = Garment, description = "`{\"seams\": [...]}`, or a whole garment (its `pattern` is not read)"),
+    responses(
+        (status = 200, description = "What was found, right or wrong", body = SeamCheck),
+        (status = 404, description = "There is no such pattern", body = Problem, content_type = "application/problem+json"),
+        (status = 422, description = "The request is not a set of seams", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn check(
+    State(app): State<App>,
+    Id(id): Id,
+    Checked(garment): Checked<Garment>,
+) -> Result<Json<SeamCheck>, Problem> {
+    let pattern = patterns::find(&app, id).await?;
+    let checked = app
+        .heavy(move |app| checked(app, &pattern, &garment))
+        .await?;
+    Ok(Json(checked?))
+}
+
+fn checked(app: &Shared, pattern: &Pattern, garment: &Garment) -> Result<SeamCheck, Faults> {
+    let pairs = pairs(garment)?;
+    let edge_length = edge_length(app, garment)?;
+    let asked = garment.panels.iter();
+    let faces = asked.map(|(id, panel)| (id.clone(), panel.face)).collect();
+    let (check, set) = seam::check(pattern, pairs, &faces, edge_length, app.limits());
+    match set {
+        // Faults that no finding tells of concern the request as a whole.
+        Err(faults) if check.seams.iter().all(|seam| seam.errors.is_empty()) => Err(faults),
+        _ => Ok(check),
+    }
+}
+
+fn pairs(garment: &Garment) -> Result<&[SeamPair], Fault> {
+    match &garment.seams {
+        SeamsAsked::Pairs(pairs) => Ok(pairs),
+        SeamsAsked::Word(_) => {
+            let detail = "suggested seams have nothing to check";
+            Err(Fault::new("seam/nothing_to_check", "/seams", detail).fix("give the list of seams"))
+        }
+    }
+}
+
+fn edge_length(app: &Shared, garment: &Garment) -> Result<f64, Fault> {
+    let [low, high] = app.limits().edge_length_m;
+    let asked = garment.simulate.edge_length_m;
+    if (low..=high).contains(&asked) {
+        return Ok(asked);
+    }
+    let detail = format!("the edge length is {asked} m; it must be from {low} to {high} m");
+    Err(Fault::new(
+        "request/out_of_range",
+        "/simulate/edge_length_m",
+        detail,
+    ))
+}

@@ -1,0 +1,209 @@
+//! Stored patterns, avatars and fabrics: what a garment may refer to.
+
+use super::store::{DocumentKind, Documents, Page, PageAsked, StoreError};
+use crate::fit::Library;
+use crate::pattern::Pattern;
+use crate::scene::{self, DressForm, Fabric};
+use jiff::Timestamp;
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use utoipa::ToSchema;
+use uuid::Uuid;
+
+/// An avatar as it was asked for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct AvatarRecord {
+    /// Name for a person.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// The measurements it is made from.
+    pub form: DressForm,
+}
+
+/// A stored thing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Stored<T> {
+    /// `UUIDv7`.
+    pub id: Uuid,
+    /// When it was stored.
+    pub created_at: Timestamp,
+    /// The thing.
+    pub value: T,
+}
+
+/// Stored patterns, avatars and fabrics. All calls block.
+pub struct Catalogue {
+    documents: Arc<dyn Documents>,
+}
+
+impl Catalogue {
+    /// The catalogue of what `documents` keeps.
+    pub fn new(documents: Arc<dyn Documents>) -> Self {
+        Self { documents }
+    }
+
+    /// Keeps a pattern, checked before, and gives it its id.
+    ///
+    /// # Errors
+    /// If nothing could be written.
+    pub fn add_pattern(&self, mut pattern: Pattern) -> Result<Stored<Pattern>, StoreError> {
+        let id = Uuid::now_v7();
+        pattern.id = Some(id);
+        self.add(DocumentKind::Pattern, id, pattern)
+    }
+
+    /// Keeps an avatar, checked before.
+    ///
+    /// # Errors
+    /// If nothing could be written.
+    pub fn add_avatar(&self, avatar: AvatarRecord) -> Result<Stored<AvatarRecord>, StoreError> {
+        self.add(DocumentKind::Avatar, Uuid::now_v7(), avatar)
+    }
+
+    /// Keeps a fabric, checked before. Garments refer to it by its id in text.
+    ///
+    /// # Errors
+    /// If nothing could be written.
+    pub fn add_fabric(&self, fabric: Fabric) -> Result<Stored<Fabric>, StoreError> {
+        self.add(DocumentKind::Fabric, Uuid::now_v7(), fabric)
+    }
+
+    /// A pattern.
+    ///
+    /// # Errors
+    /// If nothing could be read.
+    pub fn find_pattern(&self, id: Uuid) -> Result<Option<Stored<Pattern>>, StoreError> {
+        self.find(DocumentKind::Pattern, id)
+    }
+
+    /// An avatar, as asked for.
+    ///
+    /// # Errors
+    /// If nothing could be read.
+    pub fn find_avatar(&self, id: Uuid) -> Result<Option<Stored<AvatarRecord>>, StoreError> {
+        self.find(DocumentKind::Avatar, id)
+    }
+
+    /// Patterns, newest first.
+    ///
+    /// # Errors
+    /// If nothing could be read.
+    pub fn patterns(&self, page: &PageAsked) -> Result<Page<Stored<Pattern>>, StoreError> {
+        self.list(DocumentKind::Pattern, page)
+    }
+
+    /// Avatars, newest first.
+    ///
+    /// # Errors
+    /// If nothing could be read.
+    pub fn avatars(&self, page: &PageAsked) -> Result<Page<Stored<AvatarRecord>>, StoreError> {
+        self.list(DocumentKind::Avatar, page)
+    }
+
+    /// All fabrics by id: those shipped and those stored.
+    ///
+    /// # Errors
+    /// If nothing could be read.
+    pub fn fabrics(&self) -> Result<BTreeMap<String, Fabric>, StoreError> {
+        let everything = PageAsked {
+            limit: usize::MAX,
+            ..PageAsked::default()
+        };
+        let own = self.list::<Fabric>(DocumentKind::Fabric, &everything)?;
+        let mut fabrics = scene::library();
+        fabrics.extend(
+            own.items
+                .into_iter()
+                .map(|stored| (stored.id.to_string(), stored.value)),
+        );
+        Ok(fabrics)
+    }
+
+    /// Removes a pattern, an avatar or a fabric; says whether it was there. Fits keep their own copy.
+    ///
+    /// # Errors
+    /// If nothing could be written.
+    pub fn remove(&self, kind: DocumentKind, id: Uuid) -> Result<bool, StoreError> {
+        self.documents.delete(kind, id)
+    }
+
+    fn add<T: Serialize>(
+        &self,
+        kind: DocumentKind,
+        id: Uuid,
+        value: T,
+    ) -> Result<Stored<T>, StoreError> {
+        let stored = Stored {
+            id,
+            created_at: Timestamp::now(),
+            value,
+        };
+        let body = serde_json::to_vec(&stored)
+            .map_err(|cause| StoreError::new(format!("writing {kind:?} {id}"), cause))?;
+        self.documents.put(kind, id, &body)?;
+        Ok(stored)
+    }
+
+    fn find<T: DeserializeOwned>(
+        &self,
+        kind: DocumentKind,
+        id: Uuid,
+    ) -> Result<Option<Stored<T>>, StoreError> {
+        let body = self.documents.get(kind, id)?;
+        body.map(|body| read(kind, id, &body)).transpose()
+    }
+
+    fn list<T: DeserializeOwned>(
+        &self,
+        kind: DocumentKind,
+        page: &PageAsked,
+    ) -> Result<Page<Stored<T>>, StoreError> {
+        let page = self.documents.list(kind, page)?;
+        let items = page
+            .items
+            .iter()
+            .map(|(id, body)| read(kind, *id, body))
+            .collect::<Result<_, _>>()?;
+        Ok(Page {
+            items,
+            next: page.next,
+        })
+    }
+}
+
+fn read<T: DeserializeOwned>(
+    kind: DocumentKind,
+    id: Uuid,
+    body: &[u8],
+) -> Result<Stored<T>, StoreError> {
+    serde_json::from_slice(body)
+        .map_err(|cause| StoreError::new(format!("reading {kind:?} {id}"), cause))
+}
+
+/// The store's errors are logged here: to a garment, what cannot be read is not there.
+impl Library for Catalogue {
+    fn pattern(&self, id: Uuid) -> Option<Arc<Pattern>> {
+        logged(self.find_pattern(id)).map(|stored| Arc::new(stored.value))
+    }
+
+    fn form(&self, id: Uuid) -> Option<DressForm> {
+        logged(self.find_avatar(id)).map(|stored| stored.value.form)
+    }
+
+    fn fabric(&self, id: &str) -> Option<Fabric> {
+        if let Some(fabric) = scene::library().remove(id) {
+            return Some(fabric);
+        }
+        let id = Uuid::parse_str(id).ok()?;
+        logged(self.find(DocumentKind::Fabric, id)).map(|stored| stored.value)
+    }
+}
+
+fn logged<T>(found: Result<Option<T>, StoreError>) -> Option<T> {
+    found.unwrap_or_else(|error| {
+        tracing::error!(%error, "the catalogue cannot be read");
+        None
+    })
+}

@@ -1,0 +1,230 @@
+//! The events of each fit that is not final, numbered, with a bounded past for those who come back.
+
+use super::record::{FitRecord, Status};
+use super::store::Notice;
+use crate::progress::Progress;
+use std::collections::{BTreeMap, VecDeque};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use tokio::sync::broadcast::{self, error::RecvError};
+use uuid::Uuid;
+
+/// Events kept of one fit.
+const PAST: usize = 256;
+/// Fits whose events are kept; those nobody follows go first.
+const CHANNELS: usize = 4_096;
+/// Room for events of one attempt: ids keep growing over attempts and restarts, and stay below 2^53 for `JavaScript`.
+const IDS_OF_ATTEMPT: u64 = 1_000_000;
+
+/// Something that happened to a fit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Event {
+    /// Grows from event to event of one fit.
+    pub id: u64,
+    /// What happened.
+    pub kind: EventKind,
+}
+
+/// What happened to a fit.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EventKind {
+    /// It came further.
+    Progress(Progress),
+    /// Its status changed; the last event of a fit has a final one.
+    Status(Box<FitRecord>),
+}
+
+impl Event {
+    /// What is known of a fit of which no event is kept.
+    pub(super) fn now(record: FitRecord) -> Self {
+        Self {
+            id: u64::from(record.attempts) * IDS_OF_ATTEMPT,
+            kind: EventKind::Status(Box::new(record)),
+        }
+    }
+
+    /// The last event of a fit that came to its end before anyone asked.
+    pub(super) fn last(record: FitRecord) -> Self {
+        Self {
+            id: (u64::from(record.attempts) + 1) * IDS_OF_ATTEMPT - 1,
+            kind: EventKind::Status(Box::new(record)),
+        }
+    }
+
+    /// Whether no event follows.
+    pub fn is_last(&self) -> bool {
+        matches!(&self.kind, EventKind::Status(record) if record.status.is_final())
+    }
+}
+
+/// The events of one fit, from the one asked for to the last.
+#[derive(Debug)]
+pub struct Events {
+    past: VecDeque<Event>,
+    live: Option<broadcast::Receiver<Event>>,
+}
+
+impl Events {
+    /// Events that are all known.
+    pub(super) fn of(past: impl IntoIterator<Item = Event>) -> Self {
+        Self {
+            past: past.into_iter().collect(),
+            live: None,
+        }
+    }
+
+    /// The same events, begun with what is known now if none is kept and all were asked for.
+    pub(super) fn or_now(mut self, record: FitRecord, after: Option<u64>) -> Self {
+        if self.past.is_empty() && after.is_none() {
+            self.past.push_front(Event::now(record));
+        }
+        self
+    }
+
+    /// The next event; `None` after the last one, or when the service shuts down.
+    ///
+    /// A follower that falls far behind misses progress, never the last event.
+    pub async fn next(&mut self) -> Option<Event> {
+        let event = match self.past.pop_front() {
+            Some(event) => event,
+            None => received(self.live.as_mut()?).await?,
+        };
+        if event.is_last() {
+            self.past.clear();
+            self.live = None;
+        }
+        Some(event)
+    }
+}
+
+async fn received(live: &mut broadcast::Receiver<Event>) -> Option<Event> {
+    loop {
+        match live.recv().await {
+            Ok(event) => return Some(event),
+            Err(RecvError::Lagged(_)) => {}
+            Err(RecvError::Closed) => return None,
+        }
+    }
+}
+
+/// The events of all fits that are not final.
+#[derive(Debug, Default)]
+pub(super) struct Feeds {
+    // A std mutex: nothing waits while it is held, and the solver's threads use it too.
+    channels: Mutex<Channels>,
+}
+
+#[derive(Debug, Default)]
+struct Channels {
+    by_fit: BTreeMap<Uuid, Channel>,
+    closed: bool,
+}
+
+#[derive(Debug)]
+struct Channel {
+    past: VecDeque<Event>,
+    sender: broadcast::Sender<Event>,
+    attempt: u32,
+    last_id: u64,
+}
+
+impl Feeds {
+    /// Passes a notice of the store on to those who follow the fit.
+    pub(super) fn tell(&self, notice: Notice) {
+        match notice {
+            Notice::Status(record) => {
+                let (id, attempt, status) = (record.id, record.attempts, record.status);
+                self.send(id, attempt, EventKind::Status(record));
+                if status.is_final() {
+                    self.lock().by_fit.remove(&id);
+                }
+            }
+            Notice::Progress {
+                fit,
+                attempt,
+                progress,
+            } => self.send(fit, attempt, EventKind::Progress(progress)),
+            Notice::Queued | Notice::Cancel(_) => {}
+        }
+    }
+
+    fn send(&self, fit: Uuid, attempt: u32, kind: EventKind) {
+        let mut channels = self.lock();
+        if channels.closed {
+            return;
+        }
+        let channel = channels.of(fit);
+        let first = u64::from(attempt) * IDS_OF_ATTEMPT + 1;
+        channel.last_id = first.max(channel.last_id + 1);
+        channel.attempt = attempt;
+        let event = Event {
+            id: channel.last_id,
+            kind,
+        };
+        if channel.past.len() == PAST {
+            channel.past.pop_front();
+        }
+        channel.past.push_back(event.clone());
+        // No receiver is no fault: nobody follows this fit.
+        let _ = channel.sender.send(event);
+    }
+
+    /// Follows a fit that is not final from after event `after`, or from the first one kept.
+    pub(super) fn follow(&self, fit: Uuid, after: Option<u64>) -> Events {
+        let mut channels = self.lock();
+        if channels.closed {
+            return Events::of([]);
+        }
+        let channel = channels.of(fit);
+        let is_new = |event: &&Event| after.is_none_or(|after| event.id > after);
+        Events {
+            past: channel.past.iter().filter(is_new).cloned().collect(),
+            live: Some(channel.sender.subscribe()),
+        }
+    }
+
+    /// How far this attempt of a fit is, as far as is known here.
+    pub(super) fn latest(&self, record: &FitRecord) -> Option<Progress> {
+        if record.status != Status::Running {
+            return None;
+        }
+        let channels = self.lock();
+        let channel = channels.by_fit.get(&record.id)?;
+        if channel.attempt != record.attempts {
+            return None;
+        }
+        channel
+            .past
+            .iter()
+            .rev()
+            .find_map(|event| match &event.kind {
+                EventKind::Progress(progress) => Some(progress.clone()),
+                EventKind::Status(_) => None,
+            })
+    }
+
+    /// Ends every follower's events for good.
+    pub(super) fn close(&self) {
+        let mut channels = self.lock();
+        channels.closed = true;
+        channels.by_fit.clear();
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Channels> {
+        self.channels.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Channels {
+    fn of(&mut self, fit: Uuid) -> &mut Channel {
+        if self.by_fit.len() >= CHANNELS && !self.by_fit.contains_key(&fit) {
+            self.by_fit
+                .retain(|_, channel| channel.sender.receiver_count() > 0);
+        }
+        self.by_fit.entry(fit).or_insert_with(|| Channel {
+            past: VecDeque::new(),
+            sender: broadcast::channel(PAST).0,
+            attempt: 0,
+            last_id: 0,
+        })
+    }
+}

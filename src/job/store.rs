@@ -1,0 +1,240 @@
+//! What has to be kept, as interfaces: one implementation is a folder of one machine, another may be a cluster.
+//!
+//! All calls block; async code makes them from a blocking thread.
+
+use super::record::{FitRecord, Status};
+use crate::progress::Progress;
+use std::sync::mpsc::Receiver;
+use std::time::Duration;
+use uuid::Uuid;
+
+/// A store that could not do what it was asked: the disk is full, the server is gone.
+#[derive(Debug, thiserror::Error)]
+#[error("{doing}: {cause}")]
+pub struct StoreError {
+    /// What was being done.
+    pub doing: String,
+    /// Why it could not be.
+    #[source]
+    pub cause: Box<dyn std::error::Error + Send + Sync>,
+}
+
+impl StoreError {
+    /// An error with what was being done.
+    pub fn new(
+        doing: impl Into<String>,
+        cause: impl Into<Box<dyn std::error::Error + Send + Sync>>,
+    ) -> Self {
+        Self {
+            doing: doing.into(),
+            cause: cause.into(),
+        }
+    }
+}
+
+/// Makes a repeated request mean the same fit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct IdempotencyKey {
+    /// As the client chose it.
+    pub key: String,
+    /// SHA-256 of the request.
+    pub digest: [u8; 32],
+}
+
+/// A fit to be put on the queue.
+#[derive(Clone, Debug)]
+pub struct NewFit<'a> {
+    /// Its record, queued.
+    pub record: &'a FitRecord,
+    /// Makes a repeated request mean the same fit.
+    pub key: Option<&'a IdempotencyKey>,
+    /// The most fits that may wait, this one included.
+    pub queue_limit: usize,
+}
+
+/// What became of a submission.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Submitted {
+    /// It is on the queue.
+    New,
+    /// The same request was submitted before, as this fit.
+    Same(Uuid),
+    /// The key was used before for another request.
+    KeyReused,
+    /// Too many fits wait.
+    Full,
+}
+
+/// The right to run one fit for a while; renewed until the run ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Lease {
+    /// The fit.
+    pub fit: Uuid,
+    /// Tells this lease from any other of the same fit.
+    pub token: Uuid,
+}
+
+/// What a store tells everyone who listens. Notices may get lost; records are the truth.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Notice {
+    /// A fit can be claimed.
+    Queued,
+    /// Somebody asked to stop this fit.
+    Cancel(Uuid),
+    /// The status of this fit has changed.
+    Status(Box<FitRecord>),
+    /// A fit has come further.
+    Progress {
+        /// The fit.
+        fit: Uuid,
+        /// The attempt.
+        attempt: u32,
+        /// How far it is.
+        progress: Progress,
+    },
+}
+
+/// How many fits there are of each status.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Fits by status, in the order of [`Status::ALL`].
+    pub by_status: [u64; 5],
+}
+
+impl Counts {
+    /// How many fits have this status.
+    pub fn of(&self, status: Status) -> u64 {
+        self.by_status[status as usize]
+    }
+}
+
+/// Which part of a list is wanted, newest first.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct PageAsked {
+    /// The most items wanted.
+    pub limit: usize,
+    /// The last id of the page before.
+    pub after: Option<Uuid>,
+    /// Only fits of this status; other lists have none.
+    pub status: Option<Status>,
+}
+
+/// A part of a list, newest first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Page<T> {
+    /// The items.
+    pub items: Vec<T>,
+    /// `after` of the next page, if there is one.
+    pub next: Option<Uuid>,
+}
+
+/// Records of fits and their queue.
+///
+/// Records are the truth, changed by compare-and-set. The queue only hands out ids: at least once, oldest first, each under a
+/// lease that runs out unless it is renewed. `contract::store_contract` states what every implementation must keep.
+pub trait JobStore: Send + Sync {
+    /// Puts a fit on the queue, all or nothing, and sends [`Notice::Queued`].
+    ///
+    /// # Errors
+    /// If nothing could be written.
+    fn submit(&self, fit: &NewFit<'_>) -> Result<Submitted, StoreError>;
+
+    /// The fit that a key stands for, or [`Submitted::KeyReused`]; `None` if the key is new.
+    ///
+    /// # Errors
+    /// If nothing could be read.
+    fn submitted(&self, key: &IdempotencyKey) -> Result<Option<Submitted>, StoreError>;
+
+    /// The record of a fit.
+    ///
+    /// # Errors
+    /// If nothing could be read.
+    fn fit(&self, id: Uuid) -> Result<Option<FitRecord>, StoreError>;
+
+    /// Replaces a record if its revision is still `record.revision`. Returns the new revision, or `None` if it had changed.
+    ///
+    /// # Errors
+    /// If nothing could be written.
+    fn replace(&self, record: &FitRecord) -> Result<Option<u64>, StoreError>;
+
+    /// Records, newest first.
+    ///
+    /// # Errors
+    /// If nothing could be read.
+    fn fits(&self, page: &PageAsked) -> Result<Page<FitRecord>, StoreError>;
+
+    /// How many fits there are of each status.
+    ///
+    /// # Errors
+    /// If nothing could be read.
+    fn counts(&self) -> Result<Counts, StoreError>;
+
+    /// How long a lease lasts unless it is renewed.
+    fn lease_time(&self) -> Duration;
+
+    /// The oldest fit that is not final and that nobody has a live lease on.
+    ///
+    /// # Errors
+    /// If nothing could be read.
+    fn claim(&self) -> Result<Option<Lease>, StoreError>;
+
+    /// Makes a lease last longer. `false`: it has run out, the run must stop.
+    ///
+    /// # Errors
+    /// If the store could not be asked; the lease may still be live.
+    fn renew(&self, lease: &Lease) -> Result<bool, StoreError>;
+
+    /// Ends a lease. If the fit is not final by now it is handed out again at once, and [`Notice::Queued`] is sent.
+    ///
+    /// # Errors
+    /// If the store could not be told; the lease runs out by itself.
+    fn end(&self, lease: &Lease) -> Result<(), StoreError>;
+
+    /// Listens to notices from now on, those of this process included.
+    fn listen(&self) -> Receiver<Notice>;
+
+    /// Tells everyone who listens.
+    fn publish(&self, notice: Notice);
+}
+
+/// What kind of document.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DocumentKind {
+    /// A pattern.
+    Pattern,
+    /// An avatar.
+    Avatar,
+    /// A fabric.
+    Fabric,
+}
+
+/// Small documents by id, written once. Ids are `UUIDv7`, so that newest first is the order of ids, falling.
+pub trait Documents: Send + Sync {
+    /// Keeps a document.
+    ///
+    /// # Errors
+    /// If nothing could be written.
+    fn put(&self, kind: DocumentKind, id: Uuid, body: &[u8]) -> Result<(), StoreError>;
+
+    /// Finds a document.
+    ///
+    /// # Errors
+    /// If nothing could be read.
+    fn get(&self, kind: DocumentKind, id: Uuid) -> Result<Option<Vec<u8>>, StoreError>;
+
+    /// Removes a document; says whether it was there.
+    ///
+    /// # Errors
+    /// If nothing could be written.
+    fn delete(&self, kind: DocumentKind, id: Uuid) -> Result<bool, StoreError>;
+
+    /// Documents, newest first.
+    ///
+    /// # Errors
+    /// If nothing could be read.
+    fn list(
+        &self,
+        kind: DocumentKind,
+        page: &PageAsked,
+    ) -> Result<Page<(Uuid, Vec<u8>)>, StoreError>;
+}
