@@ -6,7 +6,7 @@ use super::problem::Problem;
 use super::state::App;
 use crate::job::{AvatarRecord, DocumentKind, Stored};
 use crate::scene::{Avatar, DressForm};
-use axum::extract::{DefaultBodyLimit, State};
+use axum::extract::State;
 use axum::http::{StatusCode, header};
 use axum::response::IntoResponse;
 use axum::routing::get;
@@ -17,14 +17,10 @@ use std::collections::BTreeMap;
 use utoipa::ToSchema;
 use uuid::Uuid;
 
-/// Bytes of a dress form as JSON.
-const BODY_BYTES: usize = 64 << 10;
-
 pub(super) fn router() -> Router<App> {
     Router::new()
         .route("/v1/avatars", get(list).post(create))
         .route("/v1/avatars/{id}", get(show).delete(remove))
-        .layer(DefaultBodyLimit::max(BODY_BYTES))
 }
 
 /// A stored avatar.

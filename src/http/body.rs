@@ -3,25 +3,42 @@
 use super::problem::Problem;
 use super::shape::{Misshapen, Shape};
 use super::state::App;
+use crate::config::Limits;
 use crate::fault::Fault;
 use crate::fit::Garment;
 use crate::job::AvatarRecord;
 use crate::scene::Fabric;
-use axum::body::Bytes;
-use axum::extract::{FromRequest, Multipart, Request};
+use axum::body::{Body, Bytes};
+use axum::extract::{DefaultBodyLimit, FromRequest, Multipart, Request};
 use axum::http::{HeaderMap, header};
 use serde::de::DeserializeOwned;
 use std::sync::LazyLock;
+use tokio_stream::StreamExt;
+
+/// Bytes of a small thing as JSON.
+const SMALL_BYTES: usize = 64 << 10;
+/// Room for what a form puts round its parts \[bytes\].
+const FORM_BYTES: usize = 64 << 10;
+/// Bytes above a limit that are still read before the refusal: who cuts a client off while it sends keeps it from reading why.
+const LINGER_BYTES: usize = 64 << 20;
 
 /// A type that clients send as JSON.
 pub(super) trait Asked: DeserializeOwned + Send + 'static {
     /// Its shape.
     fn shape() -> &'static Shape;
+
+    /// Bytes of it at most.
+    fn most(limits: &Limits) -> usize;
 }
 
 macro_rules! asked {
-    ($($type:ty),*) => {$(
+    ($($type:ty: $most:expr),*) => {$(
         impl Asked for $type {
+            fn most(limits: &Limits) -> usize {
+                let most: fn(&Limits) -> usize = $most;
+                most(limits)
+            }
+
             fn shape() -> &'static Shape {
                 // Made from the type alone, once.
                 static SHAPE: LazyLock<Shape> = LazyLock::new(Shape::of::<$type>);
@@ -30,7 +47,7 @@ macro_rules! asked {
         }
     )*};
 }
-asked!(Garment, AvatarRecord, Fabric);
+asked!(Garment: |limits| limits.json_bytes, AvatarRecord: |_| SMALL_BYTES, Fabric: |_| SMALL_BYTES);
 
 impl From<Misshapen> for Problem {
     fn from(misshapen: Misshapen) -> Self {
@@ -49,7 +66,7 @@ impl<T: Asked> FromRequest<App> for Checked<T> {
 
     async fn from_request(request: Request, app: &App) -> Result<Self, Problem> {
         json_type(request.headers())?;
-        let bytes = Bytes::from_request(request, app).await?;
+        let bytes = read(request, T::most(app.limits())).await?;
         let read = app.heavy(move |_| T::shape().read(&bytes)).await?;
         Ok(Self(read?))
     }
@@ -88,7 +105,8 @@ impl FromRequest<App> for Upload {
         let essence = content_type(request.headers());
         let upload = match essence.as_str() {
             "multipart/form-data" => {
-                let [file] = parts(request, app, ["file"]).await?;
+                let most = app.limits().dxf_bytes;
+                let [file] = parts(request, most, ["file"]).await?;
                 file.ok_or_else(|| missing_part("file"))?
             }
             essence if essence.ends_with("json") => {
@@ -98,7 +116,7 @@ impl FromRequest<App> for Upload {
                 ));
             }
             _ => Self {
-                bytes: Bytes::from_request(request, app).await?,
+                bytes: read(request, app.limits().dxf_bytes).await?,
                 name: None,
             },
         };
@@ -117,13 +135,55 @@ impl Upload {
     }
 }
 
-/// The parts of a form by name; other and repeated ones are refused.
+/// Reads a body of at most `limit` bytes.
+pub(super) async fn read(request: Request, limit: usize) -> Result<Bytes, Problem> {
+    let length = request.headers().get(header::CONTENT_LENGTH);
+    let length = length.and_then(|length| length.to_str().ok()?.parse().ok());
+    let asks_first = request.headers().contains_key(header::EXPECT);
+    let reads_on = if asks_first { 0 } else { LINGER_BYTES };
+    if length > Some(limit + reads_on) {
+        return Err(above(limit));
+    }
+    let mut stream = request.into_body().into_data_stream();
+    let (mut bytes, mut total) = (vec![], 0);
+    while let Some(chunk) = stream.next().await {
+        let chunk = chunk.map_err(|error| broken(&error))?;
+        total += chunk.len();
+        if total > limit + LINGER_BYTES {
+            break;
+        }
+        if total <= limit {
+            bytes.extend_from_slice(&chunk);
+        }
+    }
+    if total > limit {
+        return Err(above(limit));
+    }
+    Ok(bytes.into())
+}
+
+fn above(limit: usize) -> Problem {
+    Problem::too_large(format!(
+        "The body is larger than the {limit} bytes allowed here."
+    ))
+}
+
+fn broken(error: &axum::Error) -> Problem {
+    Problem::unreadable(Fault::new("request/body", "", error.to_string()))
+}
+
+/// The parts of a form of `most` bytes by name; other and repeated parts are refused.
 pub(super) async fn parts<const N: usize>(
     request: Request,
-    app: &App,
+    most: usize,
     names: [&str; N],
 ) -> Result<[Option<Upload>; N], Problem> {
-    let mut form = Multipart::from_request(request, app).await?;
+    let mut whole = Request::new(Body::empty());
+    *whole.headers_mut() = request.headers().clone();
+    *whole.body_mut() = read(request, most + FORM_BYTES).await?.into();
+    let limit = DefaultBodyLimit::disable();
+    limit.apply(&mut whole);
+    let mut form = Multipart::from_request(whole, &()).await?;
     let mut found = [const { None }; N];
     while let Some(field) = form.next_field().await? {
         let name = field.name().unwrap_or_default().to_owned();

@@ -5,7 +5,7 @@ use super::problem::Problem;
 use super::state::App;
 use crate::fault::{Fault, Faults};
 use crate::scene::Fabric;
-use axum::extract::{DefaultBodyLimit, Path, State};
+use axum::extract::{Path, State};
 use axum::http::{StatusCode, header};
 use axum::response::IntoResponse;
 use axum::routing::get;
@@ -13,14 +13,10 @@ use axum::{Json, Router};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-/// Bytes of a fabric as JSON.
-const BODY_BYTES: usize = 64 << 10;
-
 pub(super) fn router() -> Router<App> {
     Router::new()
         .route("/v1/fabrics", get(list).post(create))
         .route("/v1/fabrics/{id}", get(show))
-        .layer(DefaultBodyLimit::max(BODY_BYTES))
 }
 
 /// A fabric with the id that garments name it by.

@@ -7,7 +7,6 @@ use super::state::{App, Shared};
 use crate::fault::{Fault, Faults};
 use crate::fit::{Garment, PatternAsked};
 use crate::pattern::{self, ImportOptions, Pattern};
-use axum::body::Bytes;
 use axum::extract::{FromRequest, Request};
 use sha2::{Digest, Sha256};
 
@@ -24,7 +23,8 @@ impl FromRequest<App> for FitAsked {
 
     async fn from_request(request: Request, app: &App) -> Result<Self, Problem> {
         if body::content_type(request.headers()) == "multipart/form-data" {
-            let [pattern, garment] = body::parts(request, app, ["pattern", "garment"]).await?;
+            let most = app.limits().dxf_bytes + app.limits().json_bytes;
+            let [pattern, garment] = body::parts(request, most, ["pattern", "garment"]).await?;
             let pattern = pattern.ok_or_else(|| body::missing_part("pattern"))?;
             let garment = garment.ok_or_else(|| body::missing_part("garment"))?;
             let pattern = pattern.within(app.limits().dxf_bytes)?;
@@ -34,7 +34,7 @@ impl FromRequest<App> for FitAsked {
                 .await?;
         }
         body::json_type(request.headers())?;
-        let bytes = Bytes::from_request(request, app).await?;
+        let bytes = body::read(request, app.limits().json_bytes).await?;
         app.heavy(move |_| of_json(&bytes)).await?
     }
 }

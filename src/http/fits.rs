@@ -2,17 +2,16 @@
 
 use super::fit_asked::FitAsked;
 use super::listing::{Asking, FitsAsked, Id};
-use super::patterns::FORM_BYTES;
 use super::prefer;
 use super::problem::Problem;
 use super::state::App;
 use crate::fit;
 use crate::job::{FitRecord, IdempotencyKey, Status};
 use crate::progress::Progress;
-use axum::extract::{DefaultBodyLimit, State};
+use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use axum::routing::{get, post};
+use axum::routing::get;
 use axum::{Json, Router};
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
@@ -20,12 +19,9 @@ use std::time::Duration;
 use utoipa::ToSchema;
 use uuid::Uuid;
 
-pub(super) fn router(app: &App) -> Router<App> {
-    let limits = app.limits();
-    let most = limits.dxf_bytes + limits.json_bytes + FORM_BYTES;
-    let submit = post(create).layer(DefaultBodyLimit::max(most));
+pub(super) fn router() -> Router<App> {
     Router::new()
-        .route("/v1/fits", submit.get(list))
+        .route("/v1/fits", get(list).post(create))
         .route("/v1/fits/{id}", get(show).delete(cancel))
 }
 

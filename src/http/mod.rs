@@ -77,7 +77,7 @@ pub async fn serve(
 /// All routes with their guards.
 pub fn router(config: &Config, queue: Arc<Queue>) -> Router {
     let app = App::new(config, queue);
-    let guarded = calls(&app).route_layer(from_fn_with_state(app.clone(), guard::token));
+    let guarded = calls().route_layer(from_fn_with_state(app.clone(), guard::token));
     let bounded = guarded
         .merge(page::docs())
         .merge(openapi::router())
@@ -104,12 +104,12 @@ pub fn router(config: &Config, queue: Arc<Queue>) -> Router {
 }
 
 /// The calls that need a token.
-fn calls(app: &App) -> Router<App> {
-    patterns::router(app)
-        .merge(seams::router(app))
+fn calls() -> Router<App> {
+    patterns::router()
+        .merge(seams::router())
         .merge(fabrics::router())
         .merge(avatars::router())
-        .merge(fits::router(app))
+        .merge(fits::router())
         .merge(events::router())
         .merge(results::router())
         .merge(metrics::router())

@@ -6,23 +6,19 @@ use super::problem::Problem;
 use super::state::App;
 use crate::job::{DocumentKind, Stored};
 use crate::pattern::{self, Format, ImportOptions, Pattern, Units};
-use axum::extract::{DefaultBodyLimit, State};
+use axum::extract::State;
 use axum::http::{StatusCode, header};
 use axum::response::IntoResponse;
-use axum::routing::{get, post};
+use axum::routing::get;
 use axum::{Json, Router};
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 use utoipa::{IntoParams, ToSchema};
 use uuid::Uuid;
 
-/// Room for what a form puts round its parts \[bytes\].
-pub(super) const FORM_BYTES: usize = 64 << 10;
-
-pub(super) fn router(app: &App) -> Router<App> {
-    let upload = post(create).layer(DefaultBodyLimit::max(app.limits().dxf_bytes + FORM_BYTES));
+pub(super) fn router() -> Router<App> {
     Router::new()
-        .route("/v1/patterns", upload.get(list))
+        .route("/v1/patterns", get(list).post(create))
         .route("/v1/patterns/{id}", get(show).delete(remove))
 }
 

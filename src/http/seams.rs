@@ -9,13 +9,12 @@ use crate::fault::{Fault, Faults};
 use crate::fit::{Garment, SeamsAsked};
 use crate::pattern::{Pattern, SeamPair};
 use crate::seam::{self, SeamCheck};
-use axum::extract::{DefaultBodyLimit, State};
+use axum::extract::State;
 use axum::routing::post;
 use axum::{Json, Router};
 
-pub(super) fn router(app: &App) -> Router<App> {
-    let check = post(check).layer(DefaultBodyLimit::max(app.limits().json_bytes));
-    Router::new().route("/v1/patterns/{id}/seams/check", check)
+pub(super) fn router() -> Router<App> {
+    Router::new().route("/v1/patterns/{id}/seams/check", post(check))
 }
 
 /// Check seams against a pattern: every fault of every seam, and how to mend it

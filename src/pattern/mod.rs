@@ -1,5 +1,10 @@
 //! From the bytes of a pattern file to a [`Pattern`]: panels with outlines, corners, edges, notches and grain, in metres.
 
+mod assemble;
+mod check;
+mod dxf;
+mod ids;
+mod outline;
 mod panel;
 mod placement;
 mod seam_pair;
@@ -8,7 +13,8 @@ pub use panel::{Corner, Edge, Grain, Hole, Notch, NotchKind, Panel, Quantity};
 pub use placement::{Anchor, Placement, Wrap};
 pub use seam_pair::{Direction, Match, Place, Run, SeamPair, Side};
 
-use crate::fault::Warning;
+use crate::config::Limits;
+use crate::fault::{Faults, Warning};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use utoipa::ToSchema;
@@ -121,21 +127,14 @@ pub enum Units {
 ///
 /// # Errors
 /// Every fault that keeps the file from being read, each with the line or panel it is about.
-pub fn import(
-    _bytes: &[u8],
-    _options: &ImportOptions,
-    _limits: &crate::config::Limits,
-) -> Result<Pattern, crate::fault::Faults> {
-    Err(crate::fault::Fault::new("pattern/unsupported", "", "not yet").into())
+pub fn import(bytes: &[u8], options: &ImportOptions, limits: &Limits) -> Result<Pattern, Faults> {
+    dxf::import(bytes, options, limits)
 }
 
 /// Checks a pattern that came as JSON and recomputes what is derived in it (lengths, areas).
 ///
 /// # Errors
 /// Every place where it is not a pattern: open, crossing or anticlockwise outlines, numbers that are not finite, double ids.
-pub fn checked(
-    pattern: Pattern,
-    _limits: &crate::config::Limits,
-) -> Result<Pattern, crate::fault::Faults> {
-    Ok(pattern)
+pub fn checked(pattern: Pattern, limits: &Limits) -> Result<Pattern, Faults> {
+    check::checked(pattern, limits)
 }

@@ -1,0 +1,152 @@
+//! Half pieces unfolded about their mirror line.
+
+use super::ring::Ring;
+use crate::pattern::outline::{P, distance, dot, sub};
+
+/// Points this near to the mirror line lie on it \[m\].
+const ON: f64 = 2e-4;
+
+/// A mirror line: a point and a unit direction.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Fold {
+    at: P,
+    along: P,
+}
+
+impl Fold {
+    /// The fold through two points; `None` where they are one.
+    pub(super) fn new([a, b]: [P; 2]) -> Option<Self> {
+        let long = distance(a, b);
+        (long > ON).then(|| Self {
+            at: a,
+            along: [(b[0] - a[0]) / long, (b[1] - a[1]) / long],
+        })
+    }
+
+    /// The mirror image of a point.
+    pub(super) fn mirror(&self, p: P) -> P {
+        let foot = self.foot(p);
+        [2.0 * foot[0] - p[0], 2.0 * foot[1] - p[1]]
+    }
+
+    /// Distance of a point from the fold, positive to the left.
+    pub(super) fn side(&self, p: P) -> f64 {
+        let d = sub(p, self.at);
+        self.along[0] * d[1] - self.along[1] * d[0]
+    }
+
+    fn foot(&self, p: P) -> P {
+        let t = dot(sub(p, self.at), self.along);
+        [
+            self.at[0] + t * self.along[0],
+            self.at[1] + t * self.along[1],
+        ]
+    }
+
+    fn on(&self, p: P) -> bool {
+        self.side(p).abs() <= ON
+    }
+
+    /// Mirrors marks and adds the images to them; what lies on the fold stays single.
+    pub(super) fn double(&self, points: &mut Vec<P>) {
+        let images: Vec<P> = points
+            .iter()
+            .filter(|p| !self.on(**p))
+            .map(|p| self.mirror(*p))
+            .collect();
+        points.extend(images);
+    }
+
+    /// The whole outline of which `half` is drawn: without its stretch on the fold, joined to its mirror image.
+    /// Where both halves go on straight over the fold there is no corner. `None` where no stretch of `half` lies on
+    /// the fold, or `half` lies on both sides of it.
+    pub(super) fn unfold(&self, half: &Ring) -> Option<Ring> {
+        let n = half.points.len();
+        let (start, count) = self.stretch(half)?;
+        let drawn: Vec<usize> = (0..=n - count + 1)
+            .map(|k| (start + count - 1 + k) % n)
+            .collect();
+        let sides: Vec<f64> = drawn.iter().map(|i| self.side(half.points[*i])).collect();
+        if sides.iter().any(|s| *s > ON) && sides.iter().any(|s| *s < -ON) {
+            return None;
+        }
+        let inner = &drawn[1..drawn.len() - 1];
+        let ends = [
+            self.foot(half.points[drawn[0]]),
+            self.foot(half.points[drawn[drawn.len() - 1]]),
+        ];
+        let mut points = vec![ends[0]];
+        points.extend(inner.iter().map(|i| half.points[*i]));
+        points.push(ends[1]);
+        points.extend(inner.iter().rev().map(|i| self.mirror(half.points[*i])));
+        let mut corner = vec![true];
+        corner.extend(inner.iter().map(|i| half.corner[*i]));
+        corner.push(true);
+        corner.extend(inner.iter().rev().map(|i| half.corner[*i]));
+        let mut whole = Ring { points, corner };
+        for end in [0, inner.len() + 1] {
+            whole.corner[end] = whole.sharp_at(end);
+        }
+        Some(whole)
+    }
+
+    /// The longest stretch of consecutive points on the fold: where it starts and how many, at least two.
+    fn stretch(&self, half: &Ring) -> Option<(usize, usize)> {
+        let n = half.points.len();
+        let on: Vec<bool> = half.points.iter().map(|p| self.on(*p)).collect();
+        let starts = (0..n).filter(|i| on[*i] && !on[(*i + n - 1) % n]);
+        let runs = starts.map(|start| (start, (0..n).take_while(|k| on[(start + k) % n]).count()));
+        runs.filter(|(_, count)| (2..n - 1).contains(count))
+            .max_by(|a, b| self.run(half, *a).total_cmp(&self.run(half, *b)))
+    }
+
+    fn run(&self, half: &Ring, (start, count): (usize, usize)) -> f64 {
+        distance(
+            half.points[start],
+            half.points[(start + count - 1) % half.points.len()],
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::outline::signed_area;
+
+    #[test]
+    fn half_piece_is_unfolded_about_its_edge() {
+        let half = Ring {
+            points: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [0.0, 1.5], [0.0, 1.0]],
+            corner: vec![true, true, true, true, false],
+        };
+        let fold = Fold::new([[0.0, 0.2], [0.0, 1.0]]).expect("two points");
+        let whole = fold.unfold(&half).expect("on the fold");
+        assert_eq!(signed_area(&whole.points), 2.0 * signed_area(&half.points));
+        let corners: Vec<P> = whole
+            .points
+            .iter()
+            .zip(&whole.corner)
+            .filter(|(_, c)| **c)
+            .map(|(p, _)| *p)
+            .collect();
+        assert_eq!(
+            corners,
+            [[1.0, 0.0], [1.0, 2.0], [0.0, 1.5], [-1.0, 2.0], [-1.0, 0.0]],
+            "straight at the hem, a V at the neck"
+        );
+    }
+
+    #[test]
+    fn line_that_is_not_on_the_outline_unfolds_nothing() {
+        let half = Ring {
+            points: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 2.0]],
+            corner: vec![true; 3],
+        };
+        assert!(
+            Fold::new([[0.5, 0.0], [0.5, 1.0]])
+                .expect("two points")
+                .unfold(&half)
+                .is_none()
+        );
+    }
+}

@@ -1,0 +1,332 @@
+//! The `dxf` crate at work: one block's entities at a time, each counted when it comes back.
+
+use super::clean::{Cleaned, Expected};
+use super::curve;
+use super::entity::{Entity, Insert, P, Path, Shape};
+use super::{Findings, at_line};
+use crate::fault::Fault;
+use dxf::entities::EntityType;
+use dxf::{Drawing, Point, Vector};
+
+/// Reads the entities of one block.
+///
+/// A difference between what the file holds and what the crate gives back is a fault at the first entity concerned.
+pub(super) fn load(cleaned: &Cleaned, findings: &mut Findings) -> Vec<Entity> {
+    if cleaned.expected.is_empty() {
+        return Vec::new();
+    }
+    let loaded = Drawing::load_with_encoding(&mut cleaned.text.as_bytes(), encoding_rs::UTF_8);
+    let drawing = match loaded {
+        Ok(drawing) => drawing,
+        Err(error) => {
+            findings.faults.push(Fault::new(
+                "pattern/unreadable",
+                at_line(cleaned.expected[0].line),
+                format!("the entities from here on cannot be read: {error}"),
+            ));
+            return Vec::new();
+        }
+    };
+    let mut found = drawing.entities();
+    let mut entities = Vec::with_capacity(cleaned.expected.len());
+    for expected in &cleaned.expected {
+        let entity = found.next();
+        let Some(entity) = entity.filter(|e| came_back(expected, &e.specific)) else {
+            findings.faults.push(lost(expected));
+            return entities;
+        };
+        match shape(&entity.specific, expected.line, findings) {
+            Ok(Some(shape)) => entities.push(Entity {
+                layer: entity.common.layer.clone(),
+                line: expected.line,
+                shape,
+            }),
+            Ok(None) => {}
+            Err(fault) => findings.faults.push(fault),
+        }
+    }
+    entities
+}
+
+fn came_back(expected: &Expected, found: &EntityType) -> bool {
+    match found {
+        EntityType::Line(_) => expected.kind == "LINE",
+        EntityType::ModelPoint(_) => expected.kind == "POINT",
+        EntityType::Text(_) => expected.kind == "TEXT",
+        EntityType::MText(_) => expected.kind == "MTEXT",
+        EntityType::Polyline(p) => {
+            expected.kind == "POLYLINE" && p.vertices().count() == expected.vertices
+        }
+        EntityType::LwPolyline(p) => {
+            expected.kind == "LWPOLYLINE" && p.vertices.len() == expected.vertices
+        }
+        EntityType::Arc(_) => expected.kind == "ARC",
+        EntityType::Circle(_) => expected.kind == "CIRCLE",
+        EntityType::Ellipse(_) => expected.kind == "ELLIPSE",
+        EntityType::Spline(_) => expected.kind == "SPLINE",
+        EntityType::Insert(_) => expected.kind == "INSERT",
+        _ => false,
+    }
+}
+
+fn lost(expected: &Expected) -> Fault {
+    Fault::new(
+        "pattern/lost_entity",
+        at_line(expected.line),
+        format!(
+            "the {} that begins here could not be read whole",
+            expected.kind
+        ),
+    )
+    .fix("export the file again, or report this file")
+}
+
+/// An entity of the crate as ours; `None` for one without extent that is dropped with a warning.
+fn shape(
+    entity: &EntityType,
+    line: usize,
+    findings: &mut Findings,
+) -> Result<Option<Shape>, Fault> {
+    Ok(Some(match entity {
+        EntityType::Line(l) => {
+            flat(&[&l.p1, &l.p2], line, findings);
+            Shape::Path(Path {
+                points: vec![xy(&l.p1), xy(&l.p2)],
+                closed: false,
+                straight: true,
+            })
+        }
+        EntityType::ModelPoint(p) => Shape::Point(xy(&p.location)),
+        EntityType::Text(t) => Shape::Text(xy(&t.location), t.value.clone()),
+        EntityType::MText(t) => Shape::Text(
+            xy(&t.insertion_point),
+            format!("{}{}", t.extended_text.concat(), t.text),
+        ),
+        EntityType::Polyline(p) => return polyline(p, line, findings),
+        EntityType::LwPolyline(p) => {
+            let flipped = flipped(&p.extrusion_direction, line)?;
+            let vertices: Vec<(P, f64)> =
+                p.vertices.iter().map(|v| ([v.x, v.y], v.bulge)).collect();
+            Shape::Path(bulged(&vertices, p.is_closed(), line)?.mirrored(flipped))
+        }
+        EntityType::Arc(a) => {
+            let Some(radius) = radius(a.radius, line, findings)? else {
+                return Ok(None);
+            };
+            let start = a.start_angle.to_radians();
+            let points = curve::arc(
+                xy(&a.center),
+                radius,
+                start,
+                curve::sweep(start, a.end_angle.to_radians()),
+            );
+            Shape::Path(smooth(points).mirrored(flipped(&a.normal, line)?))
+        }
+        EntityType::Circle(c) => {
+            let Some(radius) = radius(c.radius, line, findings)? else {
+                return Ok(None);
+            };
+            let points = curve::arc(xy(&c.center), radius, 0.0, std::f64::consts::TAU);
+            Shape::Path(smooth(points).mirrored(flipped(&c.normal, line)?))
+        }
+        EntityType::Ellipse(e) => {
+            let flip = if flipped(&e.normal, line)? { -1.0 } else { 1.0 };
+            let major = [e.major_axis.x, e.major_axis.y];
+            let minor = [
+                -major[1] * e.minor_axis_ratio * flip,
+                major[0] * e.minor_axis_ratio * flip,
+            ];
+            let range = [
+                e.start_parameter,
+                curve::sweep(e.start_parameter, e.end_parameter),
+            ];
+            Shape::Path(smooth(curve::ellipse(xy(&e.center), major, minor, range)))
+        }
+        EntityType::Spline(s) => Shape::Path(spline(s, line)?),
+        EntityType::Insert(i) => Shape::Insert(insert(i, line)?),
+        _ => return Ok(None),
+    }))
+}
+
+fn xy(p: &Point) -> P {
+    [p.x, p.y]
+}
+
+/// Notes points that do not lie in the drawing plane; they are seen from above.
+fn flat(points: &[&Point], line: usize, findings: &mut Findings) {
+    if points.iter().any(|p| p.z != 0.0) {
+        findings.projected(line);
+    }
+}
+
+/// Whether an entity is seen from behind.
+fn flipped(normal: &Vector, line: usize) -> Result<bool, Fault> {
+    if normal.x.abs() > 1e-6 || normal.y.abs() > 1e-6 || normal.z == 0.0 {
+        return Err(Fault::new(
+            "pattern/not_flat",
+            at_line(line),
+            "an entity does not lie in the drawing plane",
+        )
+        .fix("flatten the drawing in the CAD program"));
+    }
+    Ok(normal.z < 0.0)
+}
+
+/// The radius, `None` (with a warning) where it is 0.
+fn radius(radius: f64, line: usize, findings: &mut Findings) -> Result<Option<f64>, Fault> {
+    if radius < 0.0 {
+        return Err(Fault::new(
+            "pattern/negative_radius",
+            at_line(line),
+            format!("the radius is {radius}"),
+        )
+        .fix("draw this arc anew"));
+    }
+    if radius == 0.0 {
+        findings.warn(
+            "pattern/zero_radius",
+            line,
+            "an arc of radius 0 is left out",
+        );
+        return Ok(None);
+    }
+    Ok(Some(radius))
+}
+
+fn smooth(points: Vec<P>) -> Path {
+    Path {
+        points,
+        closed: false,
+        straight: false,
+    }
+}
+
+fn polyline(
+    p: &dxf::entities::Polyline,
+    line: usize,
+    findings: &mut Findings,
+) -> Result<Option<Shape>, Fault> {
+    const MESHES: i32 = 16 | 64;
+    const FRAME_VERTEX: i32 = 16;
+    if p.flags & MESHES != 0 {
+        findings.left_out("POLYLINE that is a mesh", line);
+        return Ok(None);
+    }
+    let kept: Vec<_> = p
+        .vertices()
+        .filter(|v| v.flags & FRAME_VERTEX == 0)
+        .collect();
+    flat(
+        &kept.iter().map(|v| &v.location).collect::<Vec<_>>(),
+        line,
+        findings,
+    );
+    let vertices: Vec<(P, f64)> = kept.iter().map(|v| (xy(&v.location), v.bulge)).collect();
+    let path = bulged(&vertices, p.is_closed(), line)?;
+    Ok(Some(Shape::Path(path.mirrored(flipped(&p.normal, line)?))))
+}
+
+/// The polyline through vertices with bulges.
+fn bulged(vertices: &[(P, f64)], closed: bool, line: usize) -> Result<Path, Fault> {
+    /// A bulge of 1000 is an arc that lacks 0.2 degrees of a full circle.
+    const LARGEST: f64 = 1000.0;
+    if let Some((_, bulge)) = vertices.iter().find(|(_, bulge)| bulge.abs() > LARGEST) {
+        return Err(Fault::new(
+            "pattern/bulge",
+            at_line(line),
+            format!("a vertex has the bulge {bulge}"),
+        )
+        .fix("draw this arc anew"));
+    }
+    let mut points = Vec::with_capacity(vertices.len());
+    for (i, (a, bulge)) in vertices.iter().enumerate() {
+        match vertices
+            .get(i + 1)
+            .or_else(|| vertices.first().filter(|_| closed))
+        {
+            Some((b, _)) => points.extend(curve::bulge(*a, *b, *bulge)),
+            None => points.push(*a),
+        }
+    }
+    Ok(Path {
+        points,
+        closed,
+        straight: false,
+    })
+}
+
+impl Path {
+    /// The path with x negated, where `flipped`.
+    fn mirrored(mut self, flipped: bool) -> Self {
+        if flipped {
+            for point in &mut self.points {
+                point[0] = -point[0];
+            }
+        }
+        self
+    }
+}
+
+fn spline(s: &dxf::entities::Spline, line: usize) -> Result<Path, Fault> {
+    let refuse = |what: &str| {
+        Fault::new("pattern/spline", at_line(line), what.to_owned())
+            .fix("export curves as polylines, or draw this one anew")
+    };
+    let degree = usize::try_from(s.degree_of_curve)
+        .map_err(|_| refuse("the spline's degree is negative"))?;
+    let controls: Vec<P> = s.control_points.iter().map(xy).collect();
+    if controls.is_empty() {
+        let fit: Vec<P> = s.fit_points.iter().map(xy).collect();
+        return if fit.len() < 2 {
+            Err(refuse(
+                "the spline has neither control points nor fit points",
+            ))
+        } else if fit.len() == 2 {
+            Ok(Path {
+                points: fit,
+                closed: false,
+                straight: true,
+            })
+        } else {
+            Err(refuse("the spline has fit points only"))
+        };
+    }
+    if degree == 0 || controls.len() <= degree || s.knot_values.len() != controls.len() + degree + 1
+    {
+        return Err(refuse(
+            "the spline's degree, knots and control points do not go together",
+        ));
+    }
+    if s.knot_values.windows(2).any(|w| w[1] < w[0])
+        || s.knot_values[degree] >= s.knot_values[controls.len()]
+    {
+        return Err(refuse("the spline's knots fall"));
+    }
+    if !s.weight_values.is_empty() && s.weight_values.len() != controls.len()
+        || s.weight_values.iter().any(|w| *w <= 0.0)
+    {
+        return Err(refuse(
+            "the spline's weights are not positive, one to a control point",
+        ));
+    }
+    let curve = curve::Spline {
+        degree,
+        knots: &s.knot_values,
+        controls: &controls,
+        weights: &s.weight_values,
+    };
+    Ok(smooth(curve.points()))
+}
+
+fn insert(i: &dxf::entities::Insert, line: usize) -> Result<Insert, Fault> {
+    let count = |n: i16| u32::try_from(n).unwrap_or(1).max(1);
+    Ok(Insert {
+        name: i.name.clone(),
+        at: xy(&i.location),
+        scale: [i.x_scale_factor, i.y_scale_factor],
+        angle: i.rotation.to_radians(),
+        count: [count(i.column_count), count(i.row_count)],
+        spacing: [i.column_spacing, i.row_spacing],
+        flipped: flipped(&i.extrusion_direction, line)?,
+    })
+}

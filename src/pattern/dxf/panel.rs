@@ -1,0 +1,289 @@
+//! Pieces to panels: the outline chosen, unfolded, checked, cut into edges, with its marks put on.
+
+use super::chain::Chain;
+use super::fold::Fold;
+use super::piece::Piece;
+use super::ring::Ring;
+use super::{Findings, at_line};
+use crate::config::Limits;
+use crate::fault::Fault;
+use crate::pattern::assemble::{self, Outline};
+use crate::pattern::outline::{P, bounds, crossing, distance, nearest, segments, signed_area};
+use crate::pattern::{Grain, Hole, NotchKind, Panel};
+
+/// A notch belongs to an outline that is at most this far away (sew lines lie inside the notched cut line) \[m\].
+const NOTCH_REACH: f64 = 0.03;
+
+/// Makes a panel of a piece. What keeps it from being one becomes a fault at its line.
+pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> Option<Panel> {
+    let drawn = checked_ring(piece, &piece.outline, limits, findings)?;
+    let sew = piece
+        .sew
+        .as_ref()
+        .and_then(|sew| sew_ring(piece, sew, limits, findings));
+    let fold = piece
+        .marks
+        .folds
+        .iter()
+        .find_map(|line| Fold::new(*line).filter(|fold| fold.unfold(&drawn).is_some()));
+    if fold.is_none() && !piece.marks.folds.is_empty() {
+        findings.warn(
+            "pattern/fold_ignored",
+            piece.line,
+            format!(
+                "the fold line of {:?} is not an edge of it; the piece was not unfolded",
+                piece.name
+            ),
+        );
+    }
+    let whole = |ring: &Ring| {
+        fold.and_then(|fold| fold.unfold(ring))
+            .unwrap_or_else(|| ring.clone())
+    };
+    let cut = whole(&drawn);
+    let ring = sew
+        .as_ref()
+        .map_or_else(|| cut.clone(), whole)
+        .into_clockwise();
+    if let Some(place) = crossing(&ring.points) {
+        findings.faults.push(crosses(piece, place));
+        return None;
+    }
+    let outline = assemble::outline(&ring.points, &ring.corner);
+    let holes = holes(piece, fold, limits, findings);
+    let hole_area: f64 = holes
+        .iter()
+        .map(|hole| signed_area(&assemble::ring(&hole.edges)))
+        .sum();
+    Some(Panel {
+        id: String::new(),
+        name: piece.name.chars().take(limits.name_chars).collect(),
+        area_m2: signed_area(&ring.points).abs() - hole_area.abs(),
+        perimeter_m: outline.edges.iter().map(|edge| edge.length_m).sum(),
+        drawn_area_m2: signed_area(&drawn.points).abs(),
+        unfolded: fold.is_some(),
+        copy_of: None,
+        quantity: piece.labels.quantity(),
+        notches: notches(piece, &outline, fold, findings),
+        corners: outline.corners,
+        edges: outline.edges,
+        holes,
+        cut_line: cut_line(piece, sew.is_some(), cut, fold),
+        drill_holes: doubled(piece.marks.drills.clone(), fold),
+        grain: grain(&piece.marks.grains),
+        internal_lines: internal_lines(piece, sew.is_some(), fold),
+    })
+}
+
+fn refuse(piece: &Piece, code: &str, detail: &str, fix: &str) -> Fault {
+    Fault::new(
+        code,
+        at_line(piece.line),
+        format!("the piece {:?} {detail}", piece.name),
+    )
+    .fix(fix)
+}
+
+fn crosses(piece: &Piece, [x, y]: P) -> Fault {
+    refuse(
+        piece,
+        "pattern/self_intersecting",
+        &format!(
+            "has an outline that crosses or touches itself at ({:.4}, {:.4}) m",
+            x, y
+        ),
+        "mend the outline in the CAD program",
+    )
+}
+
+/// The ring of an outline that has an area and a size within the limits.
+fn checked_ring(
+    piece: &Piece,
+    chain: &Chain,
+    limits: &Limits,
+    findings: &mut Findings,
+) -> Option<Ring> {
+    if let Some(gap) = chain.repaired {
+        findings.warn(
+            "pattern/gap_closed",
+            chain.line,
+            format!(
+                "a gap of {:.3} mm in the outline of {:?} was closed",
+                1000.0 * gap,
+                piece.name
+            ),
+        );
+    }
+    if chain.points.len() > limits.panel_vertices {
+        let detail = format!(
+            "has {} outline points; at most {} are read",
+            chain.points.len(),
+            limits.panel_vertices
+        );
+        findings.faults.push(refuse(
+            piece,
+            "pattern/too_large",
+            &detail,
+            "export curves with fewer points",
+        ));
+        return None;
+    }
+    let [low, high] = bounds(&chain.points);
+    let side = (high[0] - low[0]).max(high[1] - low[1]);
+    if side < limits.panel_size_m[0] || side > limits.panel_size_m[1] || !side.is_finite() {
+        let detail = format!(
+            "is {side:.3e} m long; sizes from {} to {} m are read",
+            limits.panel_size_m[0], limits.panel_size_m[1]
+        );
+        findings.faults.push(refuse(
+            piece,
+            "pattern/implausible_size",
+            &detail,
+            "say the units of the file with units=mm|cm|m|inch, or mend the drawing",
+        ));
+        return None;
+    }
+    let ring = Ring::new(chain, &piece.marks.turns);
+    if ring.points.len() < 3 || signed_area(&ring.points).abs() < 1e-6 * side * side {
+        findings.faults.push(refuse(
+            piece,
+            "pattern/no_area",
+            "has no area",
+            "delete it, or draw its outline anew",
+        ));
+        return None;
+    }
+    Some(ring)
+}
+
+/// The sew line as an outline; one that is open along a fold is closed there.
+fn sew_ring(piece: &Piece, sew: &Chain, limits: &Limits, findings: &mut Findings) -> Option<Ring> {
+    let on_fold = |p: P| {
+        piece
+            .marks
+            .folds
+            .iter()
+            .filter_map(|line| Fold::new(*line))
+            .any(|fold| fold.side(p).abs() < 2e-4)
+    };
+    let ends = [*sew.points.first()?, *sew.points.last()?];
+    if sew.closed || ends.into_iter().all(on_fold) && distance(ends[0], ends[1]) > 0.0 {
+        return checked_ring(piece, sew, limits, findings);
+    }
+    findings.warn(
+        "pattern/open_sew_line",
+        sew.line,
+        format!(
+            "the sew line of {:?} does not close; its outline is the cut line",
+            piece.name
+        ),
+    );
+    None
+}
+
+fn doubled(mut points: Vec<P>, fold: Option<Fold>) -> Vec<P> {
+    if let Some(fold) = fold {
+        fold.double(&mut points);
+    }
+    points
+}
+
+/// What is cut, where the outline is the sew line, or an open cut line that the file has.
+fn cut_line(piece: &Piece, sewn: bool, cut: Ring, fold: Option<Fold>) -> Vec<P> {
+    match (sewn, &piece.cut) {
+        (true, _) => cut.points,
+        (false, Some(open)) if fold.is_none() => open.points.clone(),
+        _ => Vec::new(),
+    }
+}
+
+fn grain(lines: &[[P; 2]]) -> Option<Grain> {
+    let [a, b] = *lines
+        .iter()
+        .max_by(|a, b| distance(a[0], a[1]).total_cmp(&distance(b[0], b[1])))?;
+    let angle_deg = (b[1] - a[1])
+        .atan2(b[0] - a[0])
+        .to_degrees()
+        .rem_euclid(180.0);
+    Some(Grain {
+        angle_deg: if angle_deg >= 180.0 { 0.0 } else { angle_deg },
+    })
+}
+
+fn holes(piece: &Piece, fold: Option<Fold>, limits: &Limits, findings: &mut Findings) -> Vec<Hole> {
+    let mut holes = Vec::new();
+    for chain in &piece.cutouts {
+        let Some(ring) = checked_ring(piece, chain, limits, findings) else {
+            continue;
+        };
+        let image = fold.map(|fold| Ring {
+            points: ring.points.iter().map(|p| fold.mirror(*p)).collect(),
+            corner: ring.corner.clone(),
+        });
+        for ring in [Some(ring), image].into_iter().flatten() {
+            if let Some(place) = crossing(&ring.points) {
+                findings.faults.push(crosses(piece, place));
+                continue;
+            }
+            let mut ring = ring.into_clockwise();
+            ring.points[1..].reverse();
+            ring.corner[1..].reverse();
+            let outline = assemble::outline(&ring.points, &ring.corner);
+            holes.push(Hole {
+                corners: outline.corners,
+                edges: outline.edges,
+            });
+        }
+    }
+    holes
+}
+
+fn internal_lines(piece: &Piece, sewn: bool, fold: Option<Fold>) -> Vec<Vec<P>> {
+    let unused_sew = piece.sew.iter().filter(|_| !sewn);
+    let mut lines: Vec<Vec<P>> = Vec::new();
+    for chain in piece.internal.iter().chain(unused_sew) {
+        let mut line = chain.points.clone();
+        line.extend(chain.points.first().filter(|_| chain.closed));
+        if line.len() > 1 {
+            lines.push(line);
+        }
+    }
+    if let Some(fold) = fold {
+        let images: Vec<Vec<P>> = lines
+            .iter()
+            .map(|line| line.iter().map(|p| fold.mirror(*p)).collect())
+            .collect();
+        lines.extend(images);
+    }
+    lines
+}
+
+/// Notches put on the nearest edge; those with no edge in reach are warned about.
+fn notches(
+    piece: &Piece,
+    outline: &Outline,
+    fold: Option<Fold>,
+    findings: &mut Findings,
+) -> Vec<crate::pattern::Notch> {
+    let ring = assemble::ring(&outline.edges);
+    let mut marks: Vec<(P, NotchKind)> = Vec::new();
+    for (at, kind) in &piece.marks.notches {
+        marks.extend(doubled(vec![*at], fold).into_iter().map(|p| (p, *kind)));
+    }
+    let mut notches = Vec::new();
+    for (at, kind) in marks {
+        let foot = nearest(segments(&ring), at).filter(|foot| foot.distance <= NOTCH_REACH);
+        match foot {
+            Some(foot) => notches.push(assemble::notch(&outline.edges, foot, kind, notches.len())),
+            None => findings.warn(
+                "pattern/notch_ignored",
+                piece.line,
+                format!(
+                    "a notch of {:?} lies on no edge and is left out",
+                    piece.name
+                ),
+            ),
+        }
+    }
+    notches
+}

@@ -1,0 +1,214 @@
+/** Pattern and garment files: upload, samples, open, save, and what the address bar keeps. */
+
+import { call, getJson } from "./api.js";
+import { byId, el, replaceChildren, setOptions } from "./dom.js";
+import { forgetUndo, say } from "./picking.js";
+import { emptyGarment, plainPattern, state, update, watch } from "./state.js";
+import { faultItem, plural, problemItems } from "./words.js";
+
+let lastFile = null; // to read it again with other units or another size
+let loads = 0;
+
+/** What the address bar says: `#pattern=…&fit=…`. */
+export const fromHash = () => Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+
+function keepInHash() {
+  const parts = {};
+  if (state.pattern?.stored) parts.pattern = state.pattern.id;
+  if (state.fit) parts.fit = state.fit.id;
+  const hash = new URLSearchParams(parts).toString();
+  if (hash !== location.hash.slice(1)) history.replaceState(null, "", hash ? `#${hash}` : location.pathname);
+}
+
+const draftKey = (id) => `seamster.draft.${id}`;
+
+function keepDraft() {
+  if (!state.pattern?.stored) return;
+  try {
+    sessionStorage.setItem(draftKey(state.pattern.id), JSON.stringify(state.garment));
+  } catch {
+    // A full store only loses the draft.
+  }
+}
+
+const draftOf = (id) => JSON.parse(sessionStorage.getItem(draftKey(id)) ?? "null");
+
+/** A garment from a file, over the defaults; the pattern is kept apart. */
+function garmentFrom(saved) {
+  const { pattern, ...garment } = saved ?? {};
+  return { ...emptyGarment(), ...garment, seams: Array.isArray(garment.seams) ? garment.seams : [], panels: garment.panels ?? {} };
+}
+
+/** Shows a pattern with a garment; the shown fit goes. */
+function show(pattern, garment) {
+  forgetUndo();
+  update({ pattern, garment, picked: null, selected: null, check: null, fit: null, report: null, ran: null, zoom: 1 });
+  say(garment.seams.length
+    ? `${pattern.name}: ${plural(pattern.panels.length, "panel")}, ${plural(garment.seams.length, "seam")}.`
+    : "Pick the first edge of a seam: click it near the end where sewing begins.");
+}
+
+function typeOf(file) {
+  return file.name.toLowerCase().endsWith(".json") ? "application/json" : "application/dxf";
+}
+
+/** Sends a pattern file; answers the stored pattern. */
+async function upload(file) {
+  const query = new URLSearchParams();
+  if (byId("import-units").value) query.set("units", byId("import-units").value);
+  if (byId("import-size").value) query.set("size", byId("import-size").value);
+  const path = `/v1/patterns${query.size ? `?${query}` : ""}`;
+  let options = { method: "POST", body: file, headers: { "Content-Type": "application/json" } };
+  if (typeOf(file) !== "application/json") {
+    const body = new FormData();
+    body.append("file", file, file.name);
+    options = { method: "POST", body };
+  }
+  return { ...(await (await call(path, options)).json()), stored: true };
+}
+
+/** Runs a load; a later one wins, and faults are shown beside the file field. */
+async function load(work) {
+  const mine = ++loads;
+  byId("pattern-faults").replaceChildren();
+  say("Reading…");
+  try {
+    const found = await work();
+    if (mine === loads) show(found.pattern, found.garment);
+    return mine === loads;
+  } catch (problem) {
+    if (mine !== loads) return false;
+    replaceChildren(byId("pattern-faults"), problemItems(problem));
+    say("The file could not be used.", true);
+    return false;
+  }
+}
+
+async function openPattern(file) {
+  if (file !== lastFile) {
+    setOptions(byId("import-size"), [["", "Sample size"]], "");
+    byId("import-units").value = "";
+  }
+  lastFile = file;
+  await load(async () => {
+    const pattern = await upload(file);
+    return { pattern, garment: garmentFrom({ seams: pattern.seams ?? [] }) };
+  });
+}
+
+async function openSample(name) {
+  await load(async () => {
+    const [dxf, garment] = await Promise.all([call(`/samples/${name}.dxf`), getJson(`/samples/${name}.garment.json`)]);
+    lastFile = new File([await dxf.blob()], `${name}.dxf`);
+    setOptions(byId("import-size"), [["", "Sample size"]], "");
+    byId("import-units").value = "";
+    return { pattern: await upload(lastFile), garment: garmentFrom(garment) };
+  });
+}
+
+/** The pattern that a garment names: stored under its id, or whole in the file. */
+async function patternOf(saved) {
+  const named = saved.pattern;
+  const id = typeof named === "string" ? named : named?.id;
+  if (id) {
+    try {
+      return { ...(await getJson(`/v1/patterns/${encodeURIComponent(id)}`)), stored: true };
+    } catch (problem) {
+      if (typeof named === "string" || problem.status !== 404) throw problem;
+    }
+  }
+  if (named?.panels) return { ...named, stored: false };
+  if (state.pattern) return state.pattern;
+  throw new Error("This garment file names no pattern. Open its DXF first, then the garment file.");
+}
+
+async function openGarment(file) {
+  await load(async () => {
+    const text = await file.text();
+    let saved;
+    try {
+      saved = JSON.parse(text);
+    } catch (error) {
+      throw new Error(`${file.name} is not JSON: ${error.message}`);
+    }
+    if (!Array.isArray(saved?.seams)) throw new Error(`${file.name} is not a garment file: it has no list "seams".`);
+    return { pattern: await patternOf(saved), garment: garmentFrom(saved) };
+  });
+}
+
+/** Hands bytes to the browser as a file. */
+export function save(blob, name) {
+  const link = el("a", { href: URL.createObjectURL(blob), download: name });
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}
+
+/** A file name from the pattern's. */
+export const fileStem = () => (state.pattern?.name ?? "garment").replace(/[^\p{L}\p{N}_-]+/gu, "-").slice(0, 60) || "garment";
+
+function saveGarment() {
+  const saved = { ...state.garment, pattern: plainPattern() };
+  save(new Blob([`${JSON.stringify(saved, null, 2)}\n`], { type: "application/json" }), `${fileStem()}.garment.json`);
+}
+
+/** What the address bar names, with the seams as they were left or as the fit had them. */
+export async function openFromHash(showFit) {
+  const { pattern: id, fit } = fromHash();
+  if (!id && !fit) return;
+  await load(async () => {
+    const saved = fit ? await getJson(`/v1/fits/${encodeURIComponent(fit)}/garment`) : null;
+    const pattern = await patternOf(id ? { pattern: id } : saved);
+    return { pattern, garment: garmentFrom(draftOf(pattern.id) ?? saved ?? { seams: pattern.seams }) };
+  }) && fit && await showFit(fit);
+}
+
+function drawFacts() {
+  const { pattern } = state;
+  byId("save-garment").disabled = !pattern;
+  if (!pattern) return;
+  const { source } = pattern;
+  const allowance = { none: "none", unknown: "not stated", sew_line: "sew line used" }[source.allowance];
+  const rows = [["Name", pattern.name], ["Panels", String(pattern.panels.length)], ["Units", source.units],
+    source.sample_size && ["Size", source.sample_size], allowance && ["Seam allowance", allowance]].filter(Boolean);
+  replaceChildren(byId("pattern-facts"),
+    el("dl", { class: "facts" }, rows.flatMap(([term, value]) => [el("dt", {}, term), el("dd", {}, value)])),
+    pattern.warnings?.length > 0 && el("div", { class: "warnings" }, pattern.warnings.map((one) => faultItem(one, "warning"))));
+  const sizes = (source.sizes ?? []).map((size) => [size, size]);
+  setOptions(byId("import-size"), [["", "Sample size"], ...sizes], byId("import-size").value);
+}
+
+function startDrop(drop) {
+  const over = (event) => {
+    event.preventDefault();
+    drop.classList.toggle("over", event.type === "dragover");
+  };
+  drop.addEventListener("dragover", over);
+  drop.addEventListener("dragleave", over);
+  drop.addEventListener("drop", (event) => {
+    over(event);
+    const [file] = event.dataTransfer.files;
+    if (file) openPattern(file);
+  });
+}
+
+export function startFiles() {
+  for (const button of document.querySelectorAll("[data-sample]")) {
+    button.addEventListener("click", () => openSample(button.dataset.sample));
+  }
+  const chosen = (input, open) => input.addEventListener("change", () => {
+    const [file] = input.files;
+    input.value = "";
+    if (file) open(file);
+  });
+  chosen(byId("pattern-file"), openPattern);
+  chosen(byId("open-garment-file"), openGarment);
+  byId("open-garment").addEventListener("click", () => byId("open-garment-file").click());
+  byId("save-garment").addEventListener("click", saveGarment);
+  for (const id of ["import-units", "import-size"]) {
+    byId(id).addEventListener("change", () => lastFile && openPattern(lastFile));
+  }
+  startDrop(byId("drop"));
+  watch(["pattern"], drawFacts);
+  watch(["pattern", "fit"], () => state.pattern && keepInHash());
+  watch(["garment"], keepDraft);
+}

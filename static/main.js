@@ -1,0 +1,26 @@
+/** Puts the parts of the page together. Read on: state.js, files.js, sheet.js, picking.js, fit.js, viewer.js. */
+
+import { openFromHash, startFiles } from "./files.js";
+import { showFit, startFit } from "./fit.js";
+import { letGo, say, select, startPicking } from "./picking.js";
+import { startSeamList } from "./seam_list.js";
+import { loadFabrics, startSettings } from "./settings.js";
+import { startSheet } from "./sheet.js";
+import { startStage } from "./stage.js";
+import { startToken } from "./token.js";
+
+startToken();
+startFiles();
+startSettings();
+startSheet(select, letGo);
+startPicking();
+startSeamList();
+startStage();
+startFit();
+
+try {
+  await loadFabrics();
+  await openFromHash(showFit);
+} catch (problem) {
+  say(problem.message, true);
+}

@@ -1,0 +1,116 @@
+/** Ways along the outlines of panels, in pattern coordinates (metres, y up, stored clockwise). */
+
+/** The runs of one side of a seam. */
+export const runsOf = (side) => (Array.isArray(side) ? side : [side]);
+
+/** Where a place lies on the outline: edge index plus fraction; null for holes and internal lines. */
+function position(panel, place) {
+  if (typeof place === "number") return place < panel.corners.length ? place : null;
+  if (place && "hole" in place) return null;
+  if (place && "edge" in place) return place.edge + place.at;
+  const notch = panel.notches?.[place?.notch];
+  return notch ? notch.edge + notch.at : null;
+}
+
+/** `cw`, `ccw` or null where it is not plain. */
+export function wayOf(panel, run) {
+  if (run.direction) return run.direction;
+  const count = panel.corners.length;
+  if (count < 3) return null;
+  if (run.to === (run.from + 1) % count) return "cw";
+  if (run.from === (run.to + 1) % count) return "ccw";
+  return null;
+}
+
+function part(points, from, to) {
+  const total = lengthOf(points);
+  const cut = [along(points, from).point];
+  let done = 0;
+  for (let i = 1; i < points.length; i++) {
+    done += step(points, i);
+    const at = done / total;
+    if (at > from + 1e-9 && at < to - 1e-9) cut.push(points[i]);
+  }
+  cut.push(along(points, to).point);
+  return cut;
+}
+
+/** Edges that a run covers, in its order: `[{edge, from, to}]` with fractions clockwise. */
+export function edgesOf(panel, run) {
+  const way = wayOf(panel, run);
+  const count = panel.edges.length;
+  let start = position(panel, way === "ccw" ? run.to : run.from);
+  let end = position(panel, way === "ccw" ? run.from : run.to);
+  if (way === null || start === null || end === null) return [];
+  if (end <= start + 1e-9) end += count;
+  const covered = [];
+  while (start < end - 1e-9) {
+    const edge = Math.floor(start + 1e-9);
+    const stop = Math.min(edge + 1, end);
+    covered.push({ edge: edge % count, from: Math.max(start - edge, 0), to: stop - edge });
+    start = stop;
+  }
+  return way === "ccw" ? covered.reverse() : covered;
+}
+
+/** The polyline of a run in its order. */
+export function runPoints(panel, run) {
+  const turned = wayOf(panel, run) === "ccw";
+  const points = [];
+  for (const { edge, from, to } of edgesOf(panel, run)) {
+    const piece = part(panel.edges[edge].points, from, to);
+    points.push(...(turned ? piece.reverse() : piece).slice(points.length ? 1 : 0));
+  }
+  return points;
+}
+
+const step = (points, i) => Math.hypot(points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]);
+
+export function lengthOf(points) {
+  let sum = 0;
+  for (let i = 1; i < points.length; i++) sum += step(points, i);
+  return sum;
+}
+
+/** The point at a fraction of the arc length, and the unit tangent there. */
+export function along(points, fraction) {
+  let left = lengthOf(points) * fraction;
+  let i = 1;
+  while (i < points.length - 1 && left > step(points, i)) left -= step(points, i++);
+  const size = step(points, i) || 1;
+  const tangent = [(points[i][0] - points[i - 1][0]) / size, (points[i][1] - points[i - 1][1]) / size];
+  return { point: [points[i - 1][0] + tangent[0] * left, points[i - 1][1] + tangent[1] * left], tangent };
+}
+
+/** Fraction of the arc length of the point of `points` that is nearest to `target`. */
+export function nearestFraction(points, target) {
+  let best = { distance: Infinity, at: 0 };
+  let done = 0;
+  for (let i = 1; i < points.length; i++) {
+    const size = step(points, i);
+    const d = [points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]];
+    const t = size === 0 ? 0 : ((target[0] - points[i - 1][0]) * d[0] + (target[1] - points[i - 1][1]) * d[1]) / (size * size);
+    const u = Math.min(1, Math.max(0, t));
+    const distance = Math.hypot(points[i - 1][0] + d[0] * u - target[0], points[i - 1][1] + d[1] * u - target[1]);
+    if (distance < best.distance) best = { distance, at: done + u * size };
+    done += size;
+  }
+  return done === 0 ? 0 : best.at / done;
+}
+
+/** The run along one edge, picked clockwise or against it. */
+export function runOfEdge(panel, edge, direction) {
+  const { from, to } = edge;
+  return direction === "cw"
+    ? { panel: panel.id, from, to, direction }
+    : { panel: panel.id, from: to, to: from, direction };
+}
+
+/** The same stretch the other way; a list of runs turns as a whole. */
+export function reversedSide(side) {
+  const turn = (run) => ({
+    ...run, from: run.to, to: run.from,
+    ...(run.direction && { direction: run.direction === "cw" ? "ccw" : "cw" }),
+  });
+  return Array.isArray(side) ? side.map(turn).reverse() : turn(side);
+}

@@ -1,0 +1,156 @@
+/** Two picked edges become a seam; every change is checked by the service at once. */
+
+import { postJson } from "./api.js";
+import { byId } from "./dom.js";
+import { reversedSide, wayOf } from "./outline.js";
+import { changeGarment, state, update, watch } from "./state.js";
+
+const UNDO_DEPTH = 100;
+const undone = [];
+let checking = null;
+
+/** Says something to everyone: shown above the sheet and read out. */
+export function say(text, bad = false) {
+  const status = byId("status");
+  status.textContent = text;
+  status.classList.toggle("bad", bad);
+}
+
+export const panelName = (id) => state.pattern?.panels.find((panel) => panel.id === id)?.name ?? id;
+
+const placeName = (place) => {
+  if (typeof place === "number") return String(place);
+  if (place && "notch" in place) return `notch ${place.notch}`;
+  if (place && "edge" in place) return `edge ${place.edge} at ${place.at}`;
+  return JSON.stringify(place);
+};
+
+/** `FRONT 3 → 4`. */
+export const runName = (run) => `${panelName(run.panel)} ${placeName(run.from)} → ${placeName(run.to)}`;
+
+function freshId(a, b) {
+  const used = new Set(state.garment.seams.map((seam) => seam.id));
+  const stem = a.panel === b.panel ? a.panel : `${a.panel}-${b.panel}`;
+  for (let n = 1; ; n++) if (!used.has(`${stem}-${n}`)) return `${stem}-${n}`;
+}
+
+/** Replaces the seams; the old ones can be brought back. */
+export function changeSeams(seams, selected = state.selected) {
+  undone.push(state.garment.seams);
+  if (undone.length > UNDO_DEPTH) undone.shift();
+  byId("undo").disabled = false;
+  changeGarment({ seams });
+  update({ selected: seams.some((seam) => seam.id === selected) ? selected : null });
+}
+
+export function undo() {
+  const seams = undone.pop();
+  byId("undo").disabled = undone.length === 0;
+  if (!seams) return;
+  changeGarment({ seams });
+  update({ selected: null, picked: null });
+  say("Undone.");
+}
+
+export function forgetUndo() {
+  undone.length = 0;
+  byId("undo").disabled = true;
+}
+
+export function changeSeam(id, patch) {
+  changeSeams(state.garment.seams.map((seam) => (seam.id === id ? { ...seam, ...patch } : seam)), id);
+}
+
+export function reverseSeam(id) {
+  const seam = state.garment.seams.find((one) => one.id === id);
+  changeSeam(id, { b: reversedSide(seam.b) });
+  say(`${id}: the second side now runs the other way.`);
+}
+
+export function deleteSeam(id) {
+  changeSeams(state.garment.seams.filter((seam) => seam.id !== id));
+  say(`Seam ${id} deleted.`);
+}
+
+export function letGo() {
+  if (!state.picked) return;
+  update({ picked: null });
+  say("Let go. Pick the first edge of a seam.");
+}
+
+const clockwise = (run) => {
+  const panel = state.pattern.panels.find((one) => one.id === run.panel);
+  return wayOf(panel, run) === "ccw" ? "counter-clockwise" : "clockwise";
+};
+
+/** The one way in for pointer and keyboard: the first edge, then its partner. */
+export function select(run) {
+  const first = state.picked;
+  if (!first) {
+    update({ picked: run, selected: null });
+    say(`First side: ${runName(run)}, ${clockwise(run)}. Now pick its partner, beginning at the end that meets corner ${run.from}.`);
+    return;
+  }
+  const same = first.panel === run.panel && [first.from, first.to].sort().join() === [run.from, run.to].sort().join();
+  if (same) {
+    if (first.direction === run.direction) letGo();
+    else {
+      update({ picked: run });
+      say(`First side turned: ${runName(run)}, ${clockwise(run)}.`);
+    }
+    return;
+  }
+  const seam = { id: freshId(first, run), a: first, b: run };
+  update({ picked: null });
+  changeSeams([...state.garment.seams, seam], seam.id);
+  say(`Seam ${seam.id}: ${runName(first)} with ${runName(run)}. Checking…`);
+}
+
+function sayVerdict(check, seams) {
+  const seam = check.seams.find((finding) => finding.id === state.selected);
+  const bad = check.seams.filter((finding) => !finding.ok).length;
+  if (seam && !seam.ok) say(`Seam ${seam.id} cannot be sewn: ${seam.errors[0]?.detail ?? "see the list."}`, true);
+  else if (bad) say(`${bad} of ${seams.length} seams cannot be sewn.`, true);
+  else if (!state.picked && seams.length) say(seam ? `Seam ${seam.id} is right. Pick the next pair, or sew.` : "All seams are right. Ready to sew.");
+}
+
+async function check() {
+  checking?.abort();
+  const { pattern, garment } = state;
+  if (!pattern?.stored || garment.seams.length === 0) {
+    update({ check: null });
+    return;
+  }
+  const { signal } = (checking = new AbortController());
+  try {
+    const body = { seams: garment.seams, ...(Object.keys(garment.panels).length && { panels: garment.panels }), simulate: garment.simulate };
+    const answer = await postJson(`/v1/patterns/${pattern.id}/seams/check`, body, { signal });
+    update({ check: answer });
+    sayVerdict(answer, garment.seams);
+  } catch (problem) {
+    if (problem.name === "AbortError") return;
+    update({ check: { ok: false, seams: [], corrected: [], problem } });
+    say(`The seams could not be checked: ${problem.message}`, true);
+  }
+}
+
+/** Checks whenever seams or faces change. */
+export function startPicking() {
+  byId("undo").addEventListener("click", undo);
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") letGo();
+    const typing = event.target.matches?.("input, select, textarea");
+    if ((event.ctrlKey || event.metaKey) && event.key === "z" && !event.shiftKey && !typing) {
+      event.preventDefault();
+      undo();
+    }
+  });
+  let asked = "";
+  watch(["pattern", "garment"], () => {
+    const { seams, panels, simulate } = state.garment;
+    const now = JSON.stringify([state.pattern?.id, seams, panels, simulate]);
+    if (now === asked) return;
+    asked = now;
+    check();
+  });
+}

@@ -1,0 +1,47 @@
+/** The report in words: what to trust and what not. */
+
+import { el } from "./dom.js";
+import { distance, percent, plural, scientific, seconds } from "./words.js";
+
+const finding = (kind, text) => el("li", { class: kind }, el("span", {}, text));
+
+const CLOSED_M = 1e-3;
+const INSIDE_M = 1e-3;
+
+function closing(report) {
+  const gap = report.seam_gap_max_m;
+  return gap < CLOSED_M
+    ? finding("good", `All seams are closed: the widest gap is ${distance(gap)}.`)
+    : finding("bad", `Seams stay open: the widest gap is ${distance(gap)}.`);
+}
+
+function inside(report) {
+  const depth = report.penetration_max_m;
+  if (depth <= 0) return finding("good", "No cloth is inside the body.");
+  return finding(depth < INSIDE_M ? "good" : "bad", `The deepest cloth is ${distance(depth)} inside the body.`);
+}
+
+function precision(report) {
+  const parts = [];
+  if (report.error_estimate_valid && report.error_estimate_m != null) parts.push(`${distance(report.error_estimate_m)} from the exact rest shape of this mesh`);
+  if (report.mesh_error_m != null) parts.push(`${distance(report.mesh_error_m)} from that of a finer mesh`);
+  return parts.length ? finding("plain", `Estimated error: ${parts.join(", ")}.`) : null;
+}
+
+/** The summary; `canceled` where the fit was stopped. */
+export function reportSummary(report, status) {
+  const verdict = report.converged
+    ? el("p", { class: "verdict good" }, "The garment came to rest.")
+    : el("p", { class: "verdict bad" }, status === "canceled" ? "Stopped before it came to rest." : "The garment did not come to rest.");
+  const worn = report.worn ?? { ok: false, because: "not stated" };
+  const items = [
+    finding(report.converged ? "good" : "bad", `${report.why || "Stopped"} (residual ${scientific(report.residual)}).`.replace("..", ".")),
+    closing(report),
+    inside(report),
+    finding(worn.ok ? "good" : "bad", `${worn.ok ? "Worn" : "Not worn"}: ${worn.because}`),
+    precision(report),
+    finding("plain", `Largest strain ${percent(report.strain_max)}.`),
+    finding("plain", `${seconds(report.cpu_s.total)} of computing, ${plural(report.vertices, "vertex").replace("vertexs", "vertices")}, ${plural(report.stitches, "stitch").replace("stitchs", "stitches")}, method ${report.method}.`),
+  ];
+  return [verdict, el("ul", { class: "findings" }, items.filter(Boolean))];
+}

@@ -1,0 +1,148 @@
+/** The list of seams: what is wrong with each, what would put it right, and its order of sewing. */
+
+import { byId, el, replaceChildren } from "./dom.js";
+import { runsOf } from "./outline.js";
+import { changeSeam, changeSeams, deleteSeam, reverseSeam, runName, say } from "./picking.js";
+import { colourClass } from "./seam_marks.js";
+import { state, update, watch } from "./state.js";
+import { centimetres, distance, faultItem, percent, plural, problemItems } from "./words.js";
+
+const sideName = (side) => runsOf(side).map(runName).join(", ");
+
+const findingOf = (seam) => state.check?.seams.find((finding) => finding.id === seam.id);
+
+/** What the service would have instead, where that differs. */
+function correctionOf(seam) {
+  const other = state.check?.corrected.find((one) => one.id === seam.id);
+  const sides = ({ a, b, match, gather, layered, allow_twist }) =>
+    JSON.stringify([runsOf(a), runsOf(b), match ?? "as_picked", !!gather, !!layered, !!allow_twist].map(withoutDirection));
+  return other && sides(other) !== sides(seam) ? other : null;
+}
+
+const withoutDirection = (part) =>
+  Array.isArray(part) ? part.map(({ panel, from, to }) => [panel, from, to]) : part;
+
+function figures(finding) {
+  if (!finding) return el("span", { class: "figures" }, "");
+  if (!finding.ok) return el("span", { class: "figures bad" }, "✗ cannot be sewn");
+  const ease = finding.ease_m > 0.001 ? `ease ${distance(finding.ease_m)} (${percent(finding.ease)})` : "no ease";
+  return el("span", { class: "figures" }, `✓ ${centimetres(finding.length_a_m)}, ${ease}`);
+}
+
+/** The way the correction would change the seam, in words. */
+function correctionText(seam, other) {
+  const parts = [];
+  if (sideName(seam.a) !== sideName(other.a)) parts.push(sideName(other.a));
+  if (sideName(seam.b) !== sideName(other.b)) parts.push(sideName(other.b));
+  if (other.gather && !seam.gather) parts.push("gathered");
+  if (other.layered && !seam.layered) parts.push("layered");
+  if (other.match && other.match !== seam.match) parts.push(`matched ${other.match.replace("_", " ")}`);
+  return parts.join(", ") || "other order";
+}
+
+function correction(seam) {
+  const other = correctionOf(seam);
+  if (!other) return null;
+  const use = () => {
+    changeSeams(state.garment.seams.map((one) => (one.id === seam.id ? other : one)), seam.id);
+    say(`Seam ${seam.id} corrected. Checking…`);
+  };
+  return el("button", { type: "button", class: "small", "data-key": `correct ${seam.id}`, onclick: use },
+    `Use the correction: ${correctionText(seam, other)}`);
+}
+
+function checkbox(seam, field, text) {
+  const flip = (event) => changeSeam(seam.id, { [field]: event.target.checked });
+  return el("label", { class: "check" },
+    el("input", { type: "checkbox", checked: !!seam[field], "data-key": `${field} ${seam.id}`, onchange: flip }), text);
+}
+
+function options(seam) {
+  const setStage = (event) => {
+    const stage = Math.max(0, Math.round(Number(event.target.value)) || 0);
+    changeSeam(seam.id, { stage });
+  };
+  const setMatch = (event) => changeSeam(seam.id, { match: event.target.value });
+  const match = seam.match ?? "as_picked";
+  return el("div", { class: "options" },
+    el("label", { class: "inline" }, "Sewn in step ",
+      el("input", { type: "number", min: 0, max: 99, step: 1, value: seam.stage ?? 0, "data-key": `stage ${seam.id}`, onchange: setStage })),
+    el("label", { class: "inline" }, "Ends",
+      el("select", { "data-key": `match ${seam.id}`, onchange: setMatch },
+        el("option", { value: "as_picked", selected: match === "as_picked" }, "as picked"),
+        el("option", { value: "auto", selected: match === "auto" }, "found"))),
+    checkbox(seam, "gather", "Gather"),
+    checkbox(seam, "layered", "Over another seam"),
+    checkbox(seam, "allow_twist", "Twist on purpose"));
+}
+
+function details(seam, finding) {
+  const ways = finding?.ok && `${plural(finding.stitch_count, "stitch").replace(/stitchs$/, "stitches")}; ${centimetres(finding.length_a_m)} on ${centimetres(finding.length_b_m)}; ways ${finding.direction_a ?? "?"} and ${finding.direction_b ?? "?"}${finding.reversed ? " (reversed by the service)" : ""}.`;
+  return el("div", { class: "more" },
+    (finding?.errors ?? []).map((fault) => faultItem(fault)),
+    correction(seam),
+    (finding?.warnings ?? []).map((warning) => faultItem(warning, "warning")),
+    ways && el("p", { class: "note" }, ways),
+    options(seam));
+}
+
+/** Seams in the order of sewing: by stage, then as listed. */
+function move(seam, by) {
+  const order = inOrder();
+  const at = order.findIndex((one) => one.id === seam.id);
+  const other = order[at + by];
+  if (!other) return;
+  const stage = other.stage ?? 0;
+  const moved = order.filter((one) => one !== seam);
+  moved.splice(at + by, 0, stage === (seam.stage ?? 0) ? seam : { ...seam, stage });
+  changeSeams(moved, state.selected);
+  say(`Seam ${seam.id} is now number ${at + by + 1}.`);
+}
+
+const inOrder = () =>
+  state.garment.seams.map((seam, index) => ({ seam, index }))
+    .sort((a, b) => (a.seam.stage ?? 0) - (b.seam.stage ?? 0) || a.index - b.index)
+    .map(({ seam }) => seam);
+
+const iconButton = (seam, what, sign, act, disabled = false) =>
+  el("button", { type: "button", class: "small", "aria-label": `${what} ${seam.id}`, title: what, "data-key": `${what} ${seam.id}`, disabled, onclick: act }, sign);
+
+function remove(seam, at) {
+  const next = inOrder()[at + 1] ?? inOrder()[at - 1];
+  deleteSeam(seam.id);
+  // The row is gone: go on from its neighbour.
+  queueMicrotask(() => byId("seam-list").querySelector(next ? `[data-key="${CSS.escape(`choose ${next.id}`)}"]` : "button")?.focus());
+}
+
+function row(seam, at, count) {
+  const finding = findingOf(seam);
+  const open = seam.id === state.selected;
+  const number = state.garment.seams.indexOf(seam);
+  const classes = ["seam", colourClass(number), open && "selected", finding?.ok === false && "bad"];
+  const choose = () => update({ selected: open ? null : seam.id, picked: null });
+  return el("li", { class: classes.filter(Boolean).join(" ") },
+    el("div", { class: "row" },
+      el("button", { type: "button", class: "choose", "aria-expanded": String(open), "data-key": `choose ${seam.id}`, onclick: choose },
+        el("span", { class: "badge" }, String(number + 1)),
+        el("span", { class: "what" }, seam.id, el("br"), el("small", {}, `${sideName(seam.a)} with ${sideName(seam.b)}`)),
+        figures(finding)),
+      iconButton(seam, "Reverse", "⇄", () => reverseSeam(seam.id)),
+      iconButton(seam, "Sew earlier", "↑", () => move(seam, -1), at === 0),
+      iconButton(seam, "Sew later", "↓", () => move(seam, 1), at === count - 1),
+      iconButton(seam, "Delete", "✕", () => remove(seam, at))),
+    open && details(seam, finding));
+}
+
+function draw() {
+  const seams = inOrder();
+  const problem = state.check?.problem;
+  replaceChildren(byId("seam-list"),
+    problem && el("div", { class: "faults" }, problemItems(problem)),
+    seams.length > 0 && el("div", { class: "head" }, el("span", {}, plural(seams.length, "seam")), el("span", {}, "in order of sewing")),
+    seams.length > 0 && el("ol", { "aria-label": "Seams in order of sewing" }, seams.map((seam, at) => row(seam, at, seams.length))),
+    seams.length === 0 && state.pattern && el("p", { class: "empty" }, "No seams yet."));
+}
+
+export function startSeamList() {
+  watch(["pattern", "garment", "check", "selected"], draw);
+}

@@ -1,0 +1,99 @@
+/** Fabric of each panel, measurements of the dress form, fineness of the mesh. */
+
+import { getJson } from "./api.js";
+import { byId, el, replaceChildren, setOptions } from "./dom.js";
+import { changeGarment, DEFAULT_FORM, state, update, watch } from "./state.js";
+
+/** Measurements in the order in which they are asked, with what a person may have [cm]. */
+const MEASURES = [
+  ["height_m", "Height", 140, 210],
+  ["bust_m", "Bust", 70, 150],
+  ["waist_m", "Waist", 50, 150],
+  ["hip_m", "Hip", 70, 160],
+];
+
+/** The libraries come as a map by id or as a list with ids. */
+function asMap(fabrics) {
+  const list = fabrics.fabrics ?? fabrics.items ?? fabrics;
+  return Array.isArray(list) ? Object.fromEntries(list.map(({ id, ...fabric }) => [id, fabric])) : list;
+}
+
+export async function loadFabrics() {
+  update({ fabrics: asMap(await getJson("/v1/fabrics")) });
+}
+
+const allFabrics = () => ({ ...state.fabrics, ...state.garment.fabrics });
+
+const fabricOptions = () => Object.entries(allFabrics()).map(([id, fabric]) => [id, fabric.name ?? id]);
+
+function setPanel(id, patch) {
+  const panel = { ...state.garment.panels[id], ...patch };
+  for (const [field, value] of Object.entries(panel)) if (value === "" || value === "auto") delete panel[field];
+  const panels = { ...state.garment.panels, [id]: panel };
+  if (Object.keys(panel).length === 0) delete panels[id];
+  changeGarment({ panels });
+}
+
+function select(panel, field, text, pairs) {
+  const chosen = state.garment.panels[panel.id]?.[field] ?? pairs[0][0];
+  const key = `${field} ${panel.id}`;
+  return el("label", {}, text,
+    el("select", { "data-key": key, "aria-label": `${text} of ${panel.name}`, onchange: (event) => setPanel(panel.id, { [field]: event.target.value }) },
+      pairs.map(([value, label]) => el("option", { value, selected: value === chosen }, label))));
+}
+
+function panelRow(panel) {
+  const found = state.check?.faces?.[panel.id];
+  const auto = found ? `Found: ${found}` : "Found";
+  return el("div", { class: "panel-row" }, el("strong", {}, panel.name),
+    select(panel, "fabric", "Fabric", [["", "As all"], ...fabricOptions()]),
+    select(panel, "face", "Face", [["auto", auto], ["up", "Up"], ["down", "Down"]]));
+}
+
+function drawFabric() {
+  const id = state.garment.default_fabric;
+  const options = fabricOptions();
+  if (!options.some(([known]) => known === id)) options.unshift([id, id]);
+  setOptions(byId("default-fabric"), options, id);
+  const fabric = allFabrics()[id];
+  byId("fabric-note").textContent = fabric?.density_kg_m2 ? `${(fabric.density_kg_m2 * 1000).toFixed(0)} g/m²` : "";
+  byId("by-panel").hidden = !state.pattern;
+  replaceChildren(byId("panel-rows"), (state.pattern?.panels ?? []).map(panelRow));
+}
+
+function measure([field, text, least, most]) {
+  const form = state.garment.avatar?.form ?? {};
+  const change = (event) => {
+    if (!event.target.reportValidity() || event.target.value === "") return;
+    changeGarment({ avatar: { form: { ...DEFAULT_FORM, ...form, [field]: Number((event.target.valueAsNumber / 100).toFixed(4)) } } });
+  };
+  const value = Number(((form[field] ?? DEFAULT_FORM[field]) * 100).toFixed(2));
+  return el("label", {}, `${text}, cm`,
+    el("input", { type: "number", min: least, max: most, step: 0.5, value, "data-key": field, onchange: change }));
+}
+
+function drawBody() {
+  const form = Boolean(state.garment.avatar?.form);
+  byId("measures").hidden = !form;
+  byId("other-body").hidden = form;
+  if (form) replaceChildren(byId("measures"), MEASURES.map(measure));
+}
+
+function drawMesh() {
+  const value = String(state.garment.simulate?.edge_length_m ?? 0.012);
+  const select = byId("edge-length");
+  if (![...select.options].some((option) => option.value === value)) {
+    select.append(el("option", { value }, `${Number(value) * 1000} mm`));
+  }
+  select.value = value;
+}
+
+export function startSettings() {
+  byId("default-fabric").addEventListener("change", (event) => changeGarment({ default_fabric: event.target.value }));
+  byId("use-form").addEventListener("click", () => changeGarment({ avatar: { form: { ...DEFAULT_FORM } } }));
+  byId("edge-length").addEventListener("change", (event) =>
+    changeGarment({ simulate: { ...state.garment.simulate, edge_length_m: Number(event.target.value) } }));
+  watch(["fabrics", "garment", "pattern", "check"], drawFabric);
+  watch(["garment"], drawBody);
+  watch(["garment"], drawMesh);
+}

@@ -1,0 +1,60 @@
+/** Puts panels side by side on the sheet, as large as they fit. */
+
+const GAP = 54; // px between panels: room for badges and corner numbers
+
+export function boxOf(panel) {
+  const box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
+  for (const edge of panel.edges) {
+    for (const [x, y] of edge.points) {
+      box.left = Math.min(box.left, x);
+      box.right = Math.max(box.right, x);
+      box.bottom = Math.min(box.bottom, y);
+      box.top = Math.max(box.top, y);
+    }
+  }
+  return box;
+}
+
+/** Rows of boxes in their order at `scale` px/m, no wider than `width`. */
+function shelves(boxes, scale, width) {
+  const places = [];
+  let [x, y, row, widest] = [GAP, GAP, 0, 0];
+  for (const box of boxes) {
+    const w = (box.right - box.left) * scale;
+    const h = (box.top - box.bottom) * scale;
+    if (x > GAP && x + w + GAP > width) {
+      x = GAP;
+      y += row + GAP;
+      row = 0;
+    }
+    places.push({ x, y });
+    x += w + GAP;
+    widest = Math.max(widest, x);
+    row = Math.max(row, h);
+  }
+  return { places, width: widest, height: y + row + GAP };
+}
+
+/** The largest scale [px/m] at which all panels fit, times `zoom`, and a map from pattern to sheet for each panel. */
+export function layOut(panels, width, height, zoom) {
+  const boxes = panels.map(boxOf);
+  let [low, high] = [1, 8000];
+  for (let i = 0; i < 40; i++) {
+    const middle = Math.sqrt(low * high);
+    const size = shelves(boxes, middle, width);
+    if (size.width <= width && size.height <= height) low = middle;
+    else high = middle;
+  }
+  const scale = low * zoom;
+  const found = shelves(boxes, scale, width * zoom);
+  const shift = [Math.max(0, (width - found.width) / 2), Math.max(0, (height - found.height) / 2)];
+  const maps = new Map(panels.map((panel, i) => {
+    const { x, y } = found.places[i];
+    const box = boxes[i];
+    return [panel.id, {
+      point: ([px, py]) => [shift[0] + x + (px - box.left) * scale, shift[1] + y + (box.top - py) * scale],
+      back: ([sx, sy]) => [(sx - shift[0] - x) / scale + box.left, box.top - (sy - shift[1] - y) / scale],
+    }];
+  }));
+  return { scale, maps, width: Math.max(width, found.width), height: Math.max(height, found.height) };
+}

@@ -1,0 +1,61 @@
+/** The stage: brings result and body to the 3D view, which loads only when there is something to show. */
+
+import { call, postJson } from "./api.js";
+import { byId } from "./dom.js";
+import { state, watch } from "./state.js";
+
+let viewer = null;
+let shownBody = "";
+let shows = 0;
+
+const note = (text) => {
+  byId("stage-note").textContent = text;
+  byId("stage-note").hidden = !text;
+};
+
+async function openViewer() {
+  if (viewer) return viewer;
+  try {
+    const { createViewer } = await import("./viewer.js");
+    viewer = createViewer(byId("stage"));
+  } catch (error) {
+    note(`The garment cannot be shown here: ${error.message}. The downloads work all the same.`);
+    return null;
+  }
+  return viewer;
+}
+
+/** The mesh of the body that a garment names: a dress form is made again from its measurements. */
+async function bodyMesh(avatar) {
+  if (!avatar) return null;
+  const id = typeof avatar === "string" ? avatar : avatar.form ? (await postJson("/v1/avatars", avatar)).id : null;
+  if (!id) return null;
+  return (await call(`/v1/avatars/${encodeURIComponent(id)}/mesh`, { headers: { Accept: "model/gltf-binary" } })).arrayBuffer();
+}
+
+/** Shows the shape of a fit on its body. */
+export async function showOutcome(fitId, avatar) {
+  const mine = ++shows;
+  const glb = call(`/v1/fits/${encodeURIComponent(fitId)}/mesh.glb`).then((response) => response.arrayBuffer());
+  const key = JSON.stringify(avatar);
+  const body = key === shownBody ? undefined : bodyMesh(avatar);
+  const [view, garment, mesh] = await Promise.all([openViewer(), glb, body]);
+  if (!view || mine !== shows) return;
+  if (mesh !== undefined) await view.showBody(mesh);
+  await view.showGarment(garment);
+  shownBody = key;
+  note("");
+}
+
+export function startStage() {
+  for (const button of document.querySelectorAll("[data-view]")) {
+    button.addEventListener("click", () => viewer?.look(button.dataset.view));
+  }
+  byId("show-body").addEventListener("change", (event) => viewer?.setBodyVisible(event.target.checked));
+  watch(["pattern"], () => {
+    if (state.fit) return;
+    shows += 1;
+    viewer?.clear();
+    note("The garment appears here.");
+  });
+}

@@ -1,0 +1,66 @@
+/** What the page knows, and who wants to hear of changes. Views only paint; they never keep a copy. */
+
+/** The body that a new garment is draped on [m]: a woman in size M. */
+export const DEFAULT_FORM = { height_m: 1.68, bust_m: 0.92, waist_m: 0.74, hip_m: 0.98 };
+
+export const emptyGarment = () => ({
+  schema: "seamster/garment/1",
+  seams: [],
+  panels: {},
+  default_fabric: "cotton-poplin",
+  avatar: { form: { ...DEFAULT_FORM } },
+  simulate: { edge_length_m: 0.012 },
+});
+
+export const state = {
+  pattern: null,
+  garment: emptyGarment(),
+  fabrics: {},
+  picked: null, // the first edge of a pair: a run
+  selected: null, // id of the seam shown in full
+  check: null, // the answer of seams/check, or {problem}
+  fit: null,
+  report: null,
+  ran: null, // the garment of the shown fit as text, to tell when it is out of date
+  zoom: 1,
+};
+
+const listeners = [];
+let changed = new Set();
+
+/** Calls `paint` once in a frame in which one of `keys` changed, and once now. */
+export function watch(keys, paint) {
+  listeners.push({ keys, paint });
+  paint();
+}
+
+function flush() {
+  const now = changed;
+  changed = new Set();
+  for (const { keys, paint } of listeners) {
+    if (keys.some((key) => now.has(key))) paint();
+  }
+}
+
+export function update(patch) {
+  Object.assign(state, patch);
+  if (changed.size === 0) queueMicrotask(flush);
+  for (const key of Object.keys(patch)) changed.add(key);
+}
+
+/** Changes the garment; `patch` replaces its top-level fields. */
+export function changeGarment(patch) {
+  update({ garment: { ...state.garment, ...patch } });
+}
+
+/** The garment as it is sent: the pattern by id where the service has it. */
+export function garmentToSend() {
+  const { pattern, garment } = state;
+  return { ...garment, pattern: pattern.stored ? pattern.id : plainPattern() };
+}
+
+/** The pattern without what only the page knows. */
+export function plainPattern() {
+  const { stored, ...pattern } = state.pattern;
+  return pattern;
+}
