@@ -6,9 +6,11 @@ use clap::Args;
 use seamster::config::Limits;
 use seamster::fault::{Fault, Faults};
 use seamster::fit::{self, Garment, Library, Outcome, PatternAsked, Prepared};
+use seamster::job::thread_cpu_s;
 use seamster::pattern::{self, ImportOptions, Pattern, Units};
 use seamster::progress::{CancelToken, Progress};
-use seamster::scene::{self, Avatar, Fabric};
+use seamster::scene::{self, DressForm, Fabric};
+use seamster::solver::Context;
 use serde::de::DeserializeOwned;
 use std::fs::File;
 use std::io::Read;
@@ -50,10 +52,8 @@ type Refused<'a> = (&'a Path, Faults);
 /// Sews a garment, and says by the exit code what came of it.
 pub(super) fn sew(asked: &SewAsked) -> ExitCode {
     let limits = Limits::default();
-    let ran = prepared(asked, &limits).and_then(|prepared| {
-        let ran = fit::run(&prepared, &limits, &CancelToken::new(), &mut teller());
-        ran.map_err(|faults| (asked.garment(), faults))
-    });
+    let ran = prepared(asked, &limits)
+        .and_then(|prepared| run(&prepared, &limits).map_err(|faults| (asked.garment(), faults)));
     match ran {
         Ok(outcome) => written(asked, &outcome),
         Err((file, faults)) => {
@@ -124,6 +124,17 @@ fn read(file: &Path, limit: usize) -> Result<Vec<u8>, Faults> {
     Ok(bytes)
 }
 
+fn run(prepared: &Prepared, limits: &Limits) -> Result<Outcome, Faults> {
+    let began = thread_cpu_s();
+    let mut context = Context {
+        cpu_s: &|| thread_cpu_s() - began,
+        cancel: &CancelToken::new(),
+        progress: &mut teller(),
+        limits,
+    };
+    fit::run(prepared, &mut context)
+}
+
 /// Logs each stage as it begins.
 fn teller() -> impl FnMut(Progress) {
     let mut stage = String::new();
@@ -168,7 +179,7 @@ impl Library for Shipped {
         None
     }
 
-    fn avatar(&self, _id: Uuid) -> Option<Arc<Avatar>> {
+    fn form(&self, _id: Uuid) -> Option<DressForm> {
         None
     }
 

@@ -140,7 +140,7 @@ fn submit(
         return Ok(same);
     }
     let prepared = fit::prepare(asked.garment, app.catalogue(), app.limits())?;
-    Ok(app.queue.submit(&prepared.garment, key.as_ref())?)
+    Ok(app.queue.submit(prepared.garment(), key.as_ref())?)
 }
 
 /// The fit once it has ended, or as it is after `wait`. Where too many wait already, as it is now: to wait is only preferred.

@@ -3,7 +3,7 @@
 use super::store::{DocumentKind, Documents, Page, PageAsked, StoreError};
 use crate::fit::Library;
 use crate::pattern::Pattern;
-use crate::scene::{self, Avatar, DressForm, Fabric};
+use crate::scene::{self, DressForm, Fabric};
 use jiff::Timestamp;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -188,10 +188,8 @@ impl Library for Catalogue {
         logged(self.find_pattern(id)).map(|stored| Arc::new(stored.value))
     }
 
-    fn avatar(&self, id: Uuid) -> Option<Arc<Avatar>> {
-        let stored = logged(self.find_avatar(id))?;
-        let built = stored.value.form.build();
-        built.ok().map(Arc::new)
+    fn form(&self, id: Uuid) -> Option<DressForm> {
+        logged(self.find_avatar(id)).map(|stored| stored.value.form)
     }
 
     fn fabric(&self, id: &str) -> Option<Fabric> {

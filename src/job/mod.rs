@@ -11,6 +11,7 @@
 
 mod blobs;
 mod catalogue;
+mod clock;
 #[cfg(test)]
 mod contract;
 mod feed;
@@ -22,6 +23,7 @@ mod worker;
 
 pub use blobs::{Blobs, FileBlobs};
 pub use catalogue::{AvatarRecord, Catalogue, Stored};
+pub use clock::thread_cpu_s;
 pub use feed::{Event, EventKind, Events};
 pub use queue::{Queue, QueueError, ResultFile};
 pub use record::{Failure, FitRecord, Status};

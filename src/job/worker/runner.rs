@@ -4,7 +4,9 @@ use crate::config::Limits;
 use crate::fault::Faults;
 use crate::fit::{self, Garment, Outcome};
 use crate::job::catalogue::Catalogue;
+use crate::job::clock::thread_cpu_s;
 use crate::progress::{CancelToken, Progress};
+use crate::solver::Context;
 use std::sync::Arc;
 
 /// What a worker does with a garment.
@@ -37,6 +39,13 @@ impl Runner for Sewing {
         progress: &mut dyn FnMut(Progress),
     ) -> Result<Outcome, Faults> {
         let prepared = fit::prepare(garment, &*self.catalogue, &self.limits)?;
-        fit::run(&prepared, &self.limits, cancel, progress)
+        let began = thread_cpu_s();
+        let mut context = Context {
+            cpu_s: &|| thread_cpu_s() - began,
+            cancel,
+            progress,
+            limits: &self.limits,
+        };
+        fit::run(&prepared, &mut context)
     }
 }
