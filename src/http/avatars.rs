@@ -143,7 +143,9 @@ pub(super) async fn mesh(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let (_, avatar) = built(&app, id).await?;
-    let glb = app.heavy(move |_| export::avatar_glb(&avatar.surface)).await?;
+    let glb = app
+        .heavy(move |_| export::avatar_glb(&avatar.surface))
+        .await?;
     Answer::new(glb, "model/gltf-binary").to(&headers)
 }
 
