@@ -37,12 +37,12 @@ fn checked_with(
 }
 
 fn sewn(pattern: &Pattern, pairs: &[SeamPair]) -> SeamSet {
-    checked(pattern, pairs).1.unwrap()
+    checked(pattern, pairs).1.expect("the seams are right")
 }
 
 /// Code and pointer of every fault.
 fn faults(pattern: &Pattern, pairs: &[SeamPair]) -> Vec<(String, String)> {
-    let faults = checked(pattern, pairs).1.unwrap_err();
+    let faults = checked(pattern, pairs).1.expect_err("a seam is wrong");
     faults
         .0
         .into_iter()
@@ -246,6 +246,48 @@ fn twisted_seam_is_offered_on_its_mirror_edge_where_reversing_would_turn_it_upsi
     let mended = pair("centre", ("back", LEFT_UP), ("side", RIGHT_UP));
     assert_eq!(check.corrected, std::slice::from_ref(&mended));
     assert_eq!(sewn(&panels, &[top, mended]).faces, [Face::Up; 2]);
+}
+
+#[test]
+fn edge_picked_on_the_wrong_side_is_offered_as_its_mirror() {
+    let [left, right] = tube_seams_both_face_up();
+    let wrong = pair("right", ("front", RIGHT_UP), ("back", RIGHT_UP));
+    let pairs = [left, wrong];
+    let expected = [("seam/overlap", "/seams/1/b"), ("seam/twisted", "/seams/1")];
+    assert_eq!(
+        faults(&tube(), &pairs),
+        expected.map(|(code, pointer)| (code.to_owned(), pointer.to_owned()))
+    );
+    assert_eq!(checked(&tube(), &pairs).0.corrected, [right]);
+}
+
+#[test]
+fn seams_that_end_and_begin_at_nearly_the_same_place_share_it() {
+    let panels = pattern(vec![
+        rectangle("band", 0.8, 0.1),
+        rectangle("front", 0.4, 0.4),
+        rectangle("back", 0.4, 0.4),
+    ]);
+    let along = |from, to| Run {
+        panel: "band".to_owned(),
+        from,
+        to,
+        direction: None,
+    };
+    let at = |at| Place::OnEdge { edge: 3, at };
+    let set = sewn(
+        &panels,
+        &[
+            seam(
+                "front",
+                along(Place::Corner(3), at(0.5005)),
+                edge("front", TOP),
+            ),
+            seam("back", along(at(0.5), Place::Corner(0)), edge("back", TOP)),
+        ],
+    );
+    assert_eq!(set.seams[0].matched[0][0].to, 0.5005);
+    assert_eq!(set.seams[1].matched[0][0].from, 0.5005);
 }
 
 #[test]
@@ -875,6 +917,30 @@ fn absurd_requests_are_answered_without_a_panic() {
     }
     let (check, _) = checked(&pattern(vec![]), &tube_seams_in_one_view());
     assert_eq!(check.seams[0].errors.len(), 2);
+    let crowd = pattern(
+        (0..500)
+            .map(|i| rectangle(&format!("p{i}"), 0.4, 0.4))
+            .collect(),
+    );
+    let mut random = Random(3);
+    let pairs: Vec<_> = (0..2_000)
+        .map(|i| {
+            let mut any = || {
+                let from = random.below(4);
+                run(
+                    &format!("p{}", random.below(500)),
+                    from,
+                    (from + 1 + 2 * random.below(2)) % 4,
+                )
+            };
+            let (a, b) = (any(), any());
+            SeamPair {
+                layered: true,
+                ..seam(&format!("s{i}"), a, b)
+            }
+        })
+        .collect();
+    assert!(!checked(&crowd, &pairs).0.ok);
     let bare = pattern(vec![Panel {
         corners: vec![],
         edges: vec![],
@@ -892,7 +958,7 @@ impl Random {
             .0
             .wrapping_mul(6_364_136_223_846_793_005)
             .wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(self.0 >> 33).unwrap() % bound
+        usize::try_from(self.0 >> 33).expect("31 bits") % bound
     }
 
     fn shuffle<T>(&mut self, items: &mut [T]) {

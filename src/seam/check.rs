@@ -69,17 +69,13 @@ pub fn check(
     let edge_length = edge_length
         .max(limits.edge_length_m[0])
         .min(limits.edge_length_m[1]);
-    let sewn = seams
-        .iter()
-        .map(|seam| {
-            let reversed = colouring.reversed.contains_key(&seam.index);
-            let seam = if reversed { &seam.reversed() } else { seam };
-            sew(pattern, pairs, seam, edge_length, &mut findings)
-        })
-        .collect();
+    let sewn = seams.iter().map(|seam| {
+        let seam = colouring.ordered(seam);
+        sew(pattern, pairs, &seam, edge_length, &mut findings)
+    });
     let set = SeamSet {
-        seams: sewn,
-        faces: colouring.faces,
+        seams: sewn.collect(),
+        faces: colouring.faces.clone(),
     };
     let (mut check, set) = answer(pattern, findings, set, corrected);
     check.warnings = loose_panels(pattern, pairs);

@@ -3,6 +3,7 @@
 use super::parity::{Link, Parity};
 use super::{Face, FaceAsked, Routed, routed};
 use crate::pattern::{Match, Pattern, SeamPair};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// What one seam says of faces.
@@ -54,6 +55,17 @@ pub(super) struct Colouring {
     pub reversed: BTreeMap<usize, Why>,
     /// Seams that make the surface one-sided and may.
     pub twists_allowed: Vec<usize>,
+}
+
+impl Colouring {
+    /// `seam` with its side B in the order it is sewn in.
+    pub(super) fn ordered<'a>(&self, seam: &'a Routed) -> Cow<'a, Routed> {
+        if self.reversed.contains_key(&seam.index) {
+            Cow::Owned(seam.reversed())
+        } else {
+            Cow::Borrowed(seam)
+        }
+    }
 }
 
 /// What was stated of each panel, in the pattern's order.

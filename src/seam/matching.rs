@@ -115,3 +115,80 @@ impl<'a> Tape<'a> {
         taken
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A side of edges of these lengths, gone against the edges where `against`.
+    fn side(lengths: &[f64], against: bool) -> Vec<(Stretch, f64)> {
+        let [from, to] = if against { [1.0, 0.0] } else { [0.0, 1.0] };
+        let stretch = |edge| Stretch {
+            panel: usize::from(against),
+            edge,
+            from,
+            to,
+        };
+        lengths
+            .iter()
+            .enumerate()
+            .map(|(edge, &length)| (stretch(edge), length))
+            .collect()
+    }
+
+    /// Checks that the stretches of one side follow one another and cover it, and gives where each ends \[m\].
+    fn ends(side: &[(Stretch, f64)], taken: impl Iterator<Item = Stretch>) -> Vec<f64> {
+        let (mut index, mut at, mut gone) = (0, side[0].0.from, 0.0);
+        let ends = taken.map(|stretch| {
+            if at == side[index].0.to {
+                index += 1;
+                at = side[index].0.from;
+            }
+            assert_eq!((stretch.edge, stretch.from), (side[index].0.edge, at));
+            let length = (stretch.to - stretch.from).abs() * side[index].1;
+            assert!(length > 0.0, "{stretch:?} is empty");
+            assert_eq!(
+                stretch.to > stretch.from,
+                side[index].0.to > side[index].0.from
+            );
+            at = stretch.to;
+            gone += length;
+            gone
+        });
+        let ends = ends.collect();
+        assert_eq!((index + 1, at), (side.len(), side[index].0.to));
+        ends
+    }
+
+    #[test]
+    fn pieces_cover_both_sides_and_meet_at_equal_fractions() {
+        let cases: [(&[f64], &[f64]); 6] = [
+            (&[0.3], &[0.3]),
+            (&[0.4], &[0.15, 0.24]),
+            (&[0.1, 0.2, 0.3], &[0.3, 0.2, 0.1]),
+            (&[0.25, 0.25], &[0.251, 0.249]),
+            (&[0.1, 0.000_5, 0.000_5, 0.2], &[0.101, 0.000_4, 0.2]),
+            (&[1e-5], &[1e-6, 9e-6]),
+        ];
+        for (a, b) in cases {
+            let (a, b) = (side(a, false), side(b, true));
+            let pairs = matched(&a, &b);
+            let ends_a = ends(&a, pairs.iter().map(|pair| pair[0]));
+            let ends_b = ends(&b, pairs.iter().map(|pair| pair[1]));
+            let (length_a, length_b) = (ends_a[ends_a.len() - 1], ends_b[ends_b.len() - 1]);
+            let longer = length_a.max(length_b);
+            for (end_a, end_b) in ends_a.iter().zip(&ends_b) {
+                let apart = (end_a / length_a - end_b / length_b).abs() * longer;
+                assert!(apart <= merge_distance(longer) + 1e-12, "{apart} m apart");
+            }
+            assert!(pairs.len() < a.len() + b.len());
+        }
+    }
+
+    #[test]
+    fn matching_is_the_same_from_either_side() {
+        let (a, b) = (side(&[0.1, 0.2, 0.3], false), side(&[0.15, 0.5], true));
+        let swapped: Vec<_> = matched(&b, &a).into_iter().map(|[b, a]| [a, b]).collect();
+        assert_eq!(matched(&a, &b), swapped);
+    }
+}

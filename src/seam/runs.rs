@@ -45,6 +45,8 @@ impl Leg {
 pub(super) struct Resolver<'a> {
     pattern: &'a Pattern,
     panels: BTreeMap<&'a str, usize>,
+    /// Places inside edges that runs have named so far, by panel and edge.
+    inside: BTreeMap<(usize, usize), Vec<f64>>,
     stretches_left: usize,
     suggestions_left: usize,
 }
@@ -57,6 +59,7 @@ impl<'a> Resolver<'a> {
             panels: panels
                 .map(|(index, panel)| (panel.id.as_str(), index))
                 .collect(),
+            inside: BTreeMap::new(),
             stretches_left: STRETCHES,
             suggestions_left: SUGGESTIONS,
         }
@@ -101,7 +104,7 @@ impl<'a> Resolver<'a> {
         let from = place::find(panel, &run.from, &format!("{pointer}/from"));
         let to = place::find(panel, &run.to, &format!("{pointer}/to"));
         let (from, to) = match (from, to) {
-            (Ok(from), Ok(to)) => (from, to),
+            (Ok(from), Ok(to)) => (self.joined(index, from), self.joined(index, to)),
             (from, to) => return Err([from.err(), to.err()].into_iter().flatten().collect()),
         };
         let direction = direction(panel, run, [from, to], pointer).map_err(|fault| vec![fault])?;
@@ -124,6 +127,24 @@ impl<'a> Resolver<'a> {
             direction,
             stretches,
         })
+    }
+
+    /// The same spot, or one named before that is as good as the same: a seam that ends where the next one
+    /// begins, each by its own figure, must not leave a sliver between them.
+    fn joined(&mut self, panel: usize, spot: Spot) -> Spot {
+        let Spot::Inside { edge, at } = spot else {
+            return spot;
+        };
+        let length = self.pattern.panels[panel].edges[edge].length_m;
+        let known = self.inside.entry((panel, edge)).or_default();
+        let near = |other: &f64| (other - at).abs() * length <= place::snap_distance(length);
+        match known.iter().find(|other| near(other)) {
+            Some(&at) => Spot::Inside { edge, at },
+            None => {
+                known.push(at);
+                spot
+            }
+        }
     }
 
     fn unknown_panel(&mut self, name: &str, pointer: &str) -> Fault {

@@ -1,7 +1,8 @@
 //! Builders of panels with known answers. Coordinates in metres, y up, corners clockwise from the lower left one.
 #![allow(
     dead_code,
-    reason = "each test program that includes this file uses only some of it"
+    unreachable_pub,
+    reason = "each test program takes this file in as its own and uses some of it"
 )]
 
 use seamster::pattern::{

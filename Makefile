@@ -1,0 +1,77 @@
+# Every recipe that people, continuous integration and the container use.
+
+LISTEN ?= 127.0.0.1:8737
+BIN ?= target/release/seamster
+NPM_CI = npm ci --ignore-scripts --no-audit --no-fund
+
+# Set LISTEN or BIN on the command line: make run LISTEN=127.0.0.1:9000
+
+.PHONY: help run test check smoke audit build page browser chromium
+.DEFAULT_GOAL := help
+
+help:
+	@echo "make run     build, start the service on http://$(LISTEN) and open the page"
+	@echo "make test    all tests (SEAMSTER_TEST_DATA: folder of real patterns, left out without it)"
+	@echo "make check   format, lints, documentation"
+	@echo "make smoke   a fresh service sews both samples, a validator reads the result"
+	@echo "make audit   known faults of dependencies (needs the internet)"
+
+## The service
+
+build: page
+	cargo build --release --locked
+
+# The page's one dependency; it is embedded in the binary, so it comes first.
+page: static/node_modules/.package-lock.json
+static/node_modules/.package-lock.json: static/package-lock.json
+	cd static && $(NPM_CI)
+	@touch $@
+
+run: build
+	@( for i in $$(seq 100); do \
+	     if SEAMSTER_LISTEN=$(LISTEN) $(BIN) health >/dev/null 2>&1; then \
+	       echo "Seamster: http://$(LISTEN)"; \
+	       if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] && command -v xdg-open >/dev/null; then \
+	         xdg-open http://$(LISTEN) >/dev/null 2>&1; fi; \
+	       break; \
+	     fi; sleep 0.1; \
+	   done ) & SEAMSTER_LISTEN=$(LISTEN) exec $(BIN) serve
+
+## Checks
+
+check: page
+	cargo fmt --check
+	cargo clippy --locked --all-targets -- -D warnings
+	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
+
+# One profile for all: the browser drives the binary that the Rust tests built.
+test: page browser chromium
+	@if cargo nextest --version >/dev/null 2>&1; \
+	  then echo cargo nextest run --locked; cargo nextest run --locked; \
+	  else echo cargo test --locked; cargo test --locked; fi
+	cargo build --locked
+	SEAMSTER_BIN=target/debug/seamster node tests/browser/page.mjs
+
+smoke: build browser
+	tests/smoke.sh $(BIN)
+
+audit:
+	cargo deny check
+	cd static && npm audit
+	cd tests/browser && npm audit
+
+## What the tests need
+
+browser: tests/browser/node_modules/.package-lock.json
+tests/browser/node_modules/.package-lock.json: tests/browser/package-lock.json
+	cd tests/browser && $(NPM_CI)
+	@touch $@
+
+chromium:
+	@for name in chromium chromium-browser google-chrome; do \
+	    command -v $$name >/dev/null && exit 0; \
+	  done; \
+	  echo "The page's tests need chromium, which is not installed: installing Debian's."; \
+	  SUDO=$$([ "$$(id -u)" = 0 ] || echo sudo); \
+	  { $$SUDO apt-get update -q && $$SUDO apt-get install -qy --no-install-recommends chromium; } || \
+	  { echo "chromium could not be installed. Install it by hand, then run make test again." >&2; exit 1; }
