@@ -14,7 +14,7 @@ let did = ""; // the last change in words, until its check answers
 /** Says something to everyone: shown above the sheet and read out. */
 export function say(text, bad = false) {
   const status = byId("status");
-  status.textContent = text;
+  status.firstElementChild.textContent = text;
   status.classList.toggle("bad", bad);
 }
 

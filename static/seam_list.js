@@ -145,4 +145,5 @@ function draw() {
 
 export function startSeamList() {
   watch(["pattern", "garment", "check", "selected"], draw);
+  watch(["selected", "check"], () => byId("seam-list").querySelector(".selected")?.scrollIntoView({ block: "nearest" }));
 }
