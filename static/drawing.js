@@ -53,12 +53,19 @@ function isThin(panel, scale) {
   return (box.top - box.bottom) * scale < 64 || (box.right - box.left) * scale < 7.5 * panel.name.length + 40;
 }
 
+/** The name as far as it has room beside its neighbours'. */
+function shortName(panel, room) {
+  const most = Math.max(3, Math.floor(room / 7.5));
+  return panel.name.length <= most ? panel.name : `${panel.name.slice(0, most - 1)}…`;
+}
+
 function label(panel, map, scale) {
   const box = boxOf(panel);
   const [x, y] = map.point([(box.left + box.right) / 2, (box.bottom + box.top) / 2]);
   if (isThin(panel, scale)) {
     const below = map.point([0, box.bottom])[1] + 42;
-    return [svg("text", { class: "panel-name", x, y: below }, panel.name)];
+    const room = (box.right - box.left) * scale + 36;
+    return [svg("text", { class: "panel-name", x, y: below }, shortName(panel, room))];
   }
   const counts = panel.copy_of ? "mirrored copy" : panel.unfolded ? "unfolded" : "";
   return [
@@ -68,11 +75,12 @@ function label(panel, map, scale) {
 }
 
 /** Corners as numbered discs; where they crowd, as dots. They lie above the seams. */
-export function drawCorners(panel, map) {
+export function drawCorners(panel, map, scale) {
+  const apart = isThin(panel, scale) ? 26 : 19;
   const numbered = [];
   return panel.corners.map((corner) => {
     const [cx, cy] = map.point([corner.x, corner.y]);
-    const crowded = numbered.some(([x, y]) => Math.hypot(x - cx, y - cy) < 19);
+    const crowded = numbered.some(([x, y]) => Math.hypot(x - cx, y - cy) < apart);
     if (crowded) return svg("circle", { class: "corner", cx, cy, r: 2.5 });
     numbered.push([cx, cy]);
     return svg("g", {},

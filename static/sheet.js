@@ -106,7 +106,7 @@ function draw() {
   const seams = seamsByEdge(panels);
   const drawn = pattern.panels.map((panel) =>
     drawPanel(panel, plan.maps.get(panel.id), plan.scale, (path, edge) => bindEdge(panel, edge, path, seams)));
-  const corners = svg("g", { "aria-hidden": "true" }, pattern.panels.map((panel) => drawCorners(panel, plan.maps.get(panel.id))));
+  const corners = svg("g", { "aria-hidden": "true" }, pattern.panels.map((panel) => drawCorners(panel, plan.maps.get(panel.id), plan.scale)));
   // Floored: a fraction of a pixel would bring a scroll bar, which changes the size again.
   const size = { width: Math.floor(plan.width), height: Math.floor(plan.height) };
   replaceChildren(host, svg("svg", { ...size, role: "group", "aria-label": "Panels of the pattern", "aria-describedby": "keys" },

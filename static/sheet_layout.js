@@ -1,6 +1,7 @@
 /** Puts panels side by side on the sheet, as large as they fit. */
 
-const GAP = 54; // px between panels: room for badges and corner numbers
+/** Space between panels [px]: room for badges, corner numbers and names; less where there are many. */
+const gapFor = (count) => (count <= 6 ? 54 : 40);
 
 export function boxOf(panel) {
   const box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
@@ -17,22 +18,23 @@ export function boxOf(panel) {
 
 /** Rows of boxes in their order at `scale` px/m, no wider than `width`. */
 function shelves(boxes, scale, width) {
+  const gap = gapFor(boxes.length);
   const places = [];
-  let [x, y, row, widest] = [GAP, GAP, 0, 0];
+  let [x, y, row, widest] = [gap, gap, 0, 0];
   for (const box of boxes) {
     const w = (box.right - box.left) * scale;
     const h = (box.top - box.bottom) * scale;
-    if (x > GAP && x + w + GAP > width) {
-      x = GAP;
-      y += row + GAP;
+    if (x > gap && x + w + gap > width) {
+      x = gap;
+      y += row + gap;
       row = 0;
     }
     places.push({ x, y });
-    x += w + GAP;
+    x += w + gap;
     widest = Math.max(widest, x);
     row = Math.max(row, h);
   }
-  return { places, width: widest, height: y + row + GAP };
+  return { places, width: widest, height: y + row + gap };
 }
 
 /** The largest scale [px/m] at which all panels fit, times `zoom`, and a map from pattern to sheet for each panel. */
