@@ -47,22 +47,22 @@ function grainArrow(panel, map, scale) {
   return svg("path", { class: "grain", d: `M${x0} ${y0}L${x1} ${y1}${head(x1, y1, 1)}${head(x0, y0, -1)}` });
 }
 
-/** Whether a panel is too small on the sheet to hold its own name. */
-function isThin(panel, scale) {
+/** Whether a panel is too small on the sheet to hold what is written into it. */
+function isThin(panel, scale, least = 64) {
   const box = boxOf(panel);
-  return (box.top - box.bottom) * scale < 64 || (box.right - box.left) * scale < 7.5 * panel.name.length + 40;
+  return (box.top - box.bottom) * scale < 64 || (box.right - box.left) * scale < least;
 }
 
-/** The name as far as it has room beside its neighbours'. */
+/** The name as far as it has room beside its neighbours'. Names of one style differ at their end. */
 function shortName(panel, room) {
   const most = Math.max(3, Math.floor(room / 7.5));
-  return panel.name.length <= most ? panel.name : `${panel.name.slice(0, most - 1)}…`;
+  return panel.name.length <= most ? panel.name : `…${panel.name.slice(1 - most)}`;
 }
 
 function label(panel, map, scale) {
   const box = boxOf(panel);
   const [x, y] = map.point([(box.left + box.right) / 2, (box.bottom + box.top) / 2]);
-  if (isThin(panel, scale)) {
+  if (isThin(panel, scale, 8 * panel.name.length + 84)) {
     const below = map.point([0, box.bottom])[1] + 42;
     const room = (box.right - box.left) * scale + 36;
     return [svg("text", { class: "panel-name", x, y: below }, shortName(panel, room))];

@@ -1,7 +1,7 @@
 /** Puts panels side by side on the sheet, as large as they fit. */
 
-/** Space between panels [px]: room for badges, corner numbers and names; less where there are many. */
-const gapFor = (count) => (count <= 6 ? 54 : 40);
+/** Space around panels [px]: room for badges and corner numbers, below also for names. */
+const SPACE = { side: 42, across: 60, top: 36, below: 52 };
 
 export function boxOf(panel) {
   const box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
@@ -18,23 +18,22 @@ export function boxOf(panel) {
 
 /** Rows of boxes in their order at `scale` px/m, no wider than `width`. */
 function shelves(boxes, scale, width) {
-  const gap = gapFor(boxes.length);
   const places = [];
-  let [x, y, row, widest] = [gap, gap, 0, 0];
+  let [x, y, row, widest] = [SPACE.side, SPACE.top, 0, 0];
   for (const box of boxes) {
     const w = (box.right - box.left) * scale;
     const h = (box.top - box.bottom) * scale;
-    if (x > gap && x + w + gap > width) {
-      x = gap;
-      y += row + gap;
+    if (x > SPACE.side && x + w + SPACE.side > width) {
+      x = SPACE.side;
+      y += row + SPACE.below;
       row = 0;
     }
     places.push({ x, y });
-    x += w + gap;
-    widest = Math.max(widest, x);
+    widest = Math.max(widest, x + w + SPACE.side);
+    x += w + SPACE.across;
     row = Math.max(row, h);
   }
-  return { places, width: widest, height: y + row + gap };
+  return { places, width: widest, height: y + row + SPACE.below };
 }
 
 /** The largest scale [px/m] at which all panels fit, times `zoom`, and a map from pattern to sheet for each panel. */
