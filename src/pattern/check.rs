@@ -52,7 +52,38 @@ pub(super) fn checked(mut pattern: Pattern, limits: &Limits) -> Result<Pattern, 
         found.panel(panel);
         faults.0.extend(found.faults);
     }
+    faults.0.extend(placements(&pattern));
     faults.or(pattern)
+}
+
+/// Placements are of panels that are there, at finite places.
+fn placements(pattern: &Pattern) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    for (id, placement) in &pattern.placements {
+        let at = format!("/placements/{}", id.replace('~', "~0").replace('/', "~1"));
+        if pattern.panel_index(id).is_none() {
+            faults.push(
+                Fault::new(
+                    "pattern/unknown_panel",
+                    at.clone(),
+                    format!("there is no panel {id:?}"),
+                )
+                .fix("name a panel of this pattern"),
+            );
+        }
+        let numbers = placement.offset_m.iter().chain(&placement.rotate_deg);
+        if numbers.into_iter().any(|c| !(c.abs() <= FAR)) {
+            faults.push(
+                Fault::new(
+                    "pattern/not_finite",
+                    at,
+                    "a number is not finite or is beyond 10 km",
+                )
+                .fix("correct it"),
+            );
+        }
+    }
+    faults
 }
 
 /// Ids are there, short and different; copies name a panel.

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 /// Writes the text of a DXF, tag by tag.
 #[derive(Default)]
-pub struct DxfBuilder {
+pub(crate) struct DxfBuilder {
     blocks: String,
     entities: String,
     in_block: bool,
@@ -12,12 +12,12 @@ pub struct DxfBuilder {
 
 impl DxfBuilder {
     /// A file with one text of the model space: its units.
-    pub fn metric() -> Self {
+    pub(crate) fn metric() -> Self {
         Self::default().text("1", "Units: METRIC")
     }
 
     /// A tag where the builder stands: in the open block, else in the model space.
-    pub fn tag(mut self, code: i32, value: &str) -> Self {
+    pub(crate) fn tag(mut self, code: i32, value: &str) -> Self {
         let out = if self.in_block {
             &mut self.blocks
         } else {
@@ -28,7 +28,7 @@ impl DxfBuilder {
     }
 
     /// Opens a block and puts it into the model space.
-    pub fn block(mut self, name: &str) -> Self {
+    pub(crate) fn block(mut self, name: &str) -> Self {
         self = self.end_block();
         self = self
             .tag(0, "INSERT")
@@ -43,7 +43,7 @@ impl DxfBuilder {
     }
 
     /// Closes the open block, if there is one.
-    pub fn end_block(mut self) -> Self {
+    pub(crate) fn end_block(mut self) -> Self {
         if self.in_block {
             self = self.tag(0, "ENDBLK");
             self.in_block = false;
@@ -52,7 +52,7 @@ impl DxfBuilder {
     }
 
     /// A text.
-    pub fn text(self, layer: &str, value: &str) -> Self {
+    pub(crate) fn text(self, layer: &str, value: &str) -> Self {
         self.tag(0, "TEXT")
             .tag(8, layer)
             .point_tags(0, [0.0, 0.0])
@@ -60,12 +60,12 @@ impl DxfBuilder {
     }
 
     /// A point.
-    pub fn point(self, layer: &str, at: [f64; 2]) -> Self {
+    pub(crate) fn point(self, layer: &str, at: [f64; 2]) -> Self {
         self.tag(0, "POINT").tag(8, layer).point_tags(0, at)
     }
 
     /// A straight line.
-    pub fn line(self, layer: &str, a: [f64; 2], b: [f64; 2]) -> Self {
+    pub(crate) fn line(self, layer: &str, a: [f64; 2], b: [f64; 2]) -> Self {
         self.tag(0, "LINE")
             .tag(8, layer)
             .point_tags(0, a)
@@ -73,7 +73,7 @@ impl DxfBuilder {
     }
 
     /// An R12 polyline.
-    pub fn run(mut self, layer: &str, closed: bool, points: &[[f64; 2]]) -> Self {
+    pub(crate) fn run(mut self, layer: &str, closed: bool, points: &[[f64; 2]]) -> Self {
         let flag = if closed { "1" } else { "0" };
         self = self
             .tag(0, "POLYLINE")
@@ -92,7 +92,7 @@ impl DxfBuilder {
     }
 
     /// The bytes of the file.
-    pub fn bytes(self) -> Vec<u8> {
+    pub(crate) fn bytes(self) -> Vec<u8> {
         let Self {
             blocks, entities, ..
         } = self.end_block();

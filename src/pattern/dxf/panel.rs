@@ -116,56 +116,60 @@ fn checked_ring(
     findings: &mut Findings,
 ) -> Option<Ring> {
     if let Some(gap) = chain.repaired {
-        findings.warn(
-            "pattern/gap_closed",
-            chain.line,
-            format!(
-                "a gap of {:.3} mm in the outline of {:?} was closed",
-                1000.0 * gap,
-                piece.name
-            ),
+        let detail = format!(
+            "a gap of {:.3} mm in the outline of {:?} was closed",
+            1000.0 * gap,
+            piece.name
         );
+        findings.warn("pattern/gap_closed", chain.line, detail);
     }
+    match ring(piece, chain, limits) {
+        Ok(ring) => Some(ring),
+        Err(fault) => {
+            findings.faults.push(fault);
+            None
+        }
+    }
+}
+
+fn ring(piece: &Piece, chain: &Chain, limits: &Limits) -> Result<Ring, Fault> {
+    let no_area = || {
+        refuse(
+            piece,
+            "pattern/no_area",
+            "has no area",
+            "delete it, or draw its outline anew",
+        )
+    };
     if chain.points.len() > limits.panel_vertices {
         let detail = format!(
             "has {} outline points; at most {} are read",
             chain.points.len(),
             limits.panel_vertices
         );
-        findings.faults.push(refuse(
+        return Err(refuse(
             piece,
             "pattern/too_large",
             &detail,
             "export curves with fewer points",
         ));
-        return None;
+    }
+    if chain.points.len() < 3 {
+        return Err(no_area());
     }
     let [low, high] = bounds(&chain.points);
     let side = (high[0] - low[0]).max(high[1] - low[1]);
-    if side < limits.panel_size_m[0] || side > limits.panel_size_m[1] || !side.is_finite() {
-        let detail = format!(
-            "is {side:.3e} m long; sizes from {} to {} m are read",
-            limits.panel_size_m[0], limits.panel_size_m[1]
-        );
-        findings.faults.push(refuse(
-            piece,
-            "pattern/implausible_size",
-            &detail,
-            "say the units of the file with units=mm|cm|m|inch, or mend the drawing",
-        ));
-        return None;
+    let [least, most] = limits.panel_size_m;
+    if !(least..=most).contains(&side) {
+        let detail = format!("is {side:.3e} m long; sizes from {least} to {most} m are read");
+        let fix = "say the units of the file with units=mm|cm|m|inch, or mend the drawing";
+        return Err(refuse(piece, "pattern/implausible_size", &detail, fix));
     }
     let ring = Ring::new(chain, &piece.marks.turns);
-    if ring.points.len() < 3 || swept_area(&ring.points) < 1e-6 * side * side {
-        findings.faults.push(refuse(
-            piece,
-            "pattern/no_area",
-            "has no area",
-            "delete it, or draw its outline anew",
-        ));
-        return None;
+    if swept_area(&ring.points) < 1e-6 * side * side {
+        return Err(no_area());
     }
-    Some(ring)
+    Ok(ring)
 }
 
 /// The areas of the triangles from the first point to each segment, none taken from another: 0 only where all points
