@@ -145,10 +145,3 @@ mod tests {
         assert!(serde_json::from_value::<Fabric>(json).is_err());
     }
 }
-
-impl Fabric {
-    /// What is implausible about it, under `pointer`.
-    pub fn check(&self, _pointer: &str) -> Vec<crate::fault::Fault> {
-        Vec::new()
-    }
-}
