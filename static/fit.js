@@ -153,11 +153,11 @@ async function download(what) {
   }
 }
 
-/** Shows a fit that the address bar names. */
-export async function showFit(id) {
+/** Shows a fit that the address bar names; `ran` is the garment it was run for, where that is not the one shown. */
+export async function showFit(id, ran) {
   try {
     const fit = await getJson(fitPath(id));
-    update({ ran: asText() });
+    update({ ran: ran ?? asText() });
     await watchFit(fit);
   } catch (problem) {
     replaceChildren(byId("fit-faults"), problemItems(problem));

@@ -26,13 +26,6 @@ function lights() {
   return [new THREE.HemisphereLight(0xffffff, 0x8a8378, 1.15), key, key.target, fill];
 }
 
-function floor() {
-  const disc = new THREE.Mesh(new THREE.CircleGeometry(2.5, 48), new THREE.ShadowMaterial({ opacity: 0.18 }));
-  disc.rotation.x = -Math.PI / 2;
-  disc.receiveShadow = true;
-  return disc;
-}
-
 function dispose(group) {
   group.traverse((object) => {
     object.geometry?.dispose();
@@ -92,7 +85,7 @@ export function createViewer(host) {
   const scene = new THREE.Scene();
   const body = new THREE.Group();
   const garment = new THREE.Group();
-  scene.add(...lights(), floor(), body, garment);
+  scene.add(...lights(), body, garment);
   const camera = new THREE.PerspectiveCamera(32, 1, 0.05, 50);
   const controls = new OrbitControls(camera, canvas);
   controls.minDistance = 0.3;

@@ -4,6 +4,7 @@ use super::Routed;
 use super::faces::Saying;
 use super::place::opposite;
 use crate::pattern::{Panel, Pattern, Place, Run, SeamPair, Side};
+use std::cmp::Ordering;
 
 /// How far the reflection of an edge may be from the edge that is taken for its mirror: share of the panel's width and height.
 const MIRROR_SHARE: f64 = 0.02;
@@ -23,11 +24,15 @@ pub(super) struct Request<'a> {
 }
 
 impl Request<'_> {
-    /// The correction of a seam for which reversing side B agrees with all other seams: its mirror edge where
-    /// that is free and heights agree as picked, else side B reversed where heights then agree.
+    /// The correction of a seam for which reversing side B agrees with the faces of all other panels.
+    ///
+    /// Its mirror edge is taken where that is free and heights agree as picked; else side B is reversed where heights
+    /// then agree and no fewer ends meet the ends of neighbouring seams. More ends that meet weigh more than heights.
     pub(super) fn correction(&self, saying: &Saying<'_>) -> Option<Correction> {
         let pair = saying.pair;
+        let neighbours = self.ends_gained(saying.seam);
         if saying.heights_agree != Some(false)
+            && neighbours != Ordering::Greater
             && let Some((mirrored, told)) = self.mirrored(pair)
         {
             return Some(Correction {
@@ -35,7 +40,11 @@ impl Request<'_> {
                 told,
             });
         }
-        let agrees = saying.heights_agree != Some(true) && self.shares_as_many_ends(saying.seam);
+        let agrees = match neighbours {
+            Ordering::Greater => true,
+            Ordering::Equal => saying.heights_agree != Some(true),
+            Ordering::Less => false,
+        };
         agrees.then(|| Correction {
             pair: SeamPair {
                 b: reversed(&pair.b),
@@ -100,20 +109,20 @@ impl Request<'_> {
         (!taken).then_some((run, told))
     }
 
-    /// Whether at least as many ends of the seam meet where ends of other seams meet too once side B is reversed.
-    fn shares_as_many_ends(&self, index: usize) -> bool {
+    /// Whether more ends of a seam meet where ends of other seams meet too once side B is reversed.
+    fn ends_gained(&self, index: usize) -> Ordering {
         let others = || self.seams.iter().filter(move |seam| seam.index != index);
         let shared = |seam: &Routed| {
             let ends = self.ends(seam);
-            others()
-                .flat_map(|other| self.ends(other))
-                .filter(|end| ends.contains(end))
-                .count()
+            let theirs = others().flat_map(|other| self.ends(other));
+            theirs.filter(|end| ends.contains(end)).count()
         };
-        let Some(seam) = self.seams.iter().find(|seam| seam.index == index) else {
-            return false;
-        };
-        shared(&seam.reversed()) >= shared(seam)
+        self.seams
+            .iter()
+            .find(|seam| seam.index == index)
+            .map_or(Ordering::Equal, |seam| {
+                shared(&seam.reversed()).cmp(&shared(seam))
+            })
     }
 
     /// Which points meet at the two ends of a seam, each as (panel, place on the outline), the lesser first.

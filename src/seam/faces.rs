@@ -6,6 +6,9 @@ use crate::pattern::{Match, Pattern, SeamPair};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
+/// What is part of a front's name, in the words of pattern makers and of GarmentCode.
+const FRONT: [&str; 4] = ["front", "frnt", "frt", "ftorso"];
+
 /// What one seam says of faces.
 #[derive(Clone, Debug)]
 pub(super) struct Saying<'a> {
@@ -173,7 +176,8 @@ fn coloured(pattern: &Pattern, mut parity: Parity) -> Vec<Face> {
 /// Whether a panel's id or name says that it is a front.
 pub(super) fn is_front(pattern: &Pattern, panel: usize) -> bool {
     let panel = &pattern.panels[panel];
-    [&panel.id, &panel.name]
-        .iter()
-        .any(|name| name.to_lowercase().contains("front"))
+    [&panel.id, &panel.name].iter().any(|name| {
+        let name = name.to_lowercase();
+        FRONT.iter().any(|front| name.contains(front))
+    })
 }

@@ -8,7 +8,9 @@ use super::{Findings, at_line};
 use crate::config::Limits;
 use crate::fault::Fault;
 use crate::pattern::assemble::{self, Outline};
-use crate::pattern::outline::{P, bounds, crossing, distance, nearest, segments, signed_area};
+use crate::pattern::outline::{
+    P, bounds, cross, crossing, distance, nearest, segments, signed_area, sub,
+};
 use crate::pattern::{Grain, Hole, NotchKind, Panel};
 
 /// A notch belongs to an outline that is at most this far away (sew lines lie inside the notched cut line) \[m\].
@@ -16,26 +18,12 @@ const NOTCH_REACH: f64 = 0.03;
 
 /// Makes a panel of a piece. What keeps it from being one becomes a fault at its line.
 pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> Option<Panel> {
-    let drawn = checked_ring(piece, &piece.outline, limits, findings)?;
+    let drawn = checked_ring(piece, &piece.outline.chain, limits, findings)?;
     let sew = piece
         .sew
         .as_ref()
         .and_then(|sew| sew_ring(piece, sew, limits, findings));
-    let fold = piece
-        .marks
-        .folds
-        .iter()
-        .find_map(|line| Fold::new(*line).filter(|fold| fold.unfold(&drawn).is_some()));
-    if fold.is_none() && !piece.marks.folds.is_empty() {
-        findings.warn(
-            "pattern/fold_ignored",
-            piece.line,
-            format!(
-                "the fold line of {:?} is not an edge of it; the piece was not unfolded",
-                piece.name
-            ),
-        );
-    }
+    let fold = fold(piece, &drawn, findings);
     let whole = |ring: &Ring| {
         fold.and_then(|fold| fold.unfold(ring))
             .unwrap_or_else(|| ring.clone())
@@ -68,11 +56,35 @@ pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> 
         corners: outline.corners,
         edges: outline.edges,
         holes,
-        cut_line: cut_line(piece, sew.is_some(), cut, fold),
+        cut_line: if sew.is_some() {
+            cut.points
+        } else {
+            drawn_cut_line(piece, fold)
+        },
         drill_holes: doubled(piece.marks.drills.clone(), fold),
         grain: grain(&piece.marks.grains),
         internal_lines: internal_lines(piece, sew.is_some(), fold),
     })
+}
+
+/// The fold line that the outline is to be unfolded about, if it has one.
+fn fold(piece: &Piece, drawn: &Ring, findings: &mut Findings) -> Option<Fold> {
+    let lines = &piece.marks.folds;
+    let found = lines
+        .iter()
+        .filter_map(|line| Fold::new(*line))
+        .find(|fold| fold.unfold(drawn).is_some());
+    if found.is_none() && !lines.is_empty() {
+        findings.warn(
+            "pattern/fold_ignored",
+            piece.line,
+            format!(
+                "the fold line of {:?} is not an edge of it; the piece was not unfolded",
+                piece.name
+            ),
+        );
+    }
+    found
 }
 
 fn refuse(piece: &Piece, code: &str, detail: &str, fix: &str) -> Fault {
@@ -144,7 +156,7 @@ fn checked_ring(
         return None;
     }
     let ring = Ring::new(chain, &piece.marks.turns);
-    if ring.points.len() < 3 || signed_area(&ring.points).abs() < 1e-6 * side * side {
+    if ring.points.len() < 3 || swept_area(&ring.points) < 1e-6 * side * side {
         findings.faults.push(refuse(
             piece,
             "pattern/no_area",
@@ -154,6 +166,14 @@ fn checked_ring(
         return None;
     }
     Some(ring)
+}
+
+/// The areas of the triangles from the first point to each segment, none taken from another: 0 only where all points
+/// lie on one line.
+fn swept_area(ring: &[P]) -> f64 {
+    segments(ring)
+        .map(|(a, b)| 0.5 * cross(sub(a, ring[0]), sub(b, ring[0])).abs())
+        .sum()
 }
 
 /// The sew line as an outline; one that is open along a fold is closed there.
@@ -188,13 +208,16 @@ fn doubled(mut points: Vec<P>, fold: Option<Fold>) -> Vec<P> {
     points
 }
 
-/// What is cut, where the outline is the sew line, or an open cut line that the file has.
-fn cut_line(piece: &Piece, sewn: bool, cut: Ring, fold: Option<Fold>) -> Vec<P> {
-    match (sewn, &piece.cut) {
-        (true, _) => cut.points,
-        (false, Some(open)) if fold.is_none() => open.points.clone(),
-        _ => Vec::new(),
+/// The cut line drawn about a sewn outline; an open one is unfolded like the piece.
+fn drawn_cut_line(piece: &Piece, fold: Option<Fold>) -> Vec<P> {
+    let Some(cut) = &piece.cut else {
+        return Vec::new();
+    };
+    let mut line = cut.points.clone();
+    if let Some(fold) = fold.filter(|_| !cut.closed) {
+        line.extend(cut.points.iter().rev().map(|p| fold.mirror(*p)));
     }
+    line
 }
 
 fn grain(lines: &[[P; 2]]) -> Option<Grain> {
@@ -258,6 +281,9 @@ fn internal_lines(piece: &Piece, sewn: bool, fold: Option<Fold>) -> Vec<Vec<P>> 
     lines
 }
 
+/// At most this many notches of a piece are read.
+const NOTCHES: usize = 1000;
+
 /// Notches put on the nearest edge; those with no edge in reach are warned about.
 fn notches(
     piece: &Piece,
@@ -267,7 +293,7 @@ fn notches(
 ) -> Vec<crate::pattern::Notch> {
     let ring = assemble::ring(&outline.edges);
     let mut marks: Vec<(P, NotchKind)> = Vec::new();
-    for (at, kind) in &piece.marks.notches {
+    for (at, kind) in piece.marks.notches.iter().take(NOTCHES) {
         marks.extend(doubled(vec![*at], fold).into_iter().map(|p| (p, *kind)));
     }
     let mut notches = Vec::new();

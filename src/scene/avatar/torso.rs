@@ -193,7 +193,7 @@ impl Scale {
         ]
     }
 
-    /// The scale at the height of a row, linear between the measured places.
+    /// The scale at the height of a row: a cubic between the measured places, level at each, so that none shows as a roll.
     fn between(&self, y: f64, shoulder: f64) -> f64 {
         let places = [
             (1.437, self.neck),
@@ -212,7 +212,7 @@ impl Scale {
             .find(|pair| y >= pair[1].0)
             .map_or(last.1, |pair| {
                 let s = (pair[0].0 - y) / (pair[0].0 - pair[1].0);
-                pair[0].1 + s * (pair[1].1 - pair[0].1)
+                pair[0].1 + s * s * (3.0 - 2.0 * s) * (pair[1].1 - pair[0].1)
             })
     }
 }
