@@ -1,12 +1,13 @@
 //! The service over HTTP: guards, problems, patterns, fabrics, fits, events, results, the page.
 
-mod support;
+#[path = "support/server.rs"]
+mod server;
 
 use serde_json::{Value, json};
+use server::{Answer, Server, config};
 use std::io::{Read, Write};
 use std::net::TcpStream;
 use std::time::{Duration, Instant};
-use support::server::{Answer, Server, config};
 
 const NO_ID: &str = "019a0000-0000-7000-8000-000000000000";
 
@@ -427,8 +428,8 @@ fn an_own_fabric_is_kept_and_listed() {
     assert_eq!(
         faults,
         [
-            "fabric/out_of_range /density_kg_m2",
-            "fabric/out_of_range /friction"
+            "fabric/coefficient /density_kg_m2",
+            "fabric/coefficient /friction"
         ]
     );
 }

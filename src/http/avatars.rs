@@ -16,6 +16,7 @@ use axum::{Json, Router};
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use utoipa::ToSchema;
 use uuid::Uuid;
 
@@ -81,7 +82,8 @@ pub(super) async fn create(
 ) -> Result<impl IntoResponse, Problem> {
     let item = app
         .heavy(move |app| {
-            let avatar = asked.form.build().map_err(|faults| faults.under("/form"))?;
+            let avatar = app.forms.build(&asked.form);
+            let avatar = avatar.map_err(|faults| faults.under("/form"))?;
             let stored = app.catalogue().add_avatar(asked)?;
             Ok::<_, Problem>(AvatarItem::of(stored).with_landmarks(&avatar))
         })
@@ -150,13 +152,13 @@ pub(super) async fn mesh(
 }
 
 /// A stored avatar and its body.
-async fn built(app: &App, id: Uuid) -> Result<(Stored<AvatarRecord>, Avatar), Problem> {
+async fn built(app: &App, id: Uuid) -> Result<(Stored<AvatarRecord>, Arc<Avatar>), Problem> {
     let found = app
         .blocking(move |app| app.catalogue().find_avatar(id))
         .await??;
     let stored = found.ok_or_else(|| unknown(id))?;
     let form = stored.value.form;
-    let avatar = app.heavy(move |_| form.build()).await?;
+    let avatar = app.heavy(move |app| app.forms.build(&form)).await?;
     Ok((stored, avatar.map_err(Problem::internal)?))
 }
 
