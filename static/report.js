@@ -8,6 +8,12 @@ const finding = (kind, text) => el("li", { class: kind }, el("span", {}, text));
 const CLOSED_M = 1e-3;
 const INSIDE_M = 1e-3;
 
+/** Why it stopped, with the residual unless that is said already. */
+function reason(report) {
+  const why = sentence(report.why || "Stopped");
+  return why.includes("r = ") ? why : `${why} Residual ${scientific(report.residual)}.`;
+}
+
 function closing(report) {
   const gap = report.seam_gap_max_m;
   return Number.isFinite(gap) && gap < CLOSED_M
@@ -36,7 +42,7 @@ export function reportSummary(report, status) {
     : el("p", { class: "verdict bad" }, status === "canceled" ? "Stopped before it came to rest." : "The garment did not come to rest.");
   const worn = report.worn ?? { ok: false, because: "not stated" };
   const items = [
-    finding(report.converged ? "good" : "bad", `${sentence(report.why || "Stopped")} Residual ${scientific(report.residual)}.`),
+    finding(report.converged ? "good" : "bad", reason(report)),
     closing(report),
     inside(report),
     finding(worn.ok ? "good" : "bad", `${worn.ok ? "Worn" : "Not worn"}: ${worn.because}`.replace(/[^.]$/, "$&.")),

@@ -11,6 +11,9 @@ const KEY_TURN = Math.PI / 18;
 /** Muted cloth colours, one for each fabric in the garment. */
 const CLOTH = [0x8fa9bf, 0xc79a86, 0x9db08e, 0xb9a3c4, 0xc9b37e, 0x86b1ad];
 const BODY = 0xb9b1a8;
+
+/** The body is drawn some 3 mm further away, so that its facets do not show through cloth that lies on it. The report has the true depth. */
+const BODY_BEHIND = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 600 };
 const SEAM_LINE = 0x2c3338;
 
 function lights() {
@@ -64,7 +67,7 @@ function dress(model) {
 function bodyMaterial(model) {
   model.traverse((object) => {
     if (!object.isMesh) return;
-    object.material = new THREE.MeshStandardMaterial({ color: BODY, roughness: 0.75 });
+    object.material = new THREE.MeshStandardMaterial({ color: BODY, roughness: 0.75, ...BODY_BEHIND });
     object.castShadow = true;
     object.receiveShadow = true;
     if (!object.geometry.attributes.normal) object.geometry.computeVertexNormals();

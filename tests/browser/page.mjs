@@ -196,12 +196,13 @@ test("fabric and body go into the garment that is sewn, and the fit runs to the 
   await hip.fill("97");
   await hip.press("Tab");
   const asked = page.waitForRequest((request) => request.url().endsWith("/v1/fits") && request.method() === "POST");
-  await page.getByRole("button", { name: "Sew and drape" }).click();
+  await page.getByRole("button", { name: "Sew and drape" }).press("Enter");
   const body = (await asked).postDataJSON();
   assert.equal(body.panels.waistband.fabric, fabric);
   assert.equal(body.avatar.form.hip_m, 0.97);
   assert.equal(body.simulate.edge_length_m, 0.02);
   await page.locator("#progress").waitFor({ state: "visible" });
+  assert.equal(await page.evaluate(() => document.activeElement.id), "cancel", "the focus stays where the button was");
   await page.locator("#report .verdict").waitFor({ timeout: FIT_MS });
   assert.equal(await page.locator("#fit-faults").textContent(), "");
   assert.match(await page.locator("#report").textContent(), /The garment came to rest.*All seams are closed/s);
