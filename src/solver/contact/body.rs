@@ -28,6 +28,8 @@ struct Anchor {
     normal: Vector3<f64>,
     /// Largest tangential force: μ N \[N\].
     limit: f64,
+    /// Whether the last step slipped: then the next is taken to slip on, or it would creep by the spring's give at a time.
+    slipping: bool,
 }
 
 impl Friction {
@@ -136,16 +138,13 @@ impl BodyContact {
             let mut point = friction.anchors[i].map_or(*position, |a| a.point);
             let u = tangential(&(position - point), &normal);
             let slip = limit / stiffness;
-            point = position
-                - if u.norm() > slip {
-                    u * (slip / u.norm())
-                } else {
-                    u
-                };
+            let slipping = u.norm() > slip;
+            point = position - if slipping { u * (slip / u.norm()) } else { u };
             friction.anchors[i] = Some(Anchor {
                 point,
                 normal,
                 limit,
+                slipping,
             });
         }
         self.friction = Some(friction);
@@ -232,7 +231,7 @@ impl Force for BodyContact {
                 let u = tangential(&(position - anchor.point), &anchor.normal);
                 let length = u.norm();
                 let mut block = Matrix3::identity() - anchor.normal * anchor.normal.transpose();
-                if k * length <= anchor.limit {
+                if length == 0.0 || (k * length <= anchor.limit && !anchor.slipping) {
                     block *= k;
                 } else {
                     let along = u / length;
