@@ -1,5 +1,7 @@
 //! Every script of `api/examples` against a started program: what the documentation says can be copied, works.
 
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::net::{TcpListener, TcpStream};

@@ -1,5 +1,7 @@
 //! The service over HTTP: guards, problems, patterns, fabrics, fits, events, results, the page.
 
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
 #[path = "support/server.rs"]
 mod server;
 
