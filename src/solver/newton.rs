@@ -85,7 +85,7 @@ pub(crate) struct Newton {
     convex_left: usize,
     touching: Vec<bool>,
     pub(crate) rungs: Rungs,
-    /// Whether the last step left the set of particles in contact as it was.
+    /// Whether the last step left the particles in contact as they were, and none of them slipped.
     pub(crate) contact_settled: bool,
 }
 
@@ -120,9 +120,9 @@ impl Newton {
     ) -> Stop {
         for number in 0..limit {
             if let Some(contact) = &mut system.contact {
-                contact.accept(x);
+                let slipped = contact.accept(x);
                 let touching = contact.touching(x);
-                self.contact_settled = touching == self.touching;
+                self.contact_settled = !slipped && touching == self.touching;
                 self.touching = touching;
             }
             system.net_force(x, &mut self.force);

@@ -15,6 +15,9 @@ use std::sync::Arc;
 /// Stiffness of the layer on the skin, per area \[N/m³\]: a garment's few hundred pascals press 0.1 mm into it.
 const LAYER_STIFFNESS: f64 = 5e6;
 
+/// Slip of one step that is more than rounding \[m\].
+const SLIP_FELT: f64 = 1e-7;
+
 /// Friction of the particles in contact.
 #[derive(Clone, Debug)]
 pub(crate) struct Friction {
@@ -122,10 +125,11 @@ impl BodyContact {
         (sample.distance < self.offset).then_some(sample)
     }
 
-    /// Takes the state at an accepted step: new normal forces, and anchors dragged along by what slipped.
-    pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) {
+    /// Takes the state at an accepted step: new normal forces, and anchors dragged along by what slipped. Whether any did.
+    pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
+        let mut slipped = false;
         let Some(mut friction) = self.friction.take() else {
-            return;
+            return slipped;
         };
         for (i, position) in x.iter().enumerate() {
             let Some(sample) = self.touch(i, position) else {
@@ -139,6 +143,7 @@ impl BodyContact {
             let u = tangential(&(position - point), &normal);
             let slip = limit / stiffness;
             let slipping = u.norm() > slip;
+            slipped |= u.norm() > slip + SLIP_FELT;
             point = position - if slipping { u * (slip / u.norm()) } else { u };
             friction.anchors[i] = Some(Anchor {
                 point,
@@ -148,6 +153,7 @@ impl BodyContact {
             });
         }
         self.friction = Some(friction);
+        slipped
     }
 
     /// Particles in contact at `x`.
