@@ -11,7 +11,7 @@ pub use garment::{
     SeamsAsked, SelfContact, SuggestWord, Wind,
 };
 pub use prepare::{Prepared, prepare};
-pub use run::{Outcome, run};
+pub use run::{Outcome, run, scene};
 
 use crate::pattern::Pattern;
 use crate::scene::{DressForm, Fabric};
