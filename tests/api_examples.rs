@@ -47,8 +47,9 @@ impl Program {
     /// Runs an example and returns what it prints.
     fn run(&self, example: &str) -> String {
         let output = Command::new(examples().join(example))
-            .arg(self.folder.path())
             .env("BASE", &self.base)
+            .env("OUT", self.folder.path())
+            .env("SEAMSTER", env!("CARGO_BIN_EXE_seamster"))
             .output()
             .unwrap();
         let errors = String::from_utf8_lossy(&output.stderr);
@@ -91,6 +92,7 @@ fn every_example_is_run_by_a_test() {
             "cancel.sh",
             "own_fabric.sh",
             "avatar.sh",
+            "sew.sh",
         ]
         .map(String::from),
     );
@@ -99,6 +101,35 @@ fn every_example_is_run_by_a_test() {
         .map(|file| file.unwrap().file_name().into_string().unwrap())
         .collect();
     assert_eq!(there, run);
+}
+
+/// The shell blocks of the README's quick start.
+fn quick_start() -> Vec<String> {
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    let readme = std::fs::read_to_string(readme).unwrap();
+    let (_, rest) = readme.split_once("## Quick start\n").unwrap();
+    let (section, _) = rest.split_once("\n## ").unwrap();
+    let blocks = section.split("```sh\n").skip(1);
+    blocks
+        .map(|block| block.split_once("```").unwrap().0.to_owned())
+        .collect()
+}
+
+#[test]
+fn quick_start_of_the_readme_is_run_by_these_tests() {
+    let examples: Vec<String> = std::fs::read_dir(examples())
+        .unwrap()
+        .map(|file| std::fs::read_to_string(file.unwrap().path()).unwrap())
+        .collect();
+    let blocks = quick_start();
+    // The service is started as the program here is, without make.
+    let (start, calls) = blocks.split_first().unwrap();
+    assert!(start.starts_with("make run ") && start.lines().count() == 1);
+    assert!(!calls.is_empty());
+    for call in calls {
+        let is_run = examples.iter().any(|example| example.contains(call));
+        assert!(is_run, "no example has these lines:\n{call}");
+    }
 }
 
 #[test]
@@ -156,6 +187,15 @@ fn events_end_with_the_final_status() {
         "{last}"
     );
     assert!(progress > 0, "{text}");
+}
+
+#[test]
+fn command_line_leaves_a_mesh_and_a_report() {
+    let program = Program::start();
+    program.run("sew.sh");
+    let report: Value = serde_json::from_slice(&program.file("top.report.json")).unwrap();
+    assert_eq!(report["converged"], true, "{report}");
+    gltf::Gltf::from_slice(&program.file("top.glb")).unwrap();
 }
 
 #[test]

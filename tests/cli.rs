@@ -105,6 +105,34 @@ fn sew_tells_every_fault_with_its_place() {
 }
 
 #[test]
+fn sew_tells_all_that_is_misshapen_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut bad = garment();
+    bad["simulate"]["edge_lenght_m"] = json!(0.01);
+    bad["seams"][0]["a"]["from"] = json!({"edge": 1, "at": 0.5, "notch": 2});
+    bad["seams"][1]["b"].as_object_mut().unwrap().remove("to");
+    bad["friction"] = json!("little");
+    let bad = written(folder.path(), "bad.json", &bad);
+    let output = run(&["sew", &sample("skirt.dxf"), &bad, "-o", "/nowhere/out.glb"]);
+    let told = stderr(&output);
+    assert_eq!(code(&output), Some(2), "{told}");
+    for fault in [
+        "bad.json /simulate/edge_lenght_m: request/unknown_field",
+        "bad.json /seams/0/a/from/notch: request/unknown_field",
+        "bad.json /seams/1/b/to: request/missing_field",
+        "bad.json /friction: request/wrong_type",
+    ] {
+        assert!(told.lines().any(|line| line.contains(fault)), "{told}");
+    }
+    assert!(told.contains("did you mean \"edge_length_m\"?"), "{told}");
+    let cut_off = folder.path().join("cut.json");
+    std::fs::write(&cut_off, "{\n").unwrap();
+    let output = run(&["sew", cut_off.to_str().unwrap(), "-o", "/nowhere/out.glb"]);
+    assert_eq!(code(&output), Some(2));
+    assert!(stderr(&output).contains("cut.json line 2 column"));
+}
+
+#[test]
 fn sew_names_the_file_that_is_at_fault() {
     let folder = tempfile::tempdir().unwrap();
     let good = written(folder.path(), "good.json", &garment());

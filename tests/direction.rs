@@ -33,6 +33,7 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("rusqlite", &["job"]),
     ("dxf", &["pattern"]),
     ("spade", &["mesh"]),
+    ("jsonschema", &["fit"]),
     ("seamster_cholesky", &["solver"]),
     ("std::env", &["config"]),
     // A fit looks up its peak of memory there.

@@ -250,6 +250,61 @@ fn json_reads_back_the_same_mesh() {
     assert_eq!(read, garment);
 }
 
+/// The normals of each panel, as GLB and as OBJ store them.
+fn stored_normals(garment: &GarmentMesh) -> [Vec<Vec<[f32; 3]>>; 2] {
+    let (document, blob) = read(&glb(garment));
+    let in_glb = document.meshes().map(|mesh| {
+        let primitive = mesh.primitives().next().unwrap();
+        let reader = primitive.reader(|buffer| (buffer.index() == 0).then_some(&blob[..]));
+        reader.read_normals().unwrap().collect()
+    });
+    let text = obj(garment);
+    let lines = text.lines().filter_map(|line| line.strip_prefix("vn "));
+    let mut lines = lines.map(|line| {
+        let numbers: Vec<f32> = line.split(' ').map(|x| x.parse().unwrap()).collect();
+        [numbers[0], numbers[1], numbers[2]]
+    });
+    let in_obj = garment
+        .panels
+        .iter()
+        .map(|panel| lines.by_ref().take(panel.positions.len()).collect());
+    [in_glb.collect(), in_obj.collect()]
+}
+
+/// A square of side 0.1 m from the y axis out to `far` (x, z), facing the side that +z is turned to.
+fn square(panel: &str, far: [f64; 2], triangles: [[u32; 3]; 2]) -> PanelMesh {
+    let [x, z] = far;
+    let positions = [[0.0, 0.0, 0.0], [x, 0.0, z], [x, 0.1, z], [0.0, 0.1, 0.0]];
+    PanelMesh {
+        panel: panel.to_owned(),
+        fabric: "denim".to_owned(),
+        positions: positions.to_vec(),
+        uv: vec![[0.0, 0.0], [0.1, 0.0], [0.1, 0.1], [0.0, 0.1]],
+        triangles: triangles.to_vec(),
+    }
+}
+
+#[test]
+fn light_does_not_break_at_a_smooth_seam_and_does_at_a_crease() {
+    let left = square("left", [-0.1, 0.0], [[0, 2, 1], [0, 3, 2]]);
+    for (far, is_smooth) in [
+        ([0.1, 0.0], true),
+        ([0.09, 0.04], true),
+        ([0.0, 0.1], false),
+    ] {
+        let right = square("right", far, [[0, 1, 2], [0, 2, 3]]);
+        let garment = GarmentMesh {
+            panels: vec![left.clone(), right],
+        };
+        for normals in stored_normals(&garment) {
+            for i in [0, 3] {
+                assert_eq!(normals[0][i] == normals[1][i], is_smooth, "{far:?}");
+            }
+            assert_eq!(normals[0][1], [0.0, 0.0, 1.0], "off the seam");
+        }
+    }
+}
+
 #[test]
 fn same_mesh_gives_the_same_bytes() {
     assert_eq!(glb(&garment()), glb(&garment()));

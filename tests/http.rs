@@ -862,7 +862,7 @@ fn the_documents_of_the_interface_are_current() {
     let root = env!("CARGO_MANIFEST_DIR");
     let documents = [
         ("openapi.json", seamster::http::openapi_json()),
-        ("garment.schema.json", seamster::http::garment_schema_json()),
+        ("garment.schema.json", seamster::fit::garment_schema_json()),
     ];
     for (name, made) in documents {
         let path = format!("{root}/api/{name}");

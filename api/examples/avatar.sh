@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Make a dress form from measurements, and fetch its mesh. A garment's `avatar` names it by its id.
-# Leaves form.glb in the folder given, or in the present one.
+# Leaves form.glb in the folder OUT, or in the present one.
 set -euo pipefail
-out=$(realpath "${1:-.}")
 base=${BASE:-http://127.0.0.1:8737}
+out=${OUT:-.}
 
 avatar=$(curl -fsS -o /dev/null -w '%header{location}' "$base/v1/avatars" \
   -H 'Content-Type: application/json' --data-binary @- <<'JSON'

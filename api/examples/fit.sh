@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Sew and drape the skirt: a DXF and its garment in, a mesh and a report out.
-# Leaves skirt.glb, skirt.obj and skirt.report.json in the folder given, or in the present one.
+# Leaves skirt.glb, skirt.obj and skirt.report.json in the folder OUT, or beside README.md.
 set -euo pipefail
-out=$(realpath "${1:-.}")
 cd "$(dirname "$0")/../.."
 base=${BASE:-http://127.0.0.1:8737}
+out=${OUT:-.}
 
 # Waits for the end up to a minute; the same key and request always mean the same fit.
 fit=$(curl -fsS -o /dev/null -w '%header{location}' "$base/v1/fits" \

@@ -63,7 +63,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Sew(asked) => sew::sew(&asked),
         Command::Health(config) => health::health(&config),
         Command::Openapi => print(&seamster::http::openapi_json()),
-        Command::Schema => print(&seamster::http::garment_schema_json()),
+        Command::Schema => print(&seamster::fit::garment_schema_json()),
     }
 }
 

@@ -96,8 +96,7 @@ fn prepared<'a>(asked: &'a SewAsked, limits: &Limits) -> Result<Prepared, Refuse
 
 fn read_garment(file: &Path, limits: &Limits) -> Result<Garment, Faults> {
     let bytes = read(file, limits.json_bytes)?;
-    serde_json::from_slice(&bytes)
-        .map_err(|error| Fault::new("request/shape", "", error.to_string()).into())
+    fit::read_garment(&bytes).map_err(Faults::from)
 }
 
 fn read_pattern(file: &Path, asked: &SewAsked, limits: &Limits) -> Result<Pattern, Faults> {

@@ -63,19 +63,18 @@ struct File {
 impl File {
     fn garment(&mut self, mesh: &GarmentMesh) {
         let mut fabrics: Vec<&str> = Vec::new();
-        for panel in &mesh.panels {
+        for (panel, normals) in mesh.panels.iter().zip(normals::of_garment(mesh)) {
             let known = fabrics.iter().position(|fabric| *fabric == panel.fabric);
             let material = known.unwrap_or_else(|| {
                 let colour = COLOURS[fabrics.len() % COLOURS.len()];
                 fabrics.push(&panel.fabric);
                 self.material(&panel.fabric, colour, true)
             });
-            self.panel(panel, material);
+            self.panel(panel, &normals, material);
         }
     }
 
-    fn panel(&mut self, panel: &PanelMesh, material: usize) {
-        let positions: Vec<_> = panel.positions.iter().map(|p| Vector3::from(*p)).collect();
+    fn panel(&mut self, panel: &PanelMesh, normals: &[Vector3<f64>], material: usize) {
         let triangles: Vec<_> = panel
             .triangles
             .iter()
@@ -85,7 +84,7 @@ impl File {
             self.nodes.push(json!({"name": panel.panel}));
             return;
         }
-        let mut primitive = self.surface(&positions, &triangles);
+        let mut primitive = self.surface(&panel.positions, normals, &triangles);
         primitive["attributes"]["TEXCOORD_0"] = self.floats(&panel.uv, false).into();
         primitive["material"] = material.into();
         self.mesh(
@@ -103,7 +102,9 @@ impl File {
         if surface.triangles.is_empty() {
             return;
         }
-        let mut primitive = self.surface(&surface.vertices, &surface.triangles);
+        let positions: Vec<[f64; 3]> = surface.vertices.iter().map(|p| (*p).into()).collect();
+        let normals = normals::smooth(&surface.vertices, &surface.triangles);
+        let mut primitive = self.surface(&positions, &normals, &surface.triangles);
         primitive["material"] = material.into();
         self.mesh(
             "avatar",
@@ -112,15 +113,16 @@ impl File {
     }
 
     /// A primitive with positions, normals and triangles.
-    fn surface(&mut self, positions: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Value {
-        let normals: Vec<[f64; 3]> = normals::smooth(positions, triangles)
-            .into_iter()
-            .map(Into::into)
-            .collect();
-        let positions: Vec<[f64; 3]> = positions.iter().map(|p| (*p).into()).collect();
+    fn surface(
+        &mut self,
+        positions: &[[f64; 3]],
+        normals: &[Vector3<f64>],
+        triangles: &[[usize; 3]],
+    ) -> Value {
+        let normals: Vec<[f64; 3]> = normals.iter().map(|n| (*n).into()).collect();
         json!({
             "attributes": {
-                "POSITION": self.floats(&positions, true),
+                "POSITION": self.floats(positions, true),
                 "NORMAL": self.floats(&normals, false),
             },
             "indices": self.indices(triangles),

@@ -10,16 +10,21 @@ use std::fmt::Write;
 pub fn obj(mesh: &GarmentMesh) -> String {
     let mut text = String::from("# seamster; metres, y up; vt = pattern coordinates in metres\n");
     let mut first = 1;
-    for panel in &mesh.panels {
+    for (panel, normals) in mesh.panels.iter().zip(normals::of_garment(mesh)) {
         // A `String` takes all that is written to it.
-        let _ = group(&mut text, panel, first);
+        let _ = group(&mut text, panel, &normals, first);
         first += panel.positions.len();
     }
     text
 }
 
 /// Writes one panel whose vertices are counted from `first`.
-fn group(text: &mut String, panel: &PanelMesh, first: usize) -> std::fmt::Result {
+fn group(
+    text: &mut String,
+    panel: &PanelMesh,
+    normals: &[Vector3<f64>],
+    first: usize,
+) -> std::fmt::Result {
     writeln!(text, "g {}", word(&panel.panel))?;
     writeln!(text, "usemtl {}", word(&panel.fabric))?;
     for [x, y, z] in &panel.positions {
@@ -28,17 +33,11 @@ fn group(text: &mut String, panel: &PanelMesh, first: usize) -> std::fmt::Result
     for [u, v] in &panel.uv {
         writeln!(text, "vt {u:.9} {v:.9}")?;
     }
-    let positions: Vec<_> = panel.positions.iter().map(|p| Vector3::from(*p)).collect();
-    let triangles: Vec<_> = panel
-        .triangles
-        .iter()
-        .map(|t| t.map(|i| i as usize))
-        .collect();
-    for n in normals::smooth(&positions, &triangles) {
+    for n in normals {
         writeln!(text, "vn {:.6} {:.6} {:.6}", n.x, n.y, n.z)?;
     }
-    for triangle in triangles {
-        let [a, b, c] = triangle.map(|i| first + i);
+    for triangle in &panel.triangles {
+        let [a, b, c] = triangle.map(|i| first + i as usize);
         writeln!(text, "f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}")?;
     }
     Ok(())

@@ -2,16 +2,21 @@
 
 mod availability;
 mod garment;
+mod json_schema;
 mod neutral;
 mod prepare;
 mod run;
+mod shape;
 
 pub use garment::{
     AvatarAsked, Elastic, FormAsked, Garment, MapKind, PanelAsked, PatternAsked, Pin, SCHEMA,
     SeamsAsked, SelfContact, SuggestWord, Wind,
 };
+pub use json_schema::garment_schema_json;
 pub use prepare::{Prepared, prepare};
 pub use run::{Outcome, run, scene};
+pub(crate) use shape::Shape;
+pub use shape::{Misshapen, read_garment};
 
 use crate::pattern::Pattern;
 use crate::scene::{DressForm, Fabric};

@@ -1,11 +1,10 @@
 //! Request bodies: JSON checked against its schema, uploads, multipart.
 
 use super::problem::Problem;
-use super::shape::{Misshapen, Shape};
 use super::state::App;
 use crate::config::Limits;
 use crate::fault::Fault;
-use crate::fit::Garment;
+use crate::fit::{self, Garment, Misshapen, Shape};
 use crate::job::AvatarRecord;
 use crate::scene::Fabric;
 use axum::body::{Body, Bytes};
@@ -25,30 +24,39 @@ const LINGER_BYTES: usize = 64 << 20;
 
 /// A type that clients send as JSON.
 pub(super) trait Asked: DeserializeOwned + Send + 'static {
-    /// Its shape.
-    fn shape() -> &'static Shape;
+    /// Reads one, telling all faults of its shape at once.
+    fn read(bytes: &[u8]) -> Result<Self, Misshapen>;
 
     /// Bytes of it at most.
     fn most(limits: &Limits) -> usize;
 }
 
-macro_rules! asked {
-    ($($type:ty: $most:expr),*) => {$(
-        impl Asked for $type {
-            fn most(limits: &Limits) -> usize {
-                let most: fn(&Limits) -> usize = $most;
-                most(limits)
-            }
+impl Asked for Garment {
+    fn read(bytes: &[u8]) -> Result<Self, Misshapen> {
+        fit::read_garment(bytes)
+    }
 
-            fn shape() -> &'static Shape {
+    fn most(limits: &Limits) -> usize {
+        limits.json_bytes
+    }
+}
+
+macro_rules! small {
+    ($($type:ty),*) => {$(
+        impl Asked for $type {
+            fn read(bytes: &[u8]) -> Result<Self, Misshapen> {
                 // Made from the type alone, once.
                 static SHAPE: LazyLock<Shape> = LazyLock::new(Shape::of::<$type>);
-                &SHAPE
+                SHAPE.read(bytes)
+            }
+
+            fn most(_: &Limits) -> usize {
+                SMALL_BYTES
             }
         }
     )*};
 }
-asked!(Garment: |limits| limits.json_bytes, AvatarRecord: |_| SMALL_BYTES, Fabric: |_| SMALL_BYTES);
+small!(AvatarRecord, Fabric);
 
 impl From<Misshapen> for Problem {
     fn from(misshapen: Misshapen) -> Self {
@@ -68,7 +76,7 @@ impl<T: Asked> FromRequest<App> for Checked<T> {
     async fn from_request(request: Request, app: &App) -> Result<Self, Problem> {
         json_type(request.headers())?;
         let bytes = read(request, T::most(app.limits())).await?;
-        let read = app.heavy(move |_| T::shape().read(&bytes)).await?;
+        let read = app.heavy(move |_| T::read(&bytes)).await?;
         Ok(Self(read?))
     }
 }
@@ -237,9 +245,9 @@ mod tests {
 
     #[test]
     fn every_shape_can_be_made() {
-        Garment::shape();
-        AvatarRecord::shape();
-        Fabric::shape();
+        assert!(Garment::read(br#"{"seams": []}"#).is_ok());
+        assert!(AvatarRecord::read(b"[]").is_err());
+        assert!(Fabric::read(b"[]").is_err());
     }
 
     #[test]

@@ -1,11 +1,10 @@
 //! What `POST /v1/fits` reads: a garment, or a form of a DXF and a garment.
 
-use super::body::{self, Asked, Upload};
+use super::body::{self, Upload};
 use super::problem::Problem;
-use super::shape::Misshapen;
 use super::state::{App, Shared};
 use crate::fault::{Fault, Faults};
-use crate::fit::{Garment, PatternAsked};
+use crate::fit::{self, Garment, Misshapen, PatternAsked};
 use crate::pattern::{self, ImportOptions, Pattern};
 use axum::extract::{FromRequest, Request};
 use sha2::{Digest, Sha256};
@@ -41,7 +40,7 @@ impl FromRequest<App> for FitAsked {
 
 fn of_json(bytes: &[u8]) -> Result<FitAsked, Problem> {
     Ok(FitAsked {
-        garment: Garment::shape().read(bytes)?,
+        garment: fit::read_garment(bytes)?,
         digest: Sha256::digest(bytes).into(),
     })
 }
@@ -58,7 +57,7 @@ fn of_form(app: &Shared, file: Upload, json: &Upload) -> Result<FitAsked, Proble
         ..ImportOptions::default()
     };
     let pattern = pattern::import(&file.bytes, &options, app.limits());
-    let garment = Garment::shape().read::<Garment>(&json.bytes);
+    let garment = fit::read_garment(&json.bytes);
     match (pattern, garment) {
         (Ok(pattern), Ok(garment)) => Ok(FitAsked {
             garment: with_pattern(garment, pattern)?,

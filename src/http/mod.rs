@@ -13,10 +13,8 @@ mod fits;
 mod forms;
 mod guard;
 mod health;
-mod json_schema;
 mod listing;
 mod metrics;
-mod nearest;
 mod observe;
 mod openapi;
 mod page;
@@ -25,10 +23,9 @@ mod prefer;
 mod problem;
 mod results;
 mod seams;
-mod shape;
 mod state;
 
-pub use openapi::{garment_schema_json, openapi_json};
+pub use openapi::openapi_json;
 pub use problem::Problem;
 
 use crate::config::Config;

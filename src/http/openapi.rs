@@ -1,11 +1,9 @@
-//! The `OpenAPI` 3.1 document and the JSON Schema of the garment file, made from the code.
+//! The `OpenAPI` 3.1 document, made from the code.
 
 use super::answer::Answer;
 use super::problem::Problem;
 use super::state::App;
-use super::{
-    avatars, events, fabrics, fits, health, json_schema, metrics, patterns, results, seams,
-};
+use super::{avatars, events, fabrics, fits, health, metrics, patterns, results, seams};
 use crate::fit::Garment;
 use axum::Router;
 use axum::http::HeaderMap;
@@ -76,12 +74,6 @@ pub(super) struct FitForm {
 pub fn openapi_json() -> String {
     let json = Document::openapi().to_pretty_json();
     json.expect("a document of strings always serialises") + "\n"
-}
-
-/// The JSON Schema of the garment file, as `api/garment.schema.json` has it.
-pub fn garment_schema_json() -> String {
-    let json = serde_json::to_string_pretty(&json_schema::of::<Garment>());
-    json.expect("a schema always serialises") + "\n"
 }
 
 async fn openapi(headers: HeaderMap) -> Result<Response, Problem> {

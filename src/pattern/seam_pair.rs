@@ -67,7 +67,7 @@ pub struct Run {
 
 /// A point of an outline.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
-#[serde(untagged)]
+#[serde(untagged, deny_unknown_fields)]
 pub enum Place {
     /// A corner of the outline by its index.
     Corner(usize),
@@ -105,4 +105,26 @@ pub enum Match {
     AsPicked,
     /// The service chooses the order of B and says so.
     Auto,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::{from_value, json};
+
+    #[test]
+    fn place_with_a_field_too_many_is_refused() {
+        let on_edge = Place::OnEdge { edge: 3, at: 0.25 };
+        assert_eq!(
+            from_value::<Place>(json!({"edge": 3, "at": 0.25})).ok(),
+            Some(on_edge)
+        );
+        for wrong in [
+            json!({"edge": 3, "at": 0.25, "notch": 1}),
+            json!({"edge": 3, "at": 0.25, "att": 0.5}),
+            json!({"notch": 1, "at": 0.5}),
+        ] {
+            assert!(from_value::<Place>(wrong.clone()).is_err(), "{wrong}");
+        }
+    }
 }

@@ -7,7 +7,6 @@ mod faces;
 mod finding;
 mod length;
 mod matching;
-mod nearest;
 mod overlap;
 mod parity;
 mod place;

@@ -1,9 +1,8 @@
 //! From the runs of a side as asked to the stretches of edges they go along.
 
 use super::Stretch;
-use super::nearest::nearest;
 use super::place::{self, Spot};
-use crate::fault::Fault;
+use crate::fault::{Fault, nearest};
 use crate::pattern::{Direction, Panel, Pattern, Run, Side};
 use std::collections::BTreeMap;
 

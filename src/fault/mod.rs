@@ -1,5 +1,9 @@
 //! Faults and warnings: what is wrong with an input, where, and how to mend it.
 
+mod nearest;
+
+pub(crate) use nearest::nearest;
+
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 

@@ -1,12 +1,13 @@
 //! The shape of a JSON request: all faults against its schema at once, before serde, which stops at the first.
 
+use super::Garment;
 use super::json_schema;
-use super::nearest::nearest;
-use crate::fault::{Fault, Faults};
+use crate::fault::{Fault, Faults, nearest};
 use jsonschema::error::ValidationErrorKind as Kind;
 use jsonschema::{ValidationError, Validator};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
+use std::sync::LazyLock;
 use utoipa::ToSchema;
 
 /// So many faults of one request are listed; a file of another kind has one at every line.
@@ -14,23 +15,42 @@ const LISTED: usize = 100;
 
 /// The schema of a request type, ready to check with.
 #[derive(Debug)]
-pub(super) struct Shape {
+pub(crate) struct Shape {
     schema: Value,
     validator: Validator,
 }
 
 /// Why bytes are not the value that was wanted.
 #[derive(Debug, PartialEq)]
-pub(super) enum Misshapen {
+pub enum Misshapen {
     /// They are not JSON.
     Syntax(Fault),
     /// They are JSON of another shape.
     Shape(Faults),
 }
 
+impl From<Misshapen> for Faults {
+    fn from(misshapen: Misshapen) -> Self {
+        match misshapen {
+            Misshapen::Syntax(fault) => fault.into(),
+            Misshapen::Shape(faults) => faults,
+        }
+    }
+}
+
+/// Reads a garment from its JSON; what it means is not checked yet: [`super::prepare`] does that.
+///
+/// # Errors
+/// Where it is not JSON, or every field that is missing, unknown or of the wrong kind.
+pub fn read_garment(bytes: &[u8]) -> Result<Garment, Misshapen> {
+    // Made from the type alone, once.
+    static SHAPE: LazyLock<Shape> = LazyLock::new(Shape::of::<Garment>);
+    SHAPE.read(bytes)
+}
+
 impl Shape {
     /// The shape of `T`.
-    pub(super) fn of<T: ToSchema>() -> Self {
+    pub(crate) fn of<T: ToSchema>() -> Self {
         let schema = json_schema::of::<T>();
         let validator = jsonschema::draft202012::options()
             .should_validate_formats(true)
@@ -43,7 +63,7 @@ impl Shape {
     ///
     /// # Errors
     /// Where it is not JSON, or every place where it has not this shape.
-    pub(super) fn read<T: DeserializeOwned>(&self, bytes: &[u8]) -> Result<T, Misshapen> {
+    pub(crate) fn read<T: DeserializeOwned>(&self, bytes: &[u8]) -> Result<T, Misshapen> {
         let mut value = parse(bytes).map_err(Misshapen::Syntax)?;
         let faults = self.faults(&value);
         faults.or(()).map_err(Misshapen::Shape)?;
@@ -135,7 +155,7 @@ fn unknown(at: &str, name: &str, known: &[&str]) -> Fault {
         format!("{at}/{}", escaped(name)),
         format!("there is no field {name:?} here"),
     );
-    match nearest(name, known) {
+    match nearest(name, known.iter().copied()) {
         Some(near) => fault.fix(format!("did you mean {near:?}?")),
         None if known.is_empty() => fault,
         None => fault.fix(format!("the fields are {}", known.join(", "))),
@@ -161,7 +181,8 @@ fn not_a_choice(at: &str, value: &Value, options: &Value) -> Fault {
     let choices = names.join(", ");
     let detail = format!("{} is not one of: {choices}", excerpt(value));
     let fault = Fault::new("request/not_a_choice", at, detail);
-    match value.as_str().and_then(|word| nearest(word, &names)) {
+    let word = value.as_str();
+    match word.and_then(|word| nearest(word, names.iter().copied())) {
         Some(near) => fault.fix(format!("did you mean {near:?}?")),
         None => fault,
     }
@@ -271,7 +292,6 @@ fn escaped(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::fit::Garment;
     use serde_json::json;
 
     fn faults(value: &Value) -> Vec<(String, String)> {
@@ -397,6 +417,34 @@ mod tests {
             let read = shape.read::<Garment>(text.as_bytes());
             assert!(read.is_ok(), "{text}: {read:?}");
         }
+    }
+
+    #[test]
+    fn a_saved_garment_is_read_back_bit_for_bit() {
+        let mut garment = read_garment(br#"{"seams": [], "avatar": null}"#).expect("it is right");
+        // Doubles of every magnitude: a linear congruential generator's bits (Knuth, MMIX), where they are a number.
+        let mut state = 1_u64;
+        let bits = std::iter::repeat_with(|| {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            state
+        });
+        let numbers = bits.map(f64::from_bits).filter(|x| x.is_finite());
+        for (i, x) in numbers.take(10_000).enumerate() {
+            let panel = crate::fit::PanelAsked {
+                seam_allowance_m: x,
+                ..Default::default()
+            };
+            garment.panels.insert(i.to_string(), panel);
+        }
+        let saved = serde_json::to_vec(&garment).expect("it is JSON");
+        let read = read_garment(&saved).expect("it was right");
+        for (id, panel) in &garment.panels {
+            let (saved, read) = (panel.seam_allowance_m, read.panels[id].seam_allowance_m);
+            assert_eq!(saved.to_bits(), read.to_bits(), "{saved:e}");
+        }
+        assert_eq!(read, garment);
     }
 
     #[test]

@@ -1,10 +1,17 @@
 //! JSON Schema 2020-12 of a request type, made from the same derive as the `OpenAPI` document.
 
+use super::Garment;
 use serde_json::{Map, Value, json};
 use utoipa::ToSchema;
 
 /// Largest integer that every JSON reader keeps exactly.
 const INTEGER_MAX: u64 = (1 << 53) - 1;
+
+/// The JSON Schema of the garment file, as `api/garment.schema.json` has it.
+pub fn garment_schema_json() -> String {
+    let json = serde_json::to_string_pretty(&of::<Garment>());
+    json.expect("a schema always serialises") + "\n"
+}
 
 /// The schema of `T`, complete in itself: what it refers to is in `$defs`.
 pub(super) fn of<T: ToSchema>() -> Value {

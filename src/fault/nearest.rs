@@ -4,7 +4,7 @@
 const LONGEST: usize = 64;
 
 /// The candidate with the fewest letters to change, if those are about a third of `name` or fewer (two swapped letters count as two). Case does not count.
-pub(super) fn nearest<'a>(
+pub(crate) fn nearest<'a>(
     name: &str,
     candidates: impl Iterator<Item = &'a str>,
 ) -> Option<&'a str> {
@@ -50,7 +50,12 @@ mod tests {
         assert_eq!(ask("fornt"), Some("front"));
         assert_eq!(ask("BACK"), Some("back"));
         assert_eq!(ask("waist-band"), Some("waistband"));
+        assert_eq!(
+            nearest("edge_lenght_m", ["step_s", "edge_length_m"].into_iter()),
+            Some("edge_length_m")
+        );
         assert_eq!(ask("sleeve"), None);
+        assert_eq!(ask("colour"), None);
         assert_eq!(ask(""), None);
         assert_eq!(ask(&"f".repeat(10_000)), None);
     }
