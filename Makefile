@@ -40,15 +40,15 @@ run: build
 ## Checks
 
 check: page
-	cargo fmt --check
-	cargo clippy --locked --all-targets -- -D warnings
-	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
+	cargo fmt --all --check
+	cargo clippy --locked --workspace --all-targets -- -D warnings
+	RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
 
 # One profile for all: the browser drives the binary that the Rust tests built.
 test: page browser chromium
 	@if cargo nextest --version >/dev/null 2>&1; \
-	  then echo cargo nextest run --locked; cargo nextest run --locked; \
-	  else echo cargo test --locked; cargo test --locked; fi
+	  then echo cargo nextest run; cargo nextest run --locked --workspace; \
+	  else echo cargo test; cargo test --locked --workspace; fi
 	cargo build --locked
 	SEAMSTER_BIN=target/debug/seamster node tests/browser/page.mjs
 

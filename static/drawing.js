@@ -32,14 +32,14 @@ function marks(panel, map) {
   return [...lines, ...drills, ...notches];
 }
 
-/** The arrow of the warp beside the panel's middle. */
+/** The arrow of the warp, below the panel's name. */
 function grainArrow(panel, map, scale) {
   const box = boxOf(panel);
-  const size = Math.min(26 / scale, (box.right - box.left) / 5, (box.top - box.bottom) / 3);
+  const top = (box.bottom + box.top) / 2 - 24 / scale;
+  const size = Math.min(28 / scale, (box.right - box.left) / 5, (top - box.bottom - 26 / scale) / 2);
   if (size * scale < 8) return null;
   const angle = ((panel.grain?.angle_deg ?? 90) * Math.PI) / 180;
-  const middle = [(box.left + box.right) / 2, (box.bottom + box.top) / 2 - 44 / scale];
-  if (middle[1] - size < box.bottom) return null;
+  const middle = [(box.left + box.right) / 2, top - size];
   const [x0, y0] = map.point([middle[0] - Math.cos(angle) * size, middle[1] - Math.sin(angle) * size]);
   const [x1, y1] = map.point([middle[0] + Math.cos(angle) * size, middle[1] + Math.sin(angle) * size]);
   const [ux, uy] = [(x1 - x0) / Math.hypot(x1 - x0, y1 - y0), (y1 - y0) / Math.hypot(x1 - x0, y1 - y0)];
@@ -47,10 +47,26 @@ function grainArrow(panel, map, scale) {
   return svg("path", { class: "grain", d: `M${x0} ${y0}L${x1} ${y1}${head(x1, y1, 1)}${head(x0, y0, -1)}` });
 }
 
+/** Whether a panel is too small on the sheet to hold what is written into it. */
+function isThin(panel, scale, least = 64) {
+  const box = boxOf(panel);
+  return (box.top - box.bottom) * scale < 64 || (box.right - box.left) * scale < least;
+}
+
+/** The name as far as it has room beside its neighbours'. Names of one style differ at their end. */
+function shortName(panel, room) {
+  const most = Math.max(3, Math.floor(room / 7.5));
+  return panel.name.length <= most ? panel.name : `…${panel.name.slice(1 - most)}`;
+}
+
 function label(panel, map, scale) {
   const box = boxOf(panel);
   const [x, y] = map.point([(box.left + box.right) / 2, (box.bottom + box.top) / 2]);
-  if ((box.top - box.bottom) * scale < 40) return [svg("text", { class: "panel-name", x, y: y + 4 }, panel.name)];
+  if (isThin(panel, scale, 8 * panel.name.length + 84)) {
+    const below = map.point([0, box.bottom])[1] + 42;
+    const room = (box.right - box.left) * scale + 36;
+    return [svg("text", { class: "panel-name", x, y: below }, shortName(panel, room))];
+  }
   const counts = panel.copy_of ? "mirrored copy" : panel.unfolded ? "unfolded" : "";
   return [
     svg("text", { class: "panel-name", x, y }, panel.name),
@@ -58,12 +74,13 @@ function label(panel, map, scale) {
   ];
 }
 
-/** Corners as numbered discs; where they crowd, as dots. */
-function corners(panel, map) {
+/** Corners as numbered discs; where they crowd, as dots. They lie above the seams. */
+export function drawCorners(panel, map, scale) {
+  const apart = isThin(panel, scale) ? 26 : 19;
   const numbered = [];
   return panel.corners.map((corner) => {
     const [cx, cy] = map.point([corner.x, corner.y]);
-    const crowded = numbered.some(([x, y]) => Math.hypot(x - cx, y - cy) < 19);
+    const crowded = numbered.some(([x, y]) => Math.hypot(x - cx, y - cy) < apart);
     if (crowded) return svg("circle", { class: "corner", cx, cy, r: 2.5 });
     numbered.push([cx, cy]);
     return svg("g", {},
@@ -72,9 +89,9 @@ function corners(panel, map) {
   });
 }
 
-function edgeNumber(edge, map, scale) {
+function edgeNumber(edge, map, scale, thin) {
   if (edge.length_m * scale < 26) return null;
-  const [x, y] = beside(edge.points, 0.5, map, -15);
+  const [x, y] = thin ? beside(edge.points, 0.25, map, 11) : beside(edge.points, 0.5, map, -15);
   return svg("text", { class: "edge-number", x, y }, String(edge.index));
 }
 
@@ -96,6 +113,6 @@ export function drawPanel(panel, map, scale, bind) {
   });
   return svg("g", { role: "group", "aria-label": `Panel ${panel.name}` },
     svg("path", { class: "cloth", d: outline }), holes, marks(panel, map),
-    grainArrow(panel, map, scale), label(panel, map, scale), edges, corners(panel, map),
-    panel.edges.map((edge) => edgeNumber(edge, map, scale)));
+    grainArrow(panel, map, scale), label(panel, map, scale), edges,
+    panel.edges.map((edge) => edgeNumber(edge, map, scale, isThin(panel, scale))));
 }

@@ -25,13 +25,18 @@ const draftKey = (id) => `seamster.draft.${id}`;
 function keepDraft() {
   if (!state.pattern?.stored) return;
   try {
-    sessionStorage.setItem(draftKey(state.pattern.id), JSON.stringify(state.garment));
+    const draft = { garment: state.garment, ran: state.ran, fit: state.fit?.id };
+    sessionStorage.setItem(draftKey(state.pattern.id), JSON.stringify(draft));
   } catch {
     // A full store only loses the draft.
   }
 }
 
-const draftOf = (id) => JSON.parse(sessionStorage.getItem(draftKey(id)) ?? "null");
+/** How a pattern was left in this tab: with the fit asked for, or with any if none is. */
+function draftOf(id, fit) {
+  const draft = JSON.parse(sessionStorage.getItem(draftKey(id)) ?? "null");
+  return draft && (!fit || draft.fit === fit) ? draft : null;
+}
 
 /** A garment from a file, over the defaults; the pattern is kept apart. */
 function garmentFrom(saved) {
@@ -43,13 +48,11 @@ function garmentFrom(saved) {
 function show(pattern, garment) {
   forgetUndo();
   update({ pattern, garment, picked: null, selected: null, check: null, fit: null, report: null, ran: null, zoom: 1 });
-  say(garment.seams.length
+  const unchecked = pattern.stored ? "" : " The service does not hold this pattern: seams are checked when you sew.";
+  if (unchecked) say(`${pattern.name}.${unchecked}`);
+  else say(garment.seams.length
     ? `${pattern.name}: ${plural(pattern.panels.length, "panel")}, ${plural(garment.seams.length, "seam")}.`
     : "Pick the first edge of a seam: click it near the end where sewing begins.");
-}
-
-function typeOf(file) {
-  return file.name.toLowerCase().endsWith(".json") ? "application/json" : "application/dxf";
 }
 
 /** Sends a pattern file; answers the stored pattern. */
@@ -58,13 +61,9 @@ async function upload(file) {
   if (byId("import-units").value) query.set("units", byId("import-units").value);
   if (byId("import-size").value) query.set("size", byId("import-size").value);
   const path = `/v1/patterns${query.size ? `?${query}` : ""}`;
-  let options = { method: "POST", body: file, headers: { "Content-Type": "application/json" } };
-  if (typeOf(file) !== "application/json") {
-    const body = new FormData();
-    body.append("file", file, file.name);
-    options = { method: "POST", body };
-  }
-  return { ...(await (await call(path, options)).json()), stored: true };
+  const body = new FormData();
+  body.append("file", file, file.name);
+  return { ...(await (await call(path, { method: "POST", body })).json()), stored: true };
 }
 
 /** Runs a load; a later one wins, and faults are shown beside the file field. */
@@ -86,7 +85,7 @@ async function load(work) {
 
 async function openPattern(file) {
   if (file !== lastFile) {
-    setOptions(byId("import-size"), [["", "Sample size"]], "");
+    setOptions(byId("import-size"), [["", "Sample"]], "");
     byId("import-units").value = "";
   }
   lastFile = file;
@@ -100,7 +99,7 @@ async function openSample(name) {
   await load(async () => {
     const [dxf, garment] = await Promise.all([call(`/samples/${name}.dxf`), getJson(`/samples/${name}.garment.json`)]);
     lastFile = new File([await dxf.blob()], `${name}.dxf`);
-    setOptions(byId("import-size"), [["", "Sample size"]], "");
+    setOptions(byId("import-size"), [["", "Sample"]], "");
     byId("import-units").value = "";
     return { pattern: await upload(lastFile), garment: garmentFrom(garment) };
   });
@@ -155,11 +154,14 @@ function saveGarment() {
 export async function openFromHash(showFit) {
   const { pattern: id, fit } = fromHash();
   if (!id && !fit) return;
-  await load(async () => {
+  let draft = null;
+  const shown = await load(async () => {
     const saved = fit ? await getJson(`/v1/fits/${encodeURIComponent(fit)}/garment`) : null;
-    const pattern = await patternOf(id ? { pattern: id } : saved);
-    return { pattern, garment: garmentFrom(draftOf(pattern.id) ?? saved ?? { seams: pattern.seams }) };
-  }) && fit && await showFit(fit);
+    const pattern = await patternOf(saved ?? { pattern: id });
+    draft = draftOf(pattern.id, fit);
+    return { pattern, garment: garmentFrom(draft?.garment ?? saved ?? { seams: pattern.seams }) };
+  });
+  if (shown && fit) await showFit(fit, draft?.ran);
 }
 
 function drawFacts() {
@@ -174,7 +176,7 @@ function drawFacts() {
     el("dl", { class: "facts" }, rows.flatMap(([term, value]) => [el("dt", {}, term), el("dd", {}, value)])),
     pattern.warnings?.length > 0 && el("div", { class: "warnings" }, pattern.warnings.map((one) => faultItem(one, "warning"))));
   const sizes = (source.sizes ?? []).map((size) => [size, size]);
-  setOptions(byId("import-size"), [["", "Sample size"], ...sizes], byId("import-size").value);
+  setOptions(byId("import-size"), [["", "Sample"], ...sizes], byId("import-size").value);
 }
 
 function startDrop(drop) {
@@ -210,5 +212,5 @@ export function startFiles() {
   startDrop(byId("drop"));
   watch(["pattern"], drawFacts);
   watch(["pattern", "fit"], () => state.pattern && keepInHash());
-  watch(["garment"], keepDraft);
+  watch(["garment", "ran", "fit"], keepDraft);
 }

@@ -14,6 +14,7 @@ const RETRY_MS = 1000;
 const RETRIES = 20;
 
 let watching = null;
+let submitting = false;
 
 const fitPath = (id) => `/v1/fits/${encodeURIComponent(id)}`;
 
@@ -57,18 +58,21 @@ async function follow(id, signal) {
   throw new Problem("The connection to the service was lost. Reload the page to look again.", 0, []);
 }
 
-function showError(fit) {
+/** Why a fit failed. That it did not come to rest is what the report says. */
+function showError(fit, report) {
   if (fit.status !== "failed" || !fit.error) return;
+  const faults = fit.error.errors ?? [];
+  if (report && faults.length > 0 && faults.every((fault) => fault.code === "fit/not_converged")) return;
   replaceChildren(byId("fit-faults"), problemItems(Problem.fromBody(fit.error, fit.error.status ?? 0)));
 }
 
 /** The result of a fit that ended; a failed one may still have its best shape. */
 async function showResult(fit) {
-  showError(fit);
   const report = await getJson(`${fitPath(fit.id)}/report`).catch((problem) => {
     if (problem.status !== 404 && problem.status !== 409) throw problem;
     return null;
   });
+  showError(fit, report);
   update({ report });
   if (report) await showOutcome(fit.id, state.garment.avatar);
 }
@@ -93,21 +97,22 @@ async function watchFit(fit) {
 }
 
 async function run() {
-  byId("run").disabled = true;
+  if (submitting) return;
+  submitting = true;
   byId("fit-faults").replaceChildren();
-  const garment = garmentToSend();
+  const ran = asText();
   try {
-    const fit = await postJson("/v1/fits", garment);
-    update({ ran: asText() });
-    await watchFit(fit);
+    const fit = await postJson("/v1/fits", garmentToSend());
+    update({ ran });
+    watchFit(fit);
   } catch (problem) {
     replaceChildren(byId("fit-faults"), problemItems(problem));
-    drawRun();
+  } finally {
+    submitting = false;
   }
 }
 
 async function cancel() {
-  byId("cancel").disabled = true;
   byId("progress-stage").textContent = "Stopping";
   try {
     await call(fitPath(state.fit.id), { method: "DELETE" });
@@ -127,13 +132,21 @@ function hint(running) {
   return "";
 }
 
+/** Shows one of two buttons in one place; the focus goes along. */
+function swap(button, other, showOther) {
+  const [shown, hidden] = showOther ? [other, button] : [button, other];
+  const focused = document.activeElement === hidden;
+  shown.hidden = false;
+  hidden.hidden = true;
+  if (focused) shown.focus();
+}
+
 function drawRun() {
   const running = isRunning();
   const ready = state.pattern && state.garment.seams.length > 0 && state.check?.ok !== false;
-  byId("run").disabled = !ready || running;
+  byId("run").disabled = !ready;
   byId("run").textContent = state.report ? "Sew again" : "Sew and drape";
-  byId("cancel").hidden = !running;
-  if (!running) byId("cancel").disabled = false;
+  swap(byId("run"), byId("cancel"), running);
   byId("progress").hidden = !running;
   byId("run-note").textContent = hint(running);
 }
@@ -153,11 +166,11 @@ async function download(what) {
   }
 }
 
-/** Shows a fit that the address bar names. */
-export async function showFit(id) {
+/** Shows a fit that the address bar names; `ran` is the garment it was run for, where that is not the one shown. */
+export async function showFit(id, ran) {
   try {
     const fit = await getJson(fitPath(id));
-    update({ ran: asText() });
+    update({ ran: ran ?? asText() });
     await watchFit(fit);
   } catch (problem) {
     replaceChildren(byId("fit-faults"), problemItems(problem));

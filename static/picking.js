@@ -4,16 +4,24 @@ import { postJson } from "./api.js";
 import { byId } from "./dom.js";
 import { reversedSide, wayOf } from "./outline.js";
 import { changeGarment, state, update, watch } from "./state.js";
+import { plural, sentence } from "./words.js";
 
 const UNDO_DEPTH = 100;
 const undone = [];
 let checking = null;
+let did = ""; // the last change in words, until its check answers
 
 /** Says something to everyone: shown above the sheet and read out. */
 export function say(text, bad = false) {
   const status = byId("status");
-  status.textContent = text;
+  status.firstElementChild.textContent = text;
   status.classList.toggle("bad", bad);
+}
+
+/** Says what was changed; the verdict of the check is added to it. */
+export function act(text) {
+  did = text;
+  say(text);
 }
 
 export const panelName = (id) => state.pattern?.panels.find((panel) => panel.id === id)?.name ?? id;
@@ -49,7 +57,7 @@ export function undo() {
   if (!seams) return;
   changeGarment({ seams });
   update({ selected: null, picked: null });
-  say("Undone.");
+  act("Undone.");
 }
 
 export function forgetUndo() {
@@ -64,12 +72,12 @@ export function changeSeam(id, patch) {
 export function reverseSeam(id) {
   const seam = state.garment.seams.find((one) => one.id === id);
   changeSeam(id, { b: reversedSide(seam.b) });
-  say(`${id}: the second side now runs the other way.`);
+  act(`${id}: the second side now runs the other way.`);
 }
 
 export function deleteSeam(id) {
   changeSeams(state.garment.seams.filter((seam) => seam.id !== id));
-  say(`Seam ${id} deleted.`);
+  act(`Seam ${id} deleted.`);
 }
 
 export function letGo() {
@@ -103,15 +111,22 @@ export function select(run) {
   const seam = { id: freshId(first, run), a: first, b: run };
   update({ picked: null });
   changeSeams([...state.garment.seams, seam], seam.id);
-  say(`Seam ${seam.id}: ${runName(first)} with ${runName(run)}. Checking…`);
+  act(`Seam ${seam.id}: ${runName(first)} with ${runName(run)}.`);
 }
 
-function sayVerdict(check, seams) {
+function verdict(check) {
   const seam = check.seams.find((finding) => finding.id === state.selected);
   const bad = check.seams.filter((finding) => !finding.ok).length;
-  if (seam && !seam.ok) say(`Seam ${seam.id} cannot be sewn: ${seam.errors[0]?.detail ?? "see the list."}`, true);
-  else if (bad) say(`${bad} of ${seams.length} seams cannot be sewn.`, true);
-  else if (!state.picked && seams.length) say(seam ? `Seam ${seam.id} is right. Pick the next pair, or sew.` : "All seams are right. Ready to sew.");
+  if (seam && !seam.ok) return `Seam ${seam.id} cannot be sewn: ${sentence(seam.errors[0]?.detail ?? "see the list")}`;
+  if (bad) return `${bad} of ${plural(check.seams.length, "seam")} cannot be sewn.`;
+  if (seam) return "It can be sewn. Pick the next pair, or sew the garment.";
+  return check.seams.length === 1 ? "The seam can be sewn." : `All ${check.seams.length} seams can be sewn.`;
+}
+
+function sayVerdict(check) {
+  const before = did;
+  did = "";
+  if (!state.picked) say([before, verdict(check)].filter(Boolean).join(" "), check.seams.some((finding) => !finding.ok));
 }
 
 async function check() {
@@ -126,7 +141,7 @@ async function check() {
     const body = { seams: garment.seams, ...(Object.keys(garment.panels).length && { panels: garment.panels }), simulate: garment.simulate };
     const answer = await postJson(`/v1/patterns/${pattern.id}/seams/check`, body, { signal });
     update({ check: answer });
-    sayVerdict(answer, garment.seams);
+    sayVerdict(answer);
   } catch (problem) {
     if (problem.name === "AbortError") return;
     update({ check: { ok: false, seams: [], corrected: [], problem } });

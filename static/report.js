@@ -1,22 +1,29 @@
 /** The report in words: what to trust and what not. */
 
 import { el } from "./dom.js";
-import { distance, percent, plural, scientific, seconds } from "./words.js";
+import { distance, percent, plural, scientific, seconds, sentence } from "./words.js";
 
 const finding = (kind, text) => el("li", { class: kind }, el("span", {}, text));
 
 const CLOSED_M = 1e-3;
 const INSIDE_M = 1e-3;
 
+/** Why it stopped, with the residual unless that is said already. */
+function reason(report) {
+  const why = sentence(report.why || "Stopped");
+  return why.includes("r = ") ? why : `${why} Residual ${scientific(report.residual)}.`;
+}
+
 function closing(report) {
   const gap = report.seam_gap_max_m;
-  return gap < CLOSED_M
+  return Number.isFinite(gap) && gap < CLOSED_M
     ? finding("good", `All seams are closed: the widest gap is ${distance(gap)}.`)
     : finding("bad", `Seams stay open: the widest gap is ${distance(gap)}.`);
 }
 
 function inside(report) {
   const depth = report.penetration_max_m;
+  if (!Number.isFinite(depth)) return finding("bad", "How deep cloth is inside the body is not known.");
   if (depth <= 0) return finding("good", "No cloth is inside the body.");
   return finding(depth < INSIDE_M ? "good" : "bad", `The deepest cloth is ${distance(depth)} inside the body.`);
 }
@@ -35,13 +42,13 @@ export function reportSummary(report, status) {
     : el("p", { class: "verdict bad" }, status === "canceled" ? "Stopped before it came to rest." : "The garment did not come to rest.");
   const worn = report.worn ?? { ok: false, because: "not stated" };
   const items = [
-    finding(report.converged ? "good" : "bad", `${report.why || "Stopped"} (residual ${scientific(report.residual)}).`.replace("..", ".")),
+    finding(report.converged ? "good" : "bad", reason(report)),
     closing(report),
     inside(report),
-    finding(worn.ok ? "good" : "bad", `${worn.ok ? "Worn" : "Not worn"}: ${worn.because}`),
+    finding(worn.ok ? "good" : "bad", `${worn.ok ? "Worn" : "Not worn"}: ${worn.because}`.replace(/[^.]$/, "$&.")),
     precision(report),
     finding("plain", `Largest strain ${percent(report.strain_max)}.`),
-    finding("plain", `${seconds(report.cpu_s.total)} of computing, ${plural(report.vertices, "vertex").replace("vertexs", "vertices")}, ${plural(report.stitches, "stitch").replace("stitchs", "stitches")}, method ${report.method}.`),
+    finding("plain", `${seconds(report.cpu_s.total)} of computing, ${plural(report.vertices, "vertex", "vertices")}, ${plural(report.stitches, "stitch", "stitches")}, method ${report.method}.`),
   ];
   return [verdict, el("ul", { class: "findings" }, items.filter(Boolean))];
 }

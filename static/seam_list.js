@@ -2,7 +2,7 @@
 
 import { byId, el, replaceChildren } from "./dom.js";
 import { runsOf } from "./outline.js";
-import { changeSeam, changeSeams, deleteSeam, reverseSeam, runName, say } from "./picking.js";
+import { act, changeSeam, changeSeams, deleteSeam, reverseSeam, runName } from "./picking.js";
 import { colourClass } from "./seam_marks.js";
 import { state, update, watch } from "./state.js";
 import { centimetres, distance, faultItem, percent, plural, problemItems } from "./words.js";
@@ -26,7 +26,7 @@ function figures(finding) {
   if (!finding) return el("span", { class: "figures" }, "");
   if (!finding.ok) return el("span", { class: "figures bad" }, "✗ cannot be sewn");
   const ease = finding.ease_m > 0.001 ? `ease ${distance(finding.ease_m)} (${percent(finding.ease)})` : "no ease";
-  return el("span", { class: "figures" }, `✓ ${centimetres(finding.length_a_m)}, ${ease}`);
+  return el("span", { class: "figures" }, `${finding.warnings.length ? "⚠" : "✓"} ${centimetres(finding.length_a_m)}, ${ease}`);
 }
 
 /** The way the correction would change the seam, in words. */
@@ -45,7 +45,7 @@ function correction(seam) {
   if (!other) return null;
   const use = () => {
     changeSeams(state.garment.seams.map((one) => (one.id === seam.id ? other : one)), seam.id);
-    say(`Seam ${seam.id} corrected. Checking…`);
+    act(`Seam ${seam.id} corrected.`);
   };
   return el("button", { type: "button", class: "small", "data-key": `correct ${seam.id}`, onclick: use },
     `Use the correction: ${correctionText(seam, other)}`);
@@ -77,7 +77,7 @@ function options(seam) {
 }
 
 function details(seam, finding) {
-  const ways = finding?.ok && `${plural(finding.stitch_count, "stitch").replace(/stitchs$/, "stitches")}; ${centimetres(finding.length_a_m)} on ${centimetres(finding.length_b_m)}; ways ${finding.direction_a ?? "?"} and ${finding.direction_b ?? "?"}${finding.reversed ? " (reversed by the service)" : ""}.`;
+  const ways = finding?.ok && `${plural(finding.stitch_count, "stitch", "stitches")}; ${centimetres(finding.length_a_m)} on ${centimetres(finding.length_b_m)}; ways ${finding.direction_a ?? "?"} and ${finding.direction_b ?? "?"}${finding.reversed ? " (reversed by the service)" : ""}.`;
   return el("div", { class: "more" },
     (finding?.errors ?? []).map((fault) => faultItem(fault)),
     correction(seam),
@@ -96,7 +96,7 @@ function move(seam, by) {
   const moved = order.filter((one) => one !== seam);
   moved.splice(at + by, 0, stage === (seam.stage ?? 0) ? seam : { ...seam, stage });
   changeSeams(moved, state.selected);
-  say(`Seam ${seam.id} is now number ${at + by + 1}.`);
+  act(`Seam ${seam.id} is now number ${at + by + 1}.`);
 }
 
 const inOrder = () =>
@@ -124,8 +124,9 @@ function row(seam, at, count) {
     el("div", { class: "row" },
       el("button", { type: "button", class: "choose", "aria-expanded": String(open), "data-key": `choose ${seam.id}`, onclick: choose },
         el("span", { class: "badge" }, String(number + 1)),
-        el("span", { class: "what" }, seam.id, el("br"), el("small", {}, `${sideName(seam.a)} with ${sideName(seam.b)}`)),
-        figures(finding)),
+        el("span", { class: "what" }, seam.id),
+        figures(finding),
+        el("small", { class: "sides" }, `${sideName(seam.a)} with ${sideName(seam.b)}`)),
       iconButton(seam, "Reverse", "⇄", () => reverseSeam(seam.id)),
       iconButton(seam, "Sew earlier", "↑", () => move(seam, -1), at === 0),
       iconButton(seam, "Sew later", "↓", () => move(seam, 1), at === count - 1),
@@ -145,4 +146,5 @@ function draw() {
 
 export function startSeamList() {
   watch(["pattern", "garment", "check", "selected"], draw);
+  watch(["selected", "check"], () => byId("seam-list").querySelector(".selected")?.scrollIntoView({ block: "nearest" }));
 }

@@ -38,15 +38,15 @@ function ends(sheet, side) {
   return { start: found[0][0], end: found.at(-1).at(-1) };
 }
 
-/** Lines between the ends that meet: the hollow pair is where both sides begin. */
+/** Lines between the ends that meet, with a ring round each of these corners. */
 function threads(sheet, seam, reversed) {
   const a = ends(sheet, seam.a);
   const b = ends(sheet, seam.b);
   if (!a || !b) return [];
-  const pairs = reversed ? [[a.start, b.end, "start"], [a.end, b.start, ""]] : [[a.start, b.start, "start"], [a.end, b.end, ""]];
-  return pairs.flatMap(([p, q, kind]) => [
+  const pairs = reversed ? [[a.start, b.end], [a.end, b.start]] : [[a.start, b.start], [a.end, b.end]];
+  return pairs.flatMap(([p, q]) => [
     svg("path", { class: "thread", d: pathOf([p, q]) }),
-    ...[p, q].map(([cx, cy]) => svg("circle", { class: `thread-end ${kind}`, cx, cy, r: 5 })),
+    ...[p, q].map(([cx, cy]) => svg("circle", { class: "thread-end", cx, cy, r: 11.5 })),
   ]);
 }
 

@@ -2,7 +2,7 @@
 
 import { byId, el, replaceChildren, svg } from "./dom.js";
 import { edgesOf, nearestFraction, runOfEdge, runsOf } from "./outline.js";
-import { drawPanel, edgeLabel } from "./drawing.js";
+import { drawCorners, drawPanel, edgeLabel } from "./drawing.js";
 import { drawRun, drawSeam } from "./seam_marks.js";
 import { layOut } from "./sheet_layout.js";
 import { state, update, watch } from "./state.js";
@@ -106,10 +106,11 @@ function draw() {
   const seams = seamsByEdge(panels);
   const drawn = pattern.panels.map((panel) =>
     drawPanel(panel, plan.maps.get(panel.id), plan.scale, (path, edge) => bindEdge(panel, edge, path, seams)));
+  const corners = svg("g", { "aria-hidden": "true" }, pattern.panels.map((panel) => drawCorners(panel, plan.maps.get(panel.id), plan.scale)));
   // Floored: a fraction of a pixel would bring a scroll bar, which changes the size again.
   const size = { width: Math.floor(plan.width), height: Math.floor(plan.height) };
   replaceChildren(host, svg("svg", { ...size, role: "group", "aria-label": "Panels of the pattern", "aria-describedby": "keys" },
-    drawn, overlay(), sheet.preview));
+    drawn, overlay(), corners, sheet.preview));
 }
 
 /** Puts the sheet to work: `onSelect(run)` for a picked edge, `onLetGo()` for Escape. */

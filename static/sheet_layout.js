@@ -1,6 +1,7 @@
 /** Puts panels side by side on the sheet, as large as they fit. */
 
-const GAP = 54; // px between panels: room for badges and corner numbers
+/** Space around panels [px]: room for badges and corner numbers, below also for names. */
+const SPACE = { side: 42, across: 60, top: 36, below: 52 };
 
 export function boxOf(panel) {
   const box = { left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity };
@@ -18,21 +19,21 @@ export function boxOf(panel) {
 /** Rows of boxes in their order at `scale` px/m, no wider than `width`. */
 function shelves(boxes, scale, width) {
   const places = [];
-  let [x, y, row, widest] = [GAP, GAP, 0, 0];
+  let [x, y, row, widest] = [SPACE.side, SPACE.top, 0, 0];
   for (const box of boxes) {
     const w = (box.right - box.left) * scale;
     const h = (box.top - box.bottom) * scale;
-    if (x > GAP && x + w + GAP > width) {
-      x = GAP;
-      y += row + GAP;
+    if (x > SPACE.side && x + w + SPACE.side > width) {
+      x = SPACE.side;
+      y += row + SPACE.below;
       row = 0;
     }
     places.push({ x, y });
-    x += w + GAP;
-    widest = Math.max(widest, x);
+    widest = Math.max(widest, x + w + SPACE.side);
+    x += w + SPACE.across;
     row = Math.max(row, h);
   }
-  return { places, width: widest, height: y + row + GAP };
+  return { places, width: widest, height: y + row + SPACE.below };
 }
 
 /** The largest scale [px/m] at which all panels fit, times `zoom`, and a map from pattern to sheet for each panel. */

@@ -36,12 +36,14 @@ async function bodyMesh(avatar) {
 /** Shows the shape of a fit on its body. */
 export async function showOutcome(fitId, avatar) {
   const mine = ++shows;
-  const glb = call(`/v1/fits/${encodeURIComponent(fitId)}/mesh.glb`).then((response) => response.arrayBuffer());
   const key = JSON.stringify(avatar);
-  const body = key === shownBody ? undefined : bodyMesh(avatar);
-  const [view, garment, mesh] = await Promise.all([openViewer(), glb, body]);
+  const [view, garment, body] = await Promise.all([
+    openViewer(),
+    call(`/v1/fits/${encodeURIComponent(fitId)}/mesh.glb`).then((response) => response.arrayBuffer()),
+    key === shownBody ? undefined : bodyMesh(avatar),
+  ]);
   if (!view || mine !== shows) return;
-  if (mesh !== undefined) await view.showBody(mesh);
+  if (body !== undefined) await view.showBody(body);
   await view.showGarment(garment);
   shownBody = key;
   note("");

@@ -11,6 +11,9 @@ const KEY_TURN = Math.PI / 18;
 /** Muted cloth colours, one for each fabric in the garment. */
 const CLOTH = [0x8fa9bf, 0xc79a86, 0x9db08e, 0xb9a3c4, 0xc9b37e, 0x86b1ad];
 const BODY = 0xb9b1a8;
+
+/** The body is drawn some 3 mm further away, so that its facets do not show through cloth that lies on it. The report has the true depth. */
+const BODY_BEHIND = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 600 };
 const SEAM_LINE = 0x2c3338;
 
 function lights() {
@@ -24,13 +27,6 @@ function lights() {
   const fill = new THREE.DirectionalLight(0xdde8ff, 0.9);
   fill.position.set(-2, 1.4, -1.8);
   return [new THREE.HemisphereLight(0xffffff, 0x8a8378, 1.15), key, key.target, fill];
-}
-
-function floor() {
-  const disc = new THREE.Mesh(new THREE.CircleGeometry(2.5, 48), new THREE.ShadowMaterial({ opacity: 0.18 }));
-  disc.rotation.x = -Math.PI / 2;
-  disc.receiveShadow = true;
-  return disc;
 }
 
 function dispose(group) {
@@ -71,7 +67,7 @@ function dress(model) {
 function bodyMaterial(model) {
   model.traverse((object) => {
     if (!object.isMesh) return;
-    object.material = new THREE.MeshStandardMaterial({ color: BODY, roughness: 0.75 });
+    object.material = new THREE.MeshStandardMaterial({ color: BODY, roughness: 0.75, ...BODY_BEHIND });
     object.castShadow = true;
     object.receiveShadow = true;
     if (!object.geometry.attributes.normal) object.geometry.computeVertexNormals();
@@ -92,7 +88,7 @@ export function createViewer(host) {
   const scene = new THREE.Scene();
   const body = new THREE.Group();
   const garment = new THREE.Group();
-  scene.add(...lights(), floor(), body, garment);
+  scene.add(...lights(), body, garment);
   const camera = new THREE.PerspectiveCamera(32, 1, 0.05, 50);
   const controls = new OrbitControls(camera, canvas);
   controls.minDistance = 0.3;

@@ -60,7 +60,7 @@ fn lines_without_tests(text: &str) -> usize {
 /// Every Rust file of the project's own.
 fn rust_files() -> Vec<PathBuf> {
     let mut files = vec![];
-    let mut folders: Vec<_> = ["src", "tests", "examples", "benches"]
+    let mut folders: Vec<_> = ["src", "cholesky/src", "tests", "examples", "benches"]
         .map(|f| root().join(f))
         .into();
     while let Some(folder) = folders.pop() {

@@ -1,11 +1,15 @@
 //! The service over HTTP: guards, problems, patterns, fabrics, fits, events, results, the page.
 
-mod support;
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+#[path = "support/server.rs"]
+mod server;
 
 use serde_json::{Value, json};
+use server::{Answer, Server, config};
 use std::io::{Read, Write};
 use std::net::TcpStream;
-use support::server::{Server, config};
+use std::time::{Duration, Instant};
 
 const NO_ID: &str = "019a0000-0000-7000-8000-000000000000";
 
@@ -426,9 +430,417 @@ fn an_own_fabric_is_kept_and_listed() {
     assert_eq!(
         faults,
         [
-            "fabric/out_of_range /density_kg_m2",
-            "fabric/out_of_range /friction"
+            "fabric/coefficient /density_kg_m2",
+            "fabric/coefficient /friction"
         ]
+    );
+}
+
+fn sample(name: &str) -> Vec<u8> {
+    let path = format!("{}/static/samples/{name}", env!("CARGO_MANIFEST_DIR"));
+    std::fs::read(path).unwrap()
+}
+
+/// The skirt's garment, coarse enough for a test to sew it in a moment.
+fn skirt() -> Value {
+    let mut garment: Value = serde_json::from_slice(&sample("skirt.garment.json")).unwrap();
+    garment["simulate"] = json!({"edge_length_m": 0.05, "tolerance": 1e-3});
+    garment
+}
+
+fn skirt_form(garment: &Value) -> Vec<u8> {
+    let garment = garment.to_string();
+    form(&[
+        ("pattern", "skirt.dxf", &sample("skirt.dxf")),
+        ("garment", "g.json", garment.as_bytes()),
+    ])
+}
+
+fn submit(server: &Server, headers: &[(&str, &str)]) -> Answer {
+    server.send(
+        "POST",
+        "/v1/fits",
+        &[&[FORM], headers].concat(),
+        &skirt_form(&skirt()),
+    )
+}
+
+#[test]
+fn a_pattern_is_kept_until_it_is_removed() {
+    let server = Server::with(config(), 0);
+    let kept = server.send(
+        "POST",
+        "/v1/patterns",
+        &[FORM],
+        &form(&[("file", "skirt.dxf", &sample("skirt.dxf"))]),
+    );
+    assert_eq!(kept.status, 201, "{}", kept.text());
+    let at = kept.header("location");
+    let pattern = server.get(at).json();
+    assert_eq!(pattern, kept.json());
+    assert_eq!(
+        at,
+        format!("/v1/patterns/{}", pattern["id"].as_str().unwrap())
+    );
+    let plain = server.send("POST", "/v1/patterns?units=mm", &[], &sample("top.dxf"));
+    assert_eq!(plain.status, 201, "{}", plain.text());
+
+    let first = server.get("/v1/patterns?limit=1").json();
+    assert_eq!(first["patterns"][0]["id"], plain.json()["id"]);
+    let cursor = first["next_cursor"].as_str().unwrap();
+    let second = server
+        .get(&format!("/v1/patterns?limit=1&cursor={cursor}"))
+        .json();
+    assert_eq!(second["patterns"][0]["id"], pattern["id"]);
+    assert_eq!(second["patterns"][0]["panel_count"], 3);
+
+    assert_eq!(server.ask("DELETE", at, &[]).status, 204);
+    server.ask("DELETE", at, &[]).problem(404);
+    server.get(at).problem(404);
+}
+
+#[test]
+fn stated_units_override_those_of_the_file() {
+    let server = Server::with(config(), 0);
+    let area = |units: &str| {
+        let answer = server.send(
+            "POST",
+            &format!("/v1/patterns{units}"),
+            &[],
+            &sample("skirt.dxf"),
+        );
+        answer.json()["panels"][0]["area_m2"].as_f64().unwrap()
+    };
+    let ratio = area("?units=cm") / area("");
+    assert!((ratio - 100.0).abs() < 1e-6, "{ratio}");
+}
+
+#[test]
+fn seams_are_checked_with_all_their_faults() {
+    let server = Server::with(config(), 0);
+    let kept = server.send("POST", "/v1/patterns", &[], &sample("skirt.dxf"));
+    let check = format!("{}/seams/check", kept.header("location"));
+    let right = server.post_json(&check, &skirt()).json();
+    assert_eq!(right["ok"], true, "{right}");
+    assert_eq!(
+        right["seams"].as_array().unwrap().len(),
+        skirt()["seams"].as_array().unwrap().len()
+    );
+
+    let mut wrong = json!({"seams": skirt()["seams"]});
+    wrong["seams"][0]["a"]["panel"] = json!("sleeve");
+    wrong["seams"][1]["b"]["to"] = json!(99);
+    let found = server.post_json(&check, &wrong).json();
+    assert_eq!(found["ok"], false);
+    assert_eq!(
+        found["seams"][0]["errors"][0]["pointer"], "/seams/0/a/panel",
+        "{found}"
+    );
+    assert_eq!(
+        found["seams"][1]["errors"][0]["pointer"], "/seams/1/b/to",
+        "{found}"
+    );
+
+    let fine = json!({"seams": [], "simulate": {"edge_length_m": 0.0}});
+    assert_eq!(
+        server.post_json(&check, &fine).faults(422),
+        ["request/out_of_range /simulate/edge_length_m"]
+    );
+    assert_eq!(
+        server
+            .post_json(&check, &json!({"seams": "suggest"}))
+            .faults(422),
+        ["seam/nothing_to_check /seams"]
+    );
+    server
+        .post_json(&format!("/v1/patterns/{NO_ID}/seams/check"), &skirt())
+        .problem(404);
+}
+
+#[test]
+fn an_avatar_is_made_from_measurements() {
+    let server = Server::with(config(), 0);
+    let form = json!({"form": {"height_m": 1.7, "bust_m": 0.9, "waist_m": 0.7, "hip_m": 0.95}});
+    let kept = server.post_json("/v1/avatars", &form);
+    assert_eq!(kept.status, 201, "{}", kept.text());
+    let at = kept.header("location");
+    assert_eq!(server.get(at).json(), kept.json());
+    let mesh = server.get(&format!("{at}/mesh"));
+    assert_eq!(
+        (mesh.header("content-type"), &mesh.bytes[..4]),
+        ("model/gltf-binary", &b"glTF"[..])
+    );
+    assert_eq!(
+        server.get("/v1/avatars").json()["avatars"]
+            .as_array()
+            .unwrap()
+            .len(),
+        1
+    );
+    assert_eq!(server.ask("DELETE", at, &[]).status, 204);
+    server.get(&format!("{at}/mesh")).problem(404);
+
+    let faults = server
+        .post_json(
+            "/v1/avatars",
+            &json!({"form": {"height_m": 17, "bust_m": 0.9, "waist_m": 0.7, "hip_m": -1}}),
+        )
+        .faults(422);
+    let places: Vec<_> = faults
+        .iter()
+        .filter_map(|fault| fault.split(' ').nth(1))
+        .collect();
+    assert!(
+        places.contains(&"/form/height_m") && places.contains(&"/form/hip_m"),
+        "{faults:?}"
+    );
+}
+
+#[test]
+fn what_a_garment_means_is_checked_before_it_is_queued() {
+    let server = Server::with(config(), 0);
+    let mut garment = skirt();
+    garment["default_fabric"] = json!("chain-mail");
+    garment["pins"] = json!([{"panel": "hood", "corner": 0}]);
+    let faults = server
+        .send("POST", "/v1/fits", &[FORM], &skirt_form(&garment))
+        .faults(422);
+    let places: Vec<_> = faults
+        .iter()
+        .filter_map(|fault| fault.split(' ').nth(1))
+        .collect();
+    assert!(places.contains(&"/default_fabric"), "{faults:?}");
+    assert!(
+        places.iter().any(|place| place.starts_with("/pins/0")),
+        "{faults:?}"
+    );
+
+    garment = skirt();
+    garment["pattern"] = json!(NO_ID);
+    assert_eq!(
+        server
+            .send("POST", "/v1/fits", &[FORM], &skirt_form(&garment))
+            .faults(422),
+        ["fit/two_patterns /pattern"]
+    );
+    let faults = server.post_json("/v1/fits", &garment).faults(422);
+    assert!(
+        faults.iter().any(|fault| fault.ends_with(" /pattern")),
+        "{faults:?}"
+    );
+    assert_eq!(server.get("/v1/fits").json()["fits"], json!([]));
+}
+
+#[test]
+fn a_key_makes_a_repeated_request_the_same_fit() {
+    let server = Server::with(config(), 0);
+    let key = [("idempotency-key", "monday")];
+    let first = submit(&server, &key);
+    assert_eq!(first.status, 202, "{}", first.text());
+    let again = submit(&server, &key);
+    assert_eq!(
+        (again.status, again.header("location")),
+        (202, first.header("location"))
+    );
+    let mut other = skirt();
+    other["friction"] = json!(0.5);
+    let reused = server.send("POST", "/v1/fits", &[FORM, key[0]], &skirt_form(&other));
+    assert_eq!(reused.faults(422), ["fit/key_reused /Idempotency-Key"]);
+    assert_ne!(
+        submit(&server, &[]).header("location"),
+        first.header("location")
+    );
+    assert_eq!(
+        server.get("/v1/fits").json()["fits"]
+            .as_array()
+            .unwrap()
+            .len(),
+        2
+    );
+}
+
+#[test]
+fn a_full_queue_says_when_to_try_again() {
+    let mut config = config();
+    config.limits.queued_fits = 1;
+    let server = Server::with(config, 0);
+    assert_eq!(submit(&server, &[]).status, 202);
+    let full = submit(&server, &[]);
+    full.problem(503);
+    assert!(full.header("retry-after").parse::<u32>().unwrap() > 0);
+}
+
+#[test]
+fn a_wait_ends_when_its_time_is_over() {
+    let server = Server::with(config(), 0);
+    let begun = Instant::now();
+    let answer = submit(&server, &[("prefer", "wait=1")]);
+    assert_eq!(answer.status, 202);
+    assert_eq!(answer.header("preference-applied"), "wait=1");
+    assert!(begun.elapsed() >= Duration::from_secs(1));
+}
+
+#[test]
+fn a_waiting_fit_is_listed_and_canceled_at_once() {
+    let server = Server::with(config(), 0);
+    let queued = submit(&server, &[]);
+    let fit = queued.json();
+    let at = queued.header("location").to_owned();
+    assert_eq!(fit["status"], "queued");
+    for (name, path) in [
+        ("mesh", "/mesh"),
+        ("report", "/report"),
+        ("events", "/events"),
+        ("garment", "/garment"),
+        ("scene", "/scene"),
+        ("cancel", ""),
+    ] {
+        assert_eq!(fit["links"][name], format!("{at}{path}"));
+    }
+    assert_eq!(
+        server.get("/v1/fits?status=queued").json()["fits"][0]["id"],
+        fit["id"]
+    );
+    assert_eq!(
+        server.get("/v1/fits?status=failed").json()["fits"],
+        json!([])
+    );
+    for part in ["mesh", "report", "scene"] {
+        server.get(&format!("{at}/{part}")).problem(409);
+    }
+
+    let canceled = server.ask("DELETE", &at, &[]);
+    assert_eq!(
+        (canceled.status, &canceled.json()["status"]),
+        (200, &json!("canceled"))
+    );
+    assert_eq!(server.ask("DELETE", &at, &[]).json(), canceled.json());
+    assert_eq!(server.get(&at).json(), canceled.json());
+    server.get(&format!("{at}/mesh")).problem(404);
+    let events = server.get(&format!("{at}/events"));
+    assert_eq!(events.header("content-type"), "text/event-stream");
+    assert!(events.text().contains("event: status"), "{}", events.text());
+    assert!(
+        events.text().contains("\"status\":\"canceled\""),
+        "{}",
+        events.text()
+    );
+}
+
+#[test]
+fn a_fit_is_sewn_followed_and_fetched() {
+    let server = Server::start();
+    let queued = submit(&server, &[]);
+    let at = queued.header("location").to_owned();
+    let events = server.get(&format!("{at}/events")).text();
+    let ids: Vec<u64> = events
+        .lines()
+        .filter_map(|line| line.strip_prefix("id: "))
+        .map(|id| id.parse().unwrap())
+        .collect();
+    assert!(ids.is_sorted() && ids.len() > 2, "{events}");
+    assert!(events.contains("event: progress"), "{events}");
+    let fit = server.get(&at).json();
+    assert_eq!(fit["status"], "succeeded", "{fit}");
+    assert_eq!(fit["error"], Value::Null);
+
+    let last = ids.last().unwrap().to_string();
+    let resumed = server
+        .ask("GET", &format!("{at}/events"), &[("last-event-id", "0")])
+        .text();
+    assert!(resumed.contains("\"succeeded\""), "{resumed}");
+    assert!(
+        !server
+            .ask(
+                "GET",
+                &format!("{at}/events"),
+                &[("last-event-id", "9007199254740991")]
+            )
+            .text()
+            .contains("data:")
+    );
+    assert!(!last.is_empty());
+    server
+        .ask("GET", &format!("{at}/events"), &[("last-event-id", "x")])
+        .problem(422);
+
+    results_are_whole(&server, &at);
+    the_saved_garment_gives_the_same_mesh(&server, &at);
+}
+
+fn results_are_whole(server: &Server, at: &str) {
+    let glb = server.get(&format!("{at}/mesh.glb"));
+    assert_eq!(
+        (glb.header("content-type"), &glb.bytes[..4]),
+        ("model/gltf-binary", &b"glTF"[..])
+    );
+    assert_eq!(server.get(&format!("{at}/mesh")).bytes, glb.bytes);
+    for (accept, part) in [("model/obj", "mesh.obj"), ("application/json", "mesh.json")] {
+        let chosen = server.ask("GET", &format!("{at}/mesh"), &[("accept", accept)]);
+        assert_eq!(chosen.header("content-type"), accept);
+        assert_eq!(chosen.bytes, server.get(&format!("{at}/{part}")).bytes);
+    }
+    server
+        .ask("GET", &format!("{at}/mesh"), &[("accept", "text/html")])
+        .problem(406);
+
+    let path = format!("{at}/mesh.glb");
+    let etag = glb.header("etag");
+    let part = server.ask("GET", &path, &[("range", "bytes=4-11")]);
+    assert_eq!(
+        (part.status, part.bytes.as_slice()),
+        (206, &glb.bytes[4..12])
+    );
+    assert_eq!(
+        part.header("content-range"),
+        format!("bytes 4-11/{}", glb.bytes.len())
+    );
+    let outside = server.ask("GET", &path, &[("range", "bytes=999999999-")]);
+    outside.problem(416);
+    assert_eq!(
+        outside.header("content-range"),
+        format!("bytes */{}", glb.bytes.len())
+    );
+    assert_eq!(
+        server.ask("GET", &path, &[("if-none-match", etag)]).status,
+        304
+    );
+    assert_eq!(
+        server
+            .ask(
+                "GET",
+                &path,
+                &[("range", "bytes=0-3"), ("if-range", "\"old\"")]
+            )
+            .status,
+        200
+    );
+    let head = server.ask("HEAD", &path, &[]);
+    assert_eq!(
+        (head.status, head.bytes.len(), head.header("etag")),
+        (200, 0, etag)
+    );
+
+    let report = server.get(&format!("{at}/report")).json();
+    assert_eq!(report["converged"], true, "{report}");
+    let vertices = server.get(&format!("{at}/scene")).json()["vertices"]
+        .as_array()
+        .map(Vec::len);
+    assert_eq!(vertices.map(Value::from), Some(report["vertices"].clone()));
+}
+
+/// P6: the saved file is complete in itself.
+fn the_saved_garment_gives_the_same_mesh(server: &Server, at: &str) {
+    let garment = server.get(&format!("{at}/garment")).json();
+    let empty = Server::start();
+    let headers = [JSON, ("prefer", "wait=60")];
+    let fit = empty.send("POST", "/v1/fits", &headers, garment.to_string().as_bytes());
+    assert_eq!(fit.status, 200, "{}", fit.text());
+    assert_eq!(fit.json()["status"], "succeeded");
+    let again = empty.get(&format!("{}/mesh.glb", fit.header("location")));
+    assert!(
+        again.bytes == server.get(&format!("{at}/mesh.glb")).bytes,
+        "the meshes differ"
     );
 }
 

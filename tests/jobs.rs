@@ -1,4 +1,8 @@
 //! Fits on the queue and their workers, with a runner that does what the test says instead of sewing.
+#![expect(
+    clippy::unwrap_used,
+    reason = "a failure is a failed test, in its helpers too"
+)]
 
 use seamster::config::Limits;
 use seamster::fault::{Fault, Faults};

@@ -29,11 +29,11 @@ for sample in skirt top; do
   echo "smoke: $sample"
   curl -fsS -o /dev/null "$url/v1/patterns" -F "file=@static/samples/$sample.dxf" ||
     fail "the pattern was refused"
-  fit=$(curl -fsS -o /dev/null -w '%header{location}' "$url/v1/fits" \
+  fit=$(curl -sS -o "$folder/answer" -w '%header{location}' "$url/v1/fits" \
     -F "pattern=@static/samples/$sample.dxf" \
-    -F "garment=@static/samples/$sample.garment.json;type=application/json") ||
-    fail "the fit was refused"
-  fit=$url${fit#"$url"}
+    -F "garment=@static/samples/$sample.garment.json;type=application/json")
+  [ -n "$fit" ] || fail "the fit was refused: $(cat "$folder/answer")"
+  fit=$url$fit
   timeout 600 curl -fsSN "$fit/events" >"$folder/events" || fail "the events broke off"
   curl -fsS "$fit" | grep -q '"status": *"succeeded"' || fail "$(curl -fsS "$fit")"
   curl -fsS -o "$folder/$sample.glb" "$fit/mesh.glb" || fail "there is no mesh"

@@ -9,8 +9,10 @@ use super::garment::Draft;
 use super::piece::{Piece, Style};
 
 /// Waistband longer than the waist by this \[mm\].
-const WAIST_EASE: f64 = 15.0;
+const WAIST_EASE: f64 = 20.0;
 const HIP_EASE: f64 = 56.0;
+/// Share of the widening from waist to hip that lies in its upper half: a body widens little just below the waist.
+const UPPER_SHARE: f64 = 0.53;
 /// Down the centre front, below the waistband.
 const SKIRT_LENGTH: f64 = 550.0;
 const HEM_GIRTH: f64 = 1360.0;
@@ -71,11 +73,18 @@ impl SideSeam {
     fn draft(body: &Body, waist: f64) -> Self {
         let hip = (body.hip + HIP_EASE) / 4.0;
         let flare = (HEM_GIRTH / 4.0 - hip) / (SKIRT_LENGTH - body.waist_to_hip);
-        let upper_slope = 2.0 * (hip - waist) / body.waist_to_hip - flare;
+        let half_way = [UPPER_SHARE * (hip - waist), -body.waist_to_hip / 2.0];
+        let hip_point = [hip - waist, -body.waist_to_hip];
+        // A curve is fair where the mean of its end slopes is its mean slope.
+        let mean = |from: Point, to: Point| (to[0] - from[0]) / (from[1] - to[1]);
+        let middle_slope = 2.0 * mean(half_way, hip_point) - flare;
+        let upper_slope = 2.0 * mean([0.0, 0.0], half_way) - middle_slope;
         // A waistline that is square to the side and to the centre is nearly an arc.
         let rise = waist * upper_slope / 2.0;
-        let hip_point = [hip - waist, -body.waist_to_hip];
-        let mut line = fair([0.0, 0.0], [upper_slope, -1.0], hip_point, [flare, -1.0]);
+        let down = |slope: f64| [slope, -1.0];
+        let upper = fair([0.0, 0.0], down(upper_slope), half_way, down(middle_slope));
+        let lower = fair(half_way, down(middle_slope), hip_point, down(flare));
+        let mut line = joined(upper, &lower);
         let hip_index = line.len() - 1;
         line.push(below_hip(hip_point, waist, rise, flare));
         Self {

@@ -16,7 +16,7 @@ const NECK_WIDENING: f64 = 20.0;
 /// The shoulder ends this far inside its tip.
 const SHOULDER_INSET: f64 = 30.0;
 /// The side seam comes in by this at the waist, and the hem goes out by that.
-const WAIST_SHAPING: f64 = 14.0;
+const WAIST_SHAPING: f64 = 8.0;
 const HEM_WIDENING: f64 = 10.0;
 const BELOW_WAIST: f64 = 145.0;
 /// The hem is lower at the centre than at the side by this.

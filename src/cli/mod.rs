@@ -8,7 +8,7 @@ mod sew;
 
 use clap::{Parser, Subcommand};
 use seamster::config::{Config, Logging};
-use std::io::Write;
+use std::io::{IsTerminal, Write};
 use std::process::ExitCode;
 use tracing_subscriber::EnvFilter;
 
@@ -53,6 +53,7 @@ pub(crate) fn run() -> ExitCode {
     tracing_subscriber::fmt()
         .with_env_filter(filter)
         .with_writer(std::io::stderr)
+        .with_ansi(std::io::stderr().is_terminal())
         .init();
     match program.command {
         Command::Serve(config) => serve::serve(*config),

@@ -52,16 +52,8 @@ type Refused<'a> = (&'a Path, Faults);
 /// Sews a garment, and says by the exit code what came of it.
 pub(super) fn sew(asked: &SewAsked) -> ExitCode {
     let limits = Limits::default();
-    let ran = prepared(asked, &limits).and_then(|prepared| {
-        let mut context = Context {
-            cpu_s: &thread_cpu_s,
-            cancel: &CancelToken::new(),
-            progress: &mut teller(),
-            limits: &limits,
-        };
-        let ran = fit::run(&prepared, &mut context);
-        ran.map_err(|faults| (asked.garment(), faults))
-    });
+    let ran = prepared(asked, &limits)
+        .and_then(|prepared| run(&prepared, &limits).map_err(|faults| (asked.garment(), faults)));
     match ran {
         Ok(outcome) => written(asked, &outcome),
         Err((file, faults)) => {
@@ -130,6 +122,17 @@ fn read(file: &Path, limit: usize) -> Result<Vec<u8>, Faults> {
         return Err(cannot(format!("it has more than {limit} bytes")));
     }
     Ok(bytes)
+}
+
+fn run(prepared: &Prepared, limits: &Limits) -> Result<Outcome, Faults> {
+    let began = thread_cpu_s();
+    let mut context = Context {
+        cpu_s: &|| thread_cpu_s() - began,
+        cancel: &CancelToken::new(),
+        progress: &mut teller(),
+        limits,
+    };
+    fit::run(prepared, &mut context)
 }
 
 /// Logs each stage as it begins.

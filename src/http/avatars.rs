@@ -1,19 +1,22 @@
 //! `/v1/avatars`: bodies to drape on.
 
+use super::answer::Answer;
 use super::body::Checked;
 use super::listing::{Asking, Id, ListAsked};
 use super::problem::Problem;
 use super::state::App;
+use crate::export;
 use crate::job::{AvatarRecord, DocumentKind, Stored};
 use crate::scene::{Avatar, DressForm};
 use axum::extract::State;
-use axum::http::{StatusCode, header};
-use axum::response::IntoResponse;
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use axum::{Json, Router};
 use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use utoipa::ToSchema;
 use uuid::Uuid;
 
@@ -21,6 +24,7 @@ pub(super) fn router() -> Router<App> {
     Router::new()
         .route("/v1/avatars", get(list).post(create))
         .route("/v1/avatars/{id}", get(show).delete(remove))
+        .route("/v1/avatars/{id}/mesh", get(mesh))
 }
 
 /// A stored avatar.
@@ -78,7 +82,8 @@ pub(super) async fn create(
 ) -> Result<impl IntoResponse, Problem> {
     let item = app
         .heavy(move |app| {
-            let avatar = asked.form.build().map_err(|faults| faults.under("/form"))?;
+            let avatar = app.forms.build(&asked.form);
+            let avatar = avatar.map_err(|faults| faults.under("/form"))?;
             let stored = app.catalogue().add_avatar(asked)?;
             Ok::<_, Problem>(AvatarItem::of(stored).with_landmarks(&avatar))
         })
@@ -130,14 +135,30 @@ pub(super) async fn remove(State(app): State<App>, Id(id): Id) -> Result<StatusC
         .ok_or_else(|| unknown(id))
 }
 
+/// The body as binary glTF 2.0
+#[utoipa::path(get, path = "/v1/avatars/{id}/mesh", tag = "avatars", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The mesh", content_type = "model/gltf-binary", body = Vec<u8>),
+    (status = 404, description = "There is no such avatar", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn mesh(
+    State(app): State<App>,
+    Id(id): Id,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let (_, avatar) = built(&app, id).await?;
+    let glb = app
+        .heavy(move |_| export::avatar_glb(&avatar.surface))
+        .await?;
+    Answer::new(glb, "model/gltf-binary").to(&headers)
+}
+
 /// A stored avatar and its body.
-async fn built(app: &App, id: Uuid) -> Result<(Stored<AvatarRecord>, Avatar), Problem> {
+async fn built(app: &App, id: Uuid) -> Result<(Stored<AvatarRecord>, Arc<Avatar>), Problem> {
     let found = app
         .blocking(move |app| app.catalogue().find_avatar(id))
         .await??;
     let stored = found.ok_or_else(|| unknown(id))?;
     let form = stored.value.form;
-    let avatar = app.heavy(move |_| form.build()).await?;
+    let avatar = app.heavy(move |app| app.forms.build(&form)).await?;
     Ok((stored, avatar.map_err(Problem::internal)?))
 }
 

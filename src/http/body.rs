@@ -9,6 +9,7 @@ use crate::fit::Garment;
 use crate::job::AvatarRecord;
 use crate::scene::Fabric;
 use axum::body::{Body, Bytes};
+use axum::extract::multipart::{MultipartError, MultipartRejection};
 use axum::extract::{DefaultBodyLimit, FromRequest, Multipart, Request};
 use axum::http::{HeaderMap, header};
 use serde::de::DeserializeOwned;
@@ -147,7 +148,7 @@ pub(super) async fn read(request: Request, limit: usize) -> Result<Bytes, Proble
     let mut stream = request.into_body().into_data_stream();
     let (mut bytes, mut total) = (vec![], 0);
     while let Some(chunk) = stream.next().await {
-        let chunk = chunk.map_err(|error| broken(&error))?;
+        let chunk = chunk.map_err(broken)?;
         total += chunk.len();
         if total > limit + LINGER_BYTES {
             break;
@@ -168,8 +169,20 @@ fn above(limit: usize) -> Problem {
     ))
 }
 
-fn broken(error: &axum::Error) -> Problem {
-    Problem::unreadable(Fault::new("request/body", "", error.to_string()))
+fn broken(why: impl ToString) -> Problem {
+    Problem::unreadable(Fault::new("request/body", "", why.to_string()))
+}
+
+impl From<MultipartRejection> for Problem {
+    fn from(rejection: MultipartRejection) -> Self {
+        broken(rejection.body_text())
+    }
+}
+
+impl From<MultipartError> for Problem {
+    fn from(error: MultipartError) -> Self {
+        broken(error.body_text())
+    }
 }
 
 /// The parts of a form of `most` bytes by name; other and repeated parts are refused.

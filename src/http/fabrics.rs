@@ -86,37 +86,12 @@ pub(super) async fn show(
     Ok(Json(FabricItem { id, fabric }))
 }
 
-/// Every figure that no cloth has.
+/// Every figure that no cloth has, and a name that is too long.
 fn check(fabric: &Fabric, name_chars: usize) -> Result<(), Faults> {
-    let above_zero = [
-        ("density_kg_m2", fabric.density_kg_m2),
-        ("thickness_m", fabric.thickness_m),
-        ("stretch_warp_n_m", fabric.stretch_warp_n_m),
-        ("stretch_weft_n_m", fabric.stretch_weft_n_m),
-        ("shear_n_m", fabric.shear_n_m),
-    ];
-    let not_below_zero = [
-        ("bending_warp_n_m", fabric.bending_warp_n_m),
-        ("bending_weft_n_m", fabric.bending_weft_n_m),
-        ("friction", fabric.friction),
-        ("damping_ratio", fabric.damping_ratio),
-    ];
-    let low = above_zero.into_iter().filter(|(_, figure)| *figure <= 0.0);
-    let negative = not_below_zero
-        .into_iter()
-        .filter(|(_, figure)| *figure < 0.0);
-    let mut faults: Vec<Fault> = low
-        .map(|(name, figure)| outside(name, figure, "above"))
-        .chain(negative.map(|(name, figure)| outside(name, figure, "at least")))
-        .collect();
+    let mut faults = fabric.check("");
     if fabric.name.chars().count() > name_chars {
         let detail = format!("the name is longer than {name_chars} characters");
         faults.push(Fault::new("fabric/name_too_long", "/name", detail));
     }
     Faults(faults).or(())
-}
-
-fn outside(name: &str, figure: f64, bound: &str) -> Fault {
-    let detail = format!("{name} is {figure}; it must be {bound} 0");
-    Fault::new("fabric/out_of_range", format!("/{name}"), detail)
 }

@@ -10,6 +10,7 @@ mod events;
 mod fabrics;
 mod fit_asked;
 mod fits;
+mod forms;
 mod guard;
 mod health;
 mod json_schema;

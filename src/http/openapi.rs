@@ -29,7 +29,7 @@ pub(super) fn router() -> Router<App> {
     paths(
         patterns::create, patterns::list, patterns::show, patterns::remove, seams::check,
         fabrics::list, fabrics::create, fabrics::show,
-        avatars::create, avatars::list, avatars::show, avatars::remove,
+        avatars::create, avatars::list, avatars::show, avatars::remove, avatars::mesh,
         fits::create, fits::list, fits::show, fits::cancel, events::events,
         results::mesh, results::mesh_glb, results::mesh_obj, results::mesh_json,
         results::report, results::scene, results::garment,

@@ -3,8 +3,6 @@
 use crate::fault::{Fault, Faults};
 use crate::job::{Failure, QueueError, StoreError};
 use axum::Json;
-use axum::extract::multipart::{MultipartError, MultipartRejection};
-use axum::extract::rejection::{PathRejection, QueryRejection};
 use axum::http::{HeaderName, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use serde::{Deserialize, Serialize};
@@ -258,40 +256,6 @@ impl From<Failure> for Problem {
             Faults(failure.errors)
         };
         Self::new(status, &kind, "The fit failed", failure.detail).because(faults)
-    }
-}
-
-impl From<PathRejection> for Problem {
-    fn from(rejection: PathRejection) -> Self {
-        Self::not_found(format!("No such thing: {}.", rejection.body_text()))
-    }
-}
-
-impl From<QueryRejection> for Problem {
-    fn from(rejection: QueryRejection) -> Self {
-        Fault::new("request/query", "", rejection.body_text()).into()
-    }
-}
-
-impl From<MultipartRejection> for Problem {
-    fn from(rejection: MultipartRejection) -> Self {
-        Self::from_body(rejection.status(), rejection.body_text())
-    }
-}
-
-impl From<MultipartError> for Problem {
-    fn from(error: MultipartError) -> Self {
-        Self::from_body(error.status(), error.body_text())
-    }
-}
-
-impl Problem {
-    fn from_body(status: StatusCode, text: String) -> Self {
-        if status == StatusCode::PAYLOAD_TOO_LARGE {
-            Self::too_large("The body is larger than this call allows.")
-        } else {
-            Self::unreadable(Fault::new("request/body", "", text))
-        }
     }
 }
 

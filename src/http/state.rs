@@ -1,5 +1,6 @@
 //! What all calls share.
 
+use super::forms::Forms;
 use super::guard::Guard;
 use super::metrics::Metrics;
 use super::problem::Problem;
@@ -24,6 +25,8 @@ pub(super) struct Shared {
     pub(super) guard: Guard,
     /// What was counted.
     pub(super) metrics: Metrics,
+    /// Dress forms made lately.
+    pub(super) forms: Forms,
     /// A seat for each computation that a call may wait for.
     seats: Arc<Semaphore>,
     followers: Arc<Semaphore>,
@@ -56,6 +59,7 @@ impl App {
             queue,
             guard: Guard::new(&config.hosts, &config.tokens),
             metrics: Metrics::default(),
+            forms: Forms::default(),
             seats: Arc::new(Semaphore::new(cores)),
             followers: Arc::new(Semaphore::new(FOLLOWERS)),
         }))

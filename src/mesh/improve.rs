@@ -16,6 +16,9 @@ const REPAIR_ROUNDS: usize = 8;
 /// Sweeps over all points between two triangulations.
 const SWEEPS: usize = 3;
 
+/// Move, as a share of the size of the triangles round a point, below which it is not made.
+const SETTLED: f64 = 1e-3;
+
 /// Angle below which a triangle is thin \[rad\]: 25 degrees, so that 20 is kept with room.
 const THIN: f64 = 25.0 * std::f64::consts::PI / 180.0;
 
@@ -137,7 +140,11 @@ fn smooth(mesh: &mut PanelMesh, fixed: usize) {
 
 fn move_point(points: &mut [Point], v: usize, star: &[[usize; 2]]) {
     let here = points[v];
-    let goal = centroid(points, here, star);
+    let (goal, star_area) = centroid(points, here, star);
+    // Most points lie in the lattice and are where they should be.
+    if distance(here, goal) < SETTLED * star_area.sqrt() {
+        return;
+    }
     let worst = |p: Point| {
         let angles = star
             .iter()
@@ -151,7 +158,8 @@ fn move_point(points: &mut [Point], v: usize, star: &[[usize; 2]]) {
     }
 }
 
-fn centroid(points: &[Point], p: Point, star: &[[usize; 2]]) -> Point {
+/// Centroid of the triangles round a point, and their area.
+fn centroid(points: &[Point], p: Point, star: &[[usize; 2]]) -> (Point, f64) {
     let mut sum = [0.0; 2];
     let mut whole = 0.0;
     for &[a, b] in star {
@@ -162,7 +170,7 @@ fn centroid(points: &[Point], p: Point, star: &[[usize; 2]]) -> Point {
             sum[k] += weight * (a[k] + b[k] - 2.0 * p[k]) / 3.0;
         }
     }
-    [0, 1].map(|k| p[k] + sum[k] / whole)
+    ([0, 1].map(|k| p[k] + sum[k] / whole), whole)
 }
 
 /// The inside points after taking out those that make triangles thin and putting in those that are missing.

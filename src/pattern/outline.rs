@@ -95,19 +95,33 @@ pub(crate) fn turn(a: P, b: P, c: P) -> f64 {
 
 /// The first place found where a closed polyline crosses or touches itself; `None` for a simple one.
 ///
-/// Segments are sorted by x and only those whose boxes overlap are compared.
+/// Segments are sorted along the axis on which they are shorter, and only those whose boxes overlap are compared.
 pub(crate) fn crossing(ring: &[P]) -> Option<P> {
     let n = ring.len();
     let segment = |i: usize| (ring[i], ring[(i + 1) % n]);
-    let low = |i: usize| segment(i).0[0].min(segment(i).1[0]);
+    let extent = |k: usize| {
+        segments(ring)
+            .map(|(a, b)| (b[k] - a[k]).abs())
+            .sum::<f64>()
+    };
+    let [low_bound, high_bound] = bounds(ring);
+    let crowded = |k: usize| extent(k) / (high_bound[k] - low_bound[k]).max(f64::MIN_POSITIVE);
+    let (along, across) = if crowded(0) <= crowded(1) {
+        (0, 1)
+    } else {
+        (1, 0)
+    };
+    let low = |i: usize| segment(i).0[along].min(segment(i).1[along]);
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by(|i, j| low(*i).total_cmp(&low(*j)));
     for (k, &i) in order.iter().enumerate() {
         let (a, b) = segment(i);
-        let right = a[0].max(b[0]);
+        let right = a[along].max(b[along]);
         for &j in order[k + 1..].iter().take_while(|j| low(**j) <= right) {
             let (c, d) = segment(j);
-            if a[1].max(b[1]) < c[1].min(d[1]) || c[1].max(d[1]) < a[1].min(b[1]) {
+            if a[across].max(b[across]) < c[across].min(d[across])
+                || c[across].max(d[across]) < a[across].min(b[across])
+            {
                 continue;
             }
             let place = if (i + 1) % n == j {

@@ -1,5 +1,6 @@
 //! Fabrics: coefficients of one cloth, with their sources.
 
+use crate::fault::Fault;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use utoipa::ToSchema;
@@ -32,14 +33,115 @@ pub struct Fabric {
     pub source: String,
 }
 
-/// The fabrics that ship with the service, by id.
-pub fn library() -> BTreeMap<String, Fabric> {
-    BTreeMap::new()
-}
+/// Names and bounds of what a cloth may have; a decade or more beyond anything worn.
+type Bounds = [(&'static str, fn(&Fabric) -> f64, [f64; 2]); 9];
+
+/// From the lightest veil to heavy leather, from a loose knit to a sheet of film.
+const BOUNDS: Bounds = [
+    ("density_kg_m2", |f| f.density_kg_m2, [0.002, 5.0]),
+    ("thickness_m", |f| f.thickness_m, [1e-5, 0.02]),
+    ("stretch_warp_n_m", |f| f.stretch_warp_n_m, [0.5, 1e7]),
+    ("stretch_weft_n_m", |f| f.stretch_weft_n_m, [0.5, 1e7]),
+    ("shear_n_m", |f| f.shear_n_m, [0.05, 1e6]),
+    ("bending_warp_n_m", |f| f.bending_warp_n_m, [1e-9, 0.1]),
+    ("bending_weft_n_m", |f| f.bending_weft_n_m, [1e-9, 0.1]),
+    ("friction", |f| f.friction, [0.0, 2.0]),
+    ("damping_ratio", |f| f.damping_ratio, [0.0, 1.0]),
+];
 
 impl Fabric {
-    /// What is implausible about it, under `pointer`.
-    pub fn check(&self, _pointer: &str) -> Vec<crate::fault::Fault> {
-        Vec::new()
+    /// What is wrong with the coefficients: each outside its bounds, or not finite, under `pointer`.
+    pub fn check(&self, pointer: &str) -> Vec<Fault> {
+        BOUNDS
+            .iter()
+            .filter_map(|(field, get, [least, most])| {
+                let value = get(self);
+                // so written that a NaN is a fault
+                (!(least..=most).contains(&&value)).then(|| {
+                    let detail = format!("{field} of {value} is not that of a cloth");
+                    Fault::new("fabric/coefficient", format!("{pointer}/{field}"), detail)
+                        .fix(format!("give {least} to {most}; mind the unit in the name"))
+                })
+            })
+            .collect()
+    }
+}
+
+/// The fabrics that ship with the service, by id.
+pub fn library() -> BTreeMap<String, Fabric> {
+    serde_json::from_str(include_str!("fabrics.json"))
+        .expect("the file is part of the program, and a test reads it")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_shipped_fabric_is_plausible() {
+        let library = library();
+        assert_eq!(library.len(), 13);
+        for (id, fabric) in &library {
+            assert_eq!(fabric.check(""), [], "{id}");
+            assert!(
+                id.chars()
+                    .all(|c| c == '-' || c.is_ascii_lowercase() || c.is_ascii_digit())
+            );
+            assert!(!fabric.source.is_empty() && !fabric.name.is_empty(), "{id}");
+        }
+    }
+
+    /// A cloth hangs over a length c = (B / (g W))^(1/3) (Peirce 1930): 1 to 6 cm for anything worn.
+    #[test]
+    fn bending_length_of_every_shipped_fabric_is_that_of_cloth() {
+        for (id, fabric) in library() {
+            for bending in [fabric.bending_warp_n_m, fabric.bending_weft_n_m] {
+                let length = (bending / (9.80665 * fabric.density_kg_m2)).cbrt();
+                assert!((0.01..0.06).contains(&length), "{id}: {length} m");
+            }
+        }
+    }
+
+    /// Cloth is less dense than its fibres (about 1500 kg/m3) and more than a loose pile.
+    #[test]
+    fn bulk_density_of_every_shipped_fabric_is_that_of_cloth() {
+        for (id, fabric) in library() {
+            let bulk = fabric.density_kg_m2 / fabric.thickness_m;
+            assert!((80.0..1500.0).contains(&bulk), "{id}: {bulk} kg/m3");
+        }
+    }
+
+    #[test]
+    fn each_coefficient_that_no_cloth_has_is_named() {
+        let good = library().remove("denim-11oz").expect("a shipped fabric");
+        let bad = Fabric {
+            density_kg_m2: 324.0,
+            thickness_m: f64::NAN,
+            shear_n_m: -1.0,
+            stretch_warp_n_m: f64::INFINITY,
+            ..good
+        };
+        let pointers: Vec<_> = bad
+            .check("/fabrics/own")
+            .into_iter()
+            .map(|f| f.pointer)
+            .collect();
+        let fields = [
+            "density_kg_m2",
+            "thickness_m",
+            "stretch_warp_n_m",
+            "shear_n_m",
+        ];
+        assert_eq!(
+            pointers,
+            fields.map(|field| format!("/fabrics/own/{field}"))
+        );
+    }
+
+    #[test]
+    fn unknown_coefficient_is_refused() {
+        let mut json = serde_json::to_value(&library()["linen"]).expect("plain data");
+        json["streching"] = 1.0.into();
+        assert!(serde_json::from_value::<Fabric>(json).is_err());
     }
 }

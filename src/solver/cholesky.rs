@@ -1,60 +1,26 @@
-//! Sparse Cholesky factors of block matrices: one symbolic factorisation, many numeric ones in the same memory.
+//! Cholesky factors of block matrices.
 
 use super::sparsity::{BlockMatrix, Sparsity};
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::factor::LltRegularization;
-use faer::sparse::linalg::cholesky::{
-    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering,
-    factorize_symbolic_cholesky,
-};
-use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
-use faer::{Conj, MatMut, Par, Side};
 use nalgebra::Vector3;
+use seamster_cholesky::{Cholesky, NotPositiveDefinite, OutOfMemory};
 
 /// The factor of a symmetric positive definite block matrix.
-pub(crate) struct Cholesky {
-    column_start: Vec<usize>,
-    rows: Vec<usize>,
+pub(crate) struct BlockCholesky {
+    cholesky: Cholesky,
     values: Vec<f64>,
-    symbolic: SymbolicCholesky<usize>,
-    factor: Vec<f64>,
-    memory: MemBuffer,
     right_side: Vec<f64>,
 }
 
-/// The matrix is not positive definite to rounding.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct NotPositiveDefinite;
-
-/// There is no memory for the factor.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct OutOfMemory;
-
-impl Cholesky {
+impl BlockCholesky {
     /// Orders and analyses the sparsity.
     pub(crate) fn new(sparsity: &Sparsity) -> Result<Self, OutOfMemory> {
         let (column_start, rows) = scalar_pattern(sparsity);
-        let size = column_start.len() - 1;
-        let pattern = SymbolicSparseColMatRef::new_checked(size, size, &column_start, None, &rows);
-        let symbolic = factorize_symbolic_cholesky(
-            pattern,
-            Side::Lower,
-            SymmetricOrdering::Amd,
-            CholeskySymbolicParams::default(),
-        )
-        .map_err(|_| OutOfMemory)?;
-        let scratch = symbolic
-            .factorize_numeric_llt_scratch::<f64>(Par::Seq, faer::Spec::default())
-            .or(symbolic.solve_in_place_scratch::<f64>(1, Par::Seq));
-        let memory = MemBuffer::try_new(scratch).map_err(|_| OutOfMemory)?;
+        let (size, stored) = (column_start.len() - 1, rows.len());
+        let cholesky = Cholesky::new(column_start, rows)?;
         Ok(Self {
-            values: vec![0.0; rows.len()],
-            factor: vec![0.0; symbolic.len_val()],
+            cholesky,
+            values: vec![0.0; stored],
             right_side: vec![0.0; size],
-            column_start,
-            rows,
-            symbolic,
-            memory,
         })
     }
 
@@ -65,22 +31,7 @@ impl Cholesky {
         matrix: &BlockMatrix,
     ) -> Result<(), NotPositiveDefinite> {
         self.gather(sparsity, matrix);
-        let size = self.right_side.len();
-        let pattern =
-            SymbolicSparseColMatRef::new_checked(size, size, &self.column_start, None, &self.rows);
-        let scalar = SparseColMatRef::new(pattern, &self.values);
-        self.symbolic
-            .factorize_numeric_llt(
-                &mut self.factor,
-                scalar,
-                Side::Lower,
-                LltRegularization::default(),
-                Par::Seq,
-                MemStack::new(&mut self.memory),
-                faer::Spec::default(),
-            )
-            .map(|_| ())
-            .map_err(|_| NotPositiveDefinite)
+        self.cholesky.factorise(&self.values)
     }
 
     /// Solves with the last factor: `x` holds the right side and becomes the solution.
@@ -88,13 +39,7 @@ impl Cholesky {
         for (scalar, vector) in self.right_side.chunks_exact_mut(3).zip(x.iter()) {
             scalar.copy_from_slice(vector.as_slice());
         }
-        let size = self.right_side.len();
-        LltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(
-            Conj::No,
-            MatMut::from_column_major_slice_mut(&mut self.right_side, size, 1),
-            Par::Seq,
-            MemStack::new(&mut self.memory),
-        );
+        self.cholesky.solve(&mut self.right_side);
         for (vector, scalar) in x.iter_mut().zip(self.right_side.chunks_exact(3)) {
             vector.copy_from_slice(scalar);
         }
@@ -117,7 +62,7 @@ impl Cholesky {
     }
 }
 
-/// Column starts and rows of the lower triangle, number by number, in the order in which [`Cholesky::gather`] walks it.
+/// Column starts and rows of the lower triangle, number by number, in the order in which [`BlockCholesky::gather`] walks it.
 fn scalar_pattern(sparsity: &Sparsity) -> (Vec<usize>, Vec<usize>) {
     let mut column_start = vec![0];
     let mut rows = Vec::with_capacity(9 * sparsity.block_count());
@@ -165,7 +110,7 @@ mod tests {
             .map(|i| Vector3::new(f64::from(i), 1.0, -2.0))
             .collect();
         let mut solution = right.clone();
-        let mut cholesky = Cholesky::new(&sparsity).expect("small");
+        let mut cholesky = BlockCholesky::new(&sparsity).expect("small");
         cholesky
             .factorise(&sparsity, &matrix)
             .expect("diagonally dominant");
@@ -202,7 +147,7 @@ mod tests {
         let mut matrix = BlockMatrix::zeros(&sparsity);
         matrix.add_diagonal(0, &Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, 1.0)));
         assert!(
-            Cholesky::new(&sparsity)
+            BlockCholesky::new(&sparsity)
                 .expect("small")
                 .factorise(&sparsity, &matrix)
                 .is_err()

@@ -10,6 +10,8 @@ mod newton;
 mod report;
 mod sew;
 mod sparsity;
+mod stage;
+mod summary;
 mod symplectic_euler;
 mod system;
 mod topology;

@@ -12,10 +12,11 @@
 //! Apart from friction, whose normal forces are lagged, the energy never rises. Stops at the residual asked for, at the
 //! round-off floor, at the limit of iterations or time, or when canceled, and says which.
 
-use super::cholesky::{Cholesky, OutOfMemory};
+use super::cholesky::BlockCholesky;
 use super::sparsity::{BlockMatrix, Sparsity};
 use super::system::System;
 use nalgebra::{Matrix3, Vector3};
+use seamster_cholesky::OutOfMemory;
 
 /// Furthest that a particle moves in one iteration \[m\]; much more would carry cloth through a body.
 const LARGEST_MOVE: f64 = 0.04;
@@ -76,7 +77,7 @@ pub(crate) struct Newton {
     sparsity: Sparsity,
     hessian: BlockMatrix,
     shifted: BlockMatrix,
-    cholesky: Cholesky,
+    cholesky: BlockCholesky,
     force: Vec<Vector3<f64>>,
     step: Vec<Vector3<f64>>,
     trial: Vec<Vector3<f64>>,
@@ -84,7 +85,7 @@ pub(crate) struct Newton {
     convex_left: usize,
     touching: Vec<bool>,
     pub(crate) rungs: Rungs,
-    /// Whether the last step left the set of particles in contact as it was.
+    /// Whether the last step left the particles in contact as they were, and none of them slipped.
     pub(crate) contact_settled: bool,
 }
 
@@ -96,7 +97,7 @@ impl Newton {
         Ok(Self {
             hessian: BlockMatrix::zeros(&sparsity),
             shifted: BlockMatrix::zeros(&sparsity),
-            cholesky: Cholesky::new(&sparsity)?,
+            cholesky: BlockCholesky::new(&sparsity)?,
             sparsity,
             force: vec![Vector3::zeros(); count],
             step: vec![Vector3::zeros(); count],
@@ -119,9 +120,9 @@ impl Newton {
     ) -> Stop {
         for number in 0..limit {
             if let Some(contact) = &mut system.contact {
-                contact.accept(x);
+                let slipped = contact.accept(x);
                 let touching = contact.touching(x);
-                self.contact_settled = touching == self.touching;
+                self.contact_settled = !slipped && touching == self.touching;
                 self.touching = touching;
             }
             system.net_force(x, &mut self.force);

@@ -3,9 +3,11 @@
 use super::ask::{Method, SeamClose, Simulate};
 use super::assemble::{Stage, assemble};
 use super::measure;
-use super::newton::{Iteration, Newton, Rungs, Stop, Verdict};
-use super::report::{CpuSeconds, Energy, LeftOut, Report, Term, Worn};
-use super::symplectic_euler::{self, Motion};
+use super::newton::{Iteration, Newton, Stop, Verdict};
+use super::report::{CpuSeconds, Report};
+use super::stage::{Bounds, Ended, note_rungs, push_once, run};
+use super::summary::{energies, left_out, mean_height, terms, worn};
+use super::symplectic_euler::Motion;
 use super::system::System;
 use super::topology::Particles;
 use super::trace::{Look, Trace};
@@ -39,28 +41,19 @@ const DRAPING_MOTION: Motion = Motion {
 };
 /// Residual up to which ‖H⁻¹ f‖ was measured to be the error.
 const ESTIMATE_HOLDS: f64 = 1e-2;
-/// How far the middle of a garment may sink while it comes to rest before it counts as fallen off \[m\].
-const FALLEN: f64 = 0.15;
-
-/// One stage run to its end.
-struct Ended {
-    stop: Stop,
-    residual: f64,
-    rungs: Rungs,
-    /// The step that explicit steps may not exceed, if a longer one was asked for \[s\].
-    too_long: Option<f64>,
-}
 
 /// Sews and drapes.
 pub fn drape(scene: &Scene, ask: &Simulate, context: &mut Context<'_>) -> Drape {
     let clock = context.cpu_s;
-    let limits = context.limits.clone();
+    let bounds = Bounds {
+        iterations: context.limits.iterations,
+        steps: context.limits.steps,
+    };
     let mut fit = Fit {
         scene,
         ask,
         clock,
-        iterations: limits.iterations,
-        steps: limits.steps,
+        bounds,
         trace: Trace::new(context, ask.time_limit_s),
     };
     let mut x = scene.start.clone();
@@ -90,8 +83,7 @@ struct Fit<'s, 'c, 'w> {
     scene: &'s Scene,
     ask: &'s Simulate,
     clock: &'w dyn Fn() -> f64,
-    iterations: usize,
-    steps: u64,
+    bounds: Bounds,
     trace: Trace<'c, 'w>,
 }
 
@@ -119,7 +111,7 @@ impl<'s, 'w> Fit<'s, '_, 'w> {
     }
 
     /// Pulls the seams shut, stage by stage; the stiffness that did it, or why it could not be done.
-    fn sew(&mut self, x: &mut Vec<Vector3<f64>>, report: &mut Report) -> Result<f64, String> {
+    fn sew(&mut self, x: &mut [Vector3<f64>], report: &mut Report) -> Result<f64, String> {
         let mut stiffness = self.ask.seam_stiffness_n_m.unwrap_or(SEAM_STIFFNESS);
         let mut stages: Vec<u32> = self.scene.mesh.stitches.iter().map(|s| s.stage).collect();
         stages.sort_unstable();
@@ -138,7 +130,7 @@ impl<'s, 'w> Fit<'s, '_, 'w> {
                     return Err(format!(
                         "the seams of stage {stage} are still {:.2} mm apart: {}",
                         gap * 1e3,
-                        self.reason(&ended)
+                        ended.reason(self.trace.canceled)
                     ));
                 }
                 tries += 1;
@@ -151,7 +143,7 @@ impl<'s, 'w> Fit<'s, '_, 'w> {
 
     fn pull(
         &mut self,
-        x: &mut Vec<Vector3<f64>>,
+        x: &mut [Vector3<f64>],
         stitches: &[(usize, usize)],
         stiffness: f64,
     ) -> Ended {
@@ -170,7 +162,7 @@ impl<'s, 'w> Fit<'s, '_, 'w> {
             step: self.ask.step_s,
             ..SEWING_MOTION
         });
-        let bounds = (self.iterations, self.steps);
+        let bounds = self.bounds;
         let trace = &mut self.trace;
         let mut last = f64::NAN;
         let mut judge = |i: Iteration<'_>| {
@@ -227,12 +219,15 @@ impl<'s, 'w> Fit<'s, '_, 'w> {
         report.residual = ended.residual;
         report.residual_floor = floor;
         report.converged = ended.stop == Stop::Reached;
-        report.why = self.reason(&ended);
+        report.why = ended.reason(self.trace.canceled);
         if report.converged && tolerance > self.ask.tolerance {
             report.why = format!(
                 "at rest: stopped by the round-off floor, r = {:.1e} at ten times {floor:.1e}",
                 ended.residual
             );
+        }
+        if newton.is_none() && ended.stop == Stop::Reached {
+            newton = Newton::new(&mut system).ok();
         }
         if let Some(newton) = &mut newton {
             report.error_estimate_m = newton.error_estimate(&mut system, &shape);
@@ -250,7 +245,7 @@ impl<'s, 'w> Fit<'s, '_, 'w> {
     fn fall(
         &mut self,
         system: &mut System<'_>,
-        shape: &mut Vec<Vector3<f64>>,
+        shape: &mut [Vector3<f64>],
         particles: &Particles,
         stitches: &[(usize, usize)],
         tolerance: f64,
@@ -259,7 +254,7 @@ impl<'s, 'w> Fit<'s, '_, 'w> {
             step: self.ask.step_s,
             ..DRAPING_MOTION
         });
-        let bounds = (self.iterations, self.steps);
+        let bounds = self.bounds;
         let trace = &mut self.trace;
         let mut last = f64::NAN;
         let mut judge = |i: Iteration<'_>| {
@@ -301,171 +296,5 @@ impl<'s, 'w> Fit<'s, '_, 'w> {
             total: self.trace.cpu_s(),
             ..report.cpu_s
         };
-    }
-
-    fn reason(&self, ended: &Ended) -> String {
-        let r = ended.residual;
-        if let Some(step) = ended.too_long {
-            return format!(
-                "step_s is above the stability limit of {step:.2e} s: give a shorter one or leave it out"
-            );
-        }
-        match ended.stop {
-            Stop::Reached => format!("at rest: r = {r:.1e}"),
-            Stop::Interrupted if self.trace.canceled => format!("canceled at r = {r:.1e}"),
-            Stop::Interrupted => format!("the time allowed was up at r = {r:.1e}"),
-            Stop::Stalled => format!("no step lowers the energy any more, at r = {r:.1e}"),
-            Stop::Iterations => format!("the limit of iterations was reached at r = {r:.1e}"),
-            Stop::OutOfMemory => "there is no memory for the matrix factor: ask for longer mesh edges".to_owned(),
-            Stop::NotFinite => "forces became infinite: look for panels that start inside the body or seams of very unlike length".to_owned(),
-        }
-    }
-}
-
-/// Runs one stage by explicit steps if `motion` is given, else by Newton's method.
-fn run(
-    system: &mut System<'_>,
-    x: &mut Vec<Vector3<f64>>,
-    motion: Option<Motion>,
-    (iterations, steps): (usize, u64),
-    judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
-) -> (Ended, Option<Newton>) {
-    let ended = |stop| Ended {
-        stop,
-        residual: f64::NAN,
-        rungs: Rungs::default(),
-        too_long: None,
-    };
-    if let Some(motion) = motion {
-        return match symplectic_euler::run(system, x, motion, steps, judge) {
-            Ok(stop) => (ended(stop), None),
-            Err(stable) => (
-                Ended {
-                    too_long: Some(stable),
-                    ..ended(Stop::Stalled)
-                },
-                None,
-            ),
-        };
-    }
-    match Newton::new(system) {
-        Ok(mut newton) => {
-            let stop = newton.run(system, x, iterations, judge);
-            (
-                Ended {
-                    rungs: newton.rungs,
-                    ..ended(stop)
-                },
-                Some(newton),
-            )
-        }
-        Err(_) => (ended(Stop::OutOfMemory), None),
-    }
-}
-
-fn energies(system: &mut System<'_>, x: &[Vector3<f64>]) -> Energy {
-    Energy {
-        stretch: system.energy_of("stretch", x),
-        bend: system.energy_of("bend", x),
-        gravity: system.energy_of("gravity", x),
-        seam: system.energy_of("seam", x),
-        contact: system.energy_of("contact", x),
-    }
-}
-
-fn terms(system: &System<'_>) -> Vec<Term> {
-    let mut terms: Vec<Term> = system
-        .terms
-        .iter()
-        .map(|t| Term {
-            name: t.force.name().to_owned(),
-            cpu_s: t.cpu_s,
-        })
-        .collect();
-    if system.contact.is_some() {
-        terms.push(Term {
-            name: "contact".to_owned(),
-            cpu_s: system.contact_cpu_s,
-        });
-    }
-    terms
-}
-
-fn left_out(scene: &Scene) -> Vec<LeftOut> {
-    let mut left_out = vec![LeftOut {
-        name: "wind".to_owned(),
-        because: "the scene has none".to_owned(),
-    }];
-    let mut leave = |name: &str, because: &str| {
-        left_out.push(LeftOut {
-            name: name.to_owned(),
-            because: because.to_owned(),
-        })
-    };
-    leave("self_contact", "cloth against cloth is not looked for");
-    if scene.avatar.is_none() {
-        leave("contact", "the scene has no avatar");
-    } else if scene.friction == 0.0 {
-        leave("friction", "the coefficient is 0");
-    }
-    if scene.mesh.stitches.is_empty() {
-        leave("seam", "the scene has no seams");
-    }
-    if scene
-        .fabrics
-        .iter()
-        .all(|f| f.bending_warp_n_m.max(f.bending_weft_n_m) <= 0.0)
-    {
-        leave("bend", "the fabrics have no bending rigidity");
-    }
-    left_out
-}
-
-fn mean_height(x: &[Vector3<f64>]) -> f64 {
-    x.iter().map(|p| p.y).sum::<f64>() / x.len().max(1) as f64
-}
-
-/// Whether the body carries the garment: it came to rest on it without sinking far.
-fn worn(scene: &Scene, report: &Report, sunk: f64) -> Worn {
-    let (ok, because) = if scene.avatar.is_none() {
-        (false, "there is no avatar".to_owned())
-    } else if !report.converged {
-        (false, "it did not come to rest".to_owned())
-    } else if sunk > FALLEN {
-        (
-            false,
-            format!(
-                "it sank by {:.0} mm: nothing holds it where it was put",
-                sunk * 1e3
-            ),
-        )
-    } else {
-        (
-            true,
-            format!(
-                "it came to rest on the body, {:.0} mm lower than it was sewn",
-                sunk * 1e3
-            ),
-        )
-    };
-    Worn { ok, because }
-}
-
-fn note_rungs(ladder: &mut Vec<String>, rungs: Rungs) {
-    for (taken, name) in [
-        (rungs.true_hessian, "true_hessian"),
-        (rungs.convex_part, "convex_part"),
-        (rungs.diagonal_shift, "diagonal_shift"),
-        (rungs.smaller_step, "smaller_step"),
-    ] {
-        if taken {
-            push_once(ladder, name);
-        }
-    }
-}
-
-fn push_once(ladder: &mut Vec<String>, name: &str) {
-    if !ladder.iter().any(|n| n == name) {
-        ladder.push(name.to_owned());
     }
 }

@@ -12,7 +12,7 @@ use tempfile::TempDir;
 use tokio::sync::oneshot;
 
 /// A running server; it stops when dropped.
-pub struct Server {
+pub(crate) struct Server {
     address: SocketAddr,
     stop: Option<oneshot::Sender<()>>,
     thread: Option<JoinHandle<()>>,
@@ -22,30 +22,30 @@ pub struct Server {
 
 /// What was answered.
 #[derive(Debug)]
-pub struct Answer {
-    pub status: u16,
+pub(crate) struct Answer {
+    pub(crate) status: u16,
     headers: ureq::http::HeaderMap,
-    pub bytes: Vec<u8>,
+    pub(crate) bytes: Vec<u8>,
 }
 
 impl Answer {
     /// A header, empty if absent.
-    pub fn header(&self, name: &str) -> &str {
+    pub(crate) fn header(&self, name: &str) -> &str {
         let value = self.headers.get(name);
         value.map_or("", |value| value.to_str().unwrap())
     }
 
-    pub fn text(&self) -> String {
+    pub(crate) fn text(&self) -> String {
         String::from_utf8_lossy(&self.bytes).into_owned()
     }
 
-    pub fn json(&self) -> Value {
+    pub(crate) fn json(&self) -> Value {
         serde_json::from_slice(&self.bytes)
             .unwrap_or_else(|error| panic!("{error}: {}", self.text()))
     }
 
     /// The answer, which must be a problem of this status with the body that RFC 9457 asks for.
-    pub fn problem(&self, status: u16) -> Value {
+    pub(crate) fn problem(&self, status: u16) -> Value {
         assert_eq!(self.status, status, "{}", self.text());
         assert_eq!(self.header("content-type"), "application/problem+json");
         let problem = self.json();
@@ -61,7 +61,7 @@ impl Answer {
     }
 
     /// `code pointer` of each fault of a problem, sorted.
-    pub fn faults(&self, status: u16) -> Vec<String> {
+    pub(crate) fn faults(&self, status: u16) -> Vec<String> {
         let problem = self.problem(status);
         let faults = problem["errors"].as_array().unwrap().iter();
         let word = |value: &Value| value.as_str().unwrap().to_owned();
@@ -74,7 +74,7 @@ impl Answer {
 }
 
 /// Settings of a test server; each test changes what it is about.
-pub fn config() -> Config {
+pub(crate) fn config() -> Config {
     Config {
         listen: "127.0.0.1:0".parse().unwrap(),
         data: "unused".into(),
@@ -89,12 +89,12 @@ pub fn config() -> Config {
 
 impl Server {
     /// A server with one worker.
-    pub fn start() -> Self {
+    pub(crate) fn start() -> Self {
         Self::with(config(), 1)
     }
 
     /// A server with these settings and so many workers.
-    pub fn with(mut config: Config, workers: usize) -> Self {
+    pub(crate) fn with(mut config: Config, workers: usize) -> Self {
         let data = tempfile::tempdir().unwrap();
         config.data = data.path().to_owned();
         let listener = std::net::TcpListener::bind(config.listen).unwrap();
@@ -117,26 +117,32 @@ impl Server {
     }
 
     /// Where it listens.
-    pub fn address(&self) -> SocketAddr {
+    pub(crate) fn address(&self) -> SocketAddr {
         self.address
     }
 
     /// A request without a body.
-    pub fn ask(&self, method: &str, path: &str, headers: &[(&str, &str)]) -> Answer {
+    pub(crate) fn ask(&self, method: &str, path: &str, headers: &[(&str, &str)]) -> Answer {
         self.send(method, path, headers, &[])
     }
 
-    pub fn get(&self, path: &str) -> Answer {
+    pub(crate) fn get(&self, path: &str) -> Answer {
         self.ask("GET", path, &[])
     }
 
-    pub fn post_json(&self, path: &str, body: &Value) -> Answer {
+    pub(crate) fn post_json(&self, path: &str, body: &Value) -> Answer {
         let headers = [("content-type", "application/json")];
         self.send("POST", path, &headers, body.to_string().as_bytes())
     }
 
     /// A request.
-    pub fn send(&self, method: &str, path: &str, headers: &[(&str, &str)], body: &[u8]) -> Answer {
+    pub(crate) fn send(
+        &self,
+        method: &str,
+        path: &str,
+        headers: &[(&str, &str)],
+        body: &[u8],
+    ) -> Answer {
         let uri = format!("http://{}{path}", self.address);
         let mut request = ureq::http::Request::builder().method(method).uri(uri);
         for (name, value) in headers {

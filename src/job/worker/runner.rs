@@ -39,8 +39,9 @@ impl Runner for Sewing {
         progress: &mut dyn FnMut(Progress),
     ) -> Result<Outcome, Faults> {
         let prepared = fit::prepare(garment, &*self.catalogue, &self.limits)?;
+        let began = thread_cpu_s();
         let mut context = Context {
-            cpu_s: &thread_cpu_s,
+            cpu_s: &|| thread_cpu_s() - began,
             cancel,
             progress,
             limits: &self.limits,

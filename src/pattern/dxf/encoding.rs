@@ -7,8 +7,8 @@ use std::borrow::Cow;
 pub(super) fn decode(bytes: &[u8]) -> Cow<'_, str> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     match std::str::from_utf8(bytes) {
-        Ok(text) => Cow::Borrowed(text),
-        Err(_) => Cow::Owned(
+        Ok(text) if !is_gbk_by_chance(text) => Cow::Borrowed(text),
+        _ => Cow::Owned(
             encoding_of(bytes)
                 .decode_without_bom_handling(bytes)
                 .0
@@ -41,6 +41,15 @@ fn header_value<'a>(head: &'a [u8], name: &[u8]) -> Option<&'a [u8]> {
     let mut lines = head.split(|b| *b == b'\n').map(<[u8]>::trim_ascii);
     lines.find(|line| *line == name)?;
     lines.nth(1)
+}
+
+/// Whether text that is valid UTF-8 must be GBK all the same: some pairs of GBK bytes make up the African and phonetic
+/// letters of U+0180..=U+02AF, and a name with nothing but those among its letters beyond ASCII is none.
+fn is_gbk_by_chance(text: &str) -> bool {
+    let mut letters = text.chars().filter(|c| !c.is_ascii()).peekable();
+    letters.peek().is_some()
+        && letters.all(|c| ('\u{180}'..='\u{2af}').contains(&c))
+        && looks_like_gbk(text.as_bytes())
 }
 
 /// Whether all high bytes come in pairs whose first byte opens a row of the 3755 common characters of GB 2312
@@ -77,6 +86,13 @@ mod tests {
         assert_eq!(decode("Größe É".as_bytes()), "Größe É");
         let (latin, ..) = WINDOWS_1252.encode("Größe très été");
         assert_eq!(decode(&latin), "Größe très été");
+    }
+
+    #[test]
+    fn gbk_that_is_valid_utf8_by_chance_is_read_as_gbk() {
+        let (gbk, ..) = GBK.encode("前片");
+        assert!(std::str::from_utf8(&gbk).is_ok());
+        assert_eq!(decode(&gbk), "前片");
     }
 
     #[test]

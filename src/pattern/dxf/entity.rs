@@ -127,6 +127,11 @@ impl Map {
 }
 
 impl Insert {
+    /// How many copies it puts in.
+    pub(super) fn cells(&self) -> usize {
+        self.count[0] as usize * self.count[1] as usize
+    }
+
     /// Where the copy in `column` and `row` of a block with base point `base` goes.
     pub(super) fn map(&self, base: P, column: u32, row: u32) -> Map {
         let (sin, cos) = self.angle.sin_cos();

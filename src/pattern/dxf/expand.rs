@@ -6,6 +6,7 @@ use super::layer::{Role, role};
 use super::{Findings, at_line};
 use crate::config::Limits;
 use crate::fault::Fault;
+use crate::pattern::outline::bounds;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A block definition as read.
@@ -107,7 +108,45 @@ pub(super) fn sheets(
             entities: loose,
         });
     }
+    for sheet in &mut sheets {
+        sheet.bring_near(findings);
+    }
     Ok(sheets)
+}
+
+impl Sheet {
+    /// Shifts what lies far from the origin to it: coordinates of single precision would blur it later.
+    fn bring_near(&mut self, findings: &mut Findings) {
+        /// Coordinates up to this keep 10 um in single precision \[m\].
+        const FAR: f64 = 100.0;
+        let points: Vec<P> = self
+            .entities
+            .iter()
+            .filter_map(|e| {
+                if let Shape::Path(path) = &e.shape {
+                    Some(&path.points)
+                } else {
+                    None
+                }
+            })
+            .flatten()
+            .copied()
+            .collect();
+        let [low, high] = bounds(&points);
+        if points.is_empty() || low.into_iter().chain(high).all(|c| c.abs() <= FAR) {
+            return;
+        }
+        let map = Map::shift([-low[0], -low[1]]);
+        self.entities = self.entities.iter().map(|e| map.entity(e)).collect();
+        findings.warn(
+            "pattern/moved",
+            self.line,
+            format!(
+                "the drawing lies at ({:.4e}, {:.4e}) m and was moved to the origin",
+                low[0], low[1]
+            ),
+        );
+    }
 }
 
 fn inserted(entities: &[Entity]) -> impl Iterator<Item = String> + '_ {
@@ -153,13 +192,13 @@ impl Expander<'_> {
         scale: f64,
     ) -> Result<Vec<Sheet>, Fault> {
         let mut sheets = Vec::new();
+        self.spend(insert.cells(), line)?;
         for row in 0..insert.count[1] {
             for column in 0..insert.count[0] {
                 let mut map =
                     Map::scale(scale).after(&insert.map(self.blocks[index].base, column, row));
                 map.t = [0.0, 0.0];
                 let mut entities = Vec::new();
-                self.spend(1, line)?;
                 self.put(index, &map, 0, &mut entities)?;
                 sheets.push(Sheet {
                     block: Some(self.blocks[index].name.clone()),
@@ -205,9 +244,9 @@ impl Expander<'_> {
             let Some(inner) = self.find(insert, 0, entity.line) else {
                 continue;
             };
+            self.spend(insert.cells(), entity.line)?;
             for row in 0..insert.count[1] {
                 for column in 0..insert.count[0] {
-                    self.spend(1, entity.line)?;
                     let map = map.after(&insert.map(self.blocks[inner].base, column, row));
                     self.put(inner, &map, depth + 1, out)?;
                 }

@@ -40,6 +40,11 @@ pub(super) fn role(layer: &str) -> Role {
     }
 }
 
+/// Whether a layer is not one of the numbers of AAMA and ASTM.
+pub(super) fn is_named(layer: &str) -> bool {
+    layer.trim().parse::<u32>().is_err()
+}
+
 fn numbered(number: u32) -> Role {
     match number {
         1 => Role::Boundary,

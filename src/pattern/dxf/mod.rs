@@ -1,8 +1,9 @@
 //! DXF bytes to a pattern. The way through: bytes are told from other files ([`sniff`]), decoded ([`encoding`]), split
 //! into tags ([`tags`]), sorted into blocks and entities ([`structure`]), cleaned ([`clean`]), read by the `dxf` crate
-//! one block at a time ([`load`]), put in place ([`expand`]), joined to outlines ([`chain`]), told apart ([`piece`],
+//! one block at a time ([`load`]), put in place ([`expand`]), joined to outlines ([`chain`]), told apart ([`sort`],
 //! [`nest`]), chosen by size ([`size`]) and made into panels ([`panel`]).
 
+mod binary;
 mod chain;
 mod clean;
 mod curve;
@@ -20,6 +21,7 @@ mod piece;
 mod ring;
 mod size;
 mod sniff;
+mod sort;
 mod structure;
 mod tags;
 mod units;
@@ -67,7 +69,11 @@ fn read(
         .fix("export fewer pieces or sizes"));
     }
     sniff::refuse_other(bytes)?;
-    let text = encoding::decode(bytes);
+    let converted = bytes
+        .strip_prefix(sniff::BINARY)
+        .map(binary::to_text)
+        .transpose()?;
+    let text = encoding::decode(converted.as_deref().unwrap_or(bytes));
     let drawing = Drawing::read(&text, limits, findings)?;
     if let Some(last) = findings.faults.pop() {
         return Err(last);
@@ -85,7 +91,7 @@ fn read(
     drop(drawing);
     let pieces: Vec<Piece> = sheets
         .iter()
-        .flat_map(|sheet| piece::pieces(sheet, limits.panels, findings))
+        .flat_map(|sheet| sort::pieces(sheet, limits.panels, findings))
         .collect();
     let chosen = size::choose(
         options.size.as_deref(),
@@ -118,6 +124,7 @@ fn read(
         .or_else(|| options.name.clone())
         .unwrap_or_else(|| "pattern".to_owned());
     let panels = panels(&pieces, &name, limits, findings);
+    let allowance = allowance(&pieces, &panels, findings);
     let warnings = findings.take_warnings();
     Ok(Pattern {
         id: None,
@@ -127,7 +134,7 @@ fn read(
             scale_to_m: units.in_metres(),
             sample_size: chosen.chosen,
             sizes: chosen.all,
-            allowance: allowance(&panels),
+            allowance,
         },
         name: name.chars().take(limits.name_chars).collect(),
         panels,
@@ -214,8 +221,9 @@ fn format(drawing: &Drawing, labels: &Labels) -> Format {
 fn longest(pieces: &[Piece]) -> f64 {
     pieces
         .iter()
+        .filter(|piece| piece.outline.chain.points.len() > 2)
         .map(|piece| {
-            let [low, high] = bounds(&piece.outline.points);
+            let [low, high] = bounds(&piece.outline.chain.points);
             (high[0] - low[0]).max(high[1] - low[1])
         })
         .fold(0.0, f64::max)
@@ -233,11 +241,22 @@ fn panels(pieces: &[Piece], style: &str, limits: &Limits, findings: &mut Finding
     panels
 }
 
-/// Sew lines became outlines on every panel, or the file does not say.
-fn allowance(panels: &[Panel]) -> Allowance {
-    if !panels.is_empty() && panels.iter().all(|panel| !panel.cut_line.is_empty()) {
-        Allowance::SewLine
-    } else {
-        Allowance::Unknown
+/// Sew lines became outlines on every panel, or the file does not say. Where only some panels have one, the user is told.
+fn allowance(pieces: &[Piece], panels: &[Panel], findings: &mut Findings) -> Allowance {
+    let sewn = pieces
+        .iter()
+        .zip(panels)
+        .filter(|(piece, panel)| piece.sewn || piece.sew.is_some() && !panel.cut_line.is_empty());
+    match sewn.count() {
+        0 => Allowance::Unknown,
+        count if count == panels.len() => Allowance::SewLine,
+        count => {
+            let detail = format!(
+                "{count} of {} panels have a sew line; the outlines of the others may include seam allowance",
+                panels.len()
+            );
+            findings.warn("pattern/allowance_mixed", pieces[0].line, detail);
+            Allowance::Unknown
+        }
     }
 }

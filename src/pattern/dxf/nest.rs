@@ -1,16 +1,21 @@
-//! Outlines inside outlines: a sew line follows its outline at a small distance, all else inside is a hole or a line.
+//! Outlines inside outlines: a sew line follows its outline at a small distance, all else inside is a line or a hole.
 
 use super::chain::Chain;
-use super::piece::Piece;
+use super::entity::P;
 use super::{Findings, at_line};
 use crate::fault::Fault;
-use crate::pattern::outline::{bounds, contains, nearest, segments, signed_area};
+use crate::pattern::outline::{
+    bounds, contains, length, nearest, perimeter, segments, signed_area,
+};
 
 /// Widest seam allowance that is taken for one \[m\].
 const ALLOWANCE: f64 = 0.06;
 
 /// A sew line encloses at least this share of its outline.
 const SEW_SHARE: f64 = 0.4;
+
+/// An open cut line is at least this share of its outline long.
+const CUT_SHARE: f64 = 0.25;
 
 /// What a line inside an outline is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,106 +28,125 @@ pub(super) enum Inner {
     Line,
 }
 
-/// Removes outlines that are drawn twice in the same place.
-pub(super) fn drop_duplicates(outlines: &mut Vec<Chain>, findings: &mut Findings) {
-    let same = |a: &Chain, b: &Chain| {
-        let (p, q) = (bounds(&a.points), bounds(&b.points));
+/// A chain with its measures.
+#[derive(Clone, Debug)]
+pub(super) struct Loop {
+    /// The chain.
+    pub(super) chain: Chain,
+    /// Its box \[m\].
+    pub(super) bounds: [P; 2],
+    /// What it encloses \[m2\].
+    area: f64,
+}
+
+impl Loop {
+    /// Measures a chain.
+    pub(super) fn new(chain: Chain) -> Self {
+        Self {
+            bounds: bounds(&chain.points),
+            area: signed_area(&chain.points).abs(),
+            chain,
+        }
+    }
+
+    /// Whether a point is in its box, or at most `margin` outside.
+    pub(super) fn boxes(&self, p: P, margin: f64) -> bool {
+        let [low, high] = self.bounds;
+        (0..2).all(|k| low[k] - margin <= p[k] && p[k] <= high[k] + margin)
+    }
+
+    /// Whether a point lies inside.
+    pub(super) fn holds(&self, p: P) -> bool {
+        self.boxes(p, 0.0) && contains(&self.chain.points, p)
+    }
+
+    /// Whether a point lies at most `reach` from the line.
+    pub(super) fn beside(&self, p: P, reach: f64) -> bool {
+        self.boxes(p, reach)
+            && nearest(segments(&self.chain.points), p).is_some_and(|n| n.distance <= reach)
+    }
+
+    /// Whether it lies in `outer`: its box does, and so does most of it (sew lines run on the outline along a fold).
+    pub(super) fn lies_in(&self, outer: &Self) -> bool {
+        if !self.bounds.iter().all(|p| outer.boxes(*p, 1e-6)) {
+            return false;
+        }
+        let sample: Vec<&P> = sample(&self.chain.points, 16).collect();
+        2 * sample
+            .iter()
+            .filter(|at| contains(&outer.chain.points, ***at))
+            .count()
+            > sample.len()
+    }
+
+    /// Whether `inner` is its sew line, from its course.
+    pub(super) fn is_sewn_on(&self, inner: &Self) -> bool {
+        let large = inner.area >= SEW_SHARE * self.area && inner.area < self.area;
+        inner.chain.closed
+            && large
+            && sample(&inner.chain.points, 200).all(|at| self.beside(*at, ALLOWANCE))
+    }
+
+    /// Whether an open line runs about it at the distance of a seam allowance.
+    pub(super) fn is_cut_along(&self, line: &Chain) -> bool {
+        length(&line.points) >= CUT_SHARE * perimeter(&self.chain.points)
+            && sample(&line.points, 50).all(|at| self.beside(*at, ALLOWANCE))
+    }
+
+    fn is_drawn_over(&self, other: &Self) -> bool {
         let near = |x: f64, y: f64| (x - y).abs() <= 1e-6;
-        (0..2).all(|i| (0..2).all(|k| near(p[i][k], q[i][k])))
-            && near(signed_area(&a.points).abs(), signed_area(&b.points).abs())
-    };
-    let mut kept: Vec<Chain> = Vec::new();
-    for outline in outlines.drain(..) {
-        if kept.iter().any(|other| same(other, &outline)) {
+        (0..2).all(|i| (0..2).all(|k| near(self.bounds[i][k], other.bounds[i][k])))
+            && near(self.area, other.area)
+    }
+}
+
+/// About `count` points of a line, evenly.
+fn sample(points: &[P], count: usize) -> impl Iterator<Item = &P> {
+    points.iter().step_by(points.len().div_ceil(count).max(1))
+}
+
+/// Removes outlines that are drawn twice in the same place.
+pub(super) fn drop_duplicates(outlines: Vec<Loop>, findings: &mut Findings) -> Vec<Loop> {
+    let mut kept: Vec<Loop> = Vec::with_capacity(outlines.len());
+    for outline in outlines {
+        if kept.iter().any(|other| other.is_drawn_over(&outline)) {
             findings.warn(
                 "pattern/duplicate_outline",
-                outline.line,
+                outline.chain.line,
                 "an outline is drawn twice in the same place; it was taken once",
             );
         } else {
             kept.push(outline);
         }
     }
-    *outlines = kept;
+    kept
 }
 
-/// Splits outlines into those that lie in no other, and those inside with the index of their owner.
-pub(super) fn nest(outlines: Vec<Chain>) -> (Vec<Chain>, Vec<(usize, Chain, Inner)>) {
-    let area = |c: &Chain| signed_area(&c.points).abs();
-    let owner: Vec<Option<usize>> = outlines
-        .iter()
-        .map(|inner| {
-            let holders = outlines
-                .iter()
-                .enumerate()
-                .filter(|(_, outer)| area(outer) > area(inner) && lies_in(inner, outer));
-            holders
-                .max_by(|a, b| area(a.1).total_cmp(&area(b.1)))
-                .map(|(i, _)| i)
-        })
-        .collect();
-    let mut place = vec![0; outlines.len()];
-    let mut outer = Vec::new();
-    for (i, chain) in outlines
-        .iter()
-        .enumerate()
-        .filter(|(i, _)| owner[*i].is_none())
-    {
-        place[i] = outer.len();
-        outer.push(chain.clone());
+/// Splits outlines into those that lie in no other, and those inside with the index of the largest that holds them.
+pub(super) fn nest(outlines: Vec<Loop>) -> (Vec<Loop>, Vec<(usize, Loop)>) {
+    let mut order: Vec<usize> = (0..outlines.len()).collect();
+    order.sort_by(|a, b| outlines[*b].area.total_cmp(&outlines[*a].area));
+    let mut outer: Vec<usize> = Vec::new();
+    let mut owner = vec![None; outlines.len()];
+    for i in order {
+        owner[i] = outer
+            .iter()
+            .find(|o| outlines[i].lies_in(&outlines[**o]))
+            .copied();
+        if owner[i].is_none() {
+            outer.push(i);
+        }
     }
-    let inner = outlines
-        .into_iter()
-        .zip(&owner)
-        .filter_map(|(chain, owner)| {
-            let at = place[(*owner)?];
-            let kind = kind(&outer[at], &chain);
-            Some((at, chain, kind))
-        })
-        .collect();
-    (outer, inner)
-}
-
-/// Whether `inner` lies in `outer` (its box does, and so does most of it: sew lines run on the outline along a fold).
-pub(super) fn lies_in(inner: &Chain, outer: &Chain) -> bool {
-    let (p, q) = (bounds(&inner.points), bounds(&outer.points));
-    if !(0..2).all(|k| p[0][k] >= q[0][k] - 1e-6 && p[1][k] <= q[1][k] + 1e-6) {
-        return false;
+    outer.sort_unstable();
+    let mut inner = Vec::new();
+    let mut kept = Vec::new();
+    for (outline, owner) in outlines.into_iter().zip(owner) {
+        match owner.and_then(|o| outer.binary_search(&o).ok()) {
+            Some(at) => inner.push((at, outline)),
+            None => kept.push(outline),
+        }
     }
-    let sample: Vec<_> = inner
-        .points
-        .iter()
-        .step_by(inner.points.len().div_ceil(16))
-        .collect();
-    2 * sample
-        .iter()
-        .filter(|at| contains(&outer.points, ***at))
-        .count()
-        > sample.len()
-}
-
-/// What a line inside an outline is, from its course.
-pub(super) fn kind(outer: &Chain, inner: &Chain) -> Inner {
-    let large = signed_area(&inner.points).abs() >= SEW_SHARE * signed_area(&outer.points).abs();
-    let beside = |at: [f64; 2]| {
-        nearest(segments(&outer.points), at).is_some_and(|n| n.distance <= ALLOWANCE)
-    };
-    let step = inner.points.len().div_ceil(200);
-    if inner.closed && large && inner.points.iter().step_by(step).all(|at| beside(*at)) {
-        Inner::Sew
-    } else {
-        Inner::Line
-    }
-}
-
-/// The piece about whose outline an open line runs at the distance of a seam allowance.
-pub(super) fn about(pieces: &[Piece], chain: &Chain) -> Option<usize> {
-    let step = chain.points.len().div_ceil(50);
-    pieces.iter().position(|piece| {
-        chain.points.iter().step_by(step).all(|at| {
-            nearest(segments(&piece.outline.points), *at).is_some_and(|n| n.distance <= ALLOWANCE)
-        })
-    })
+    (kept, inner)
 }
 
 /// The fault for more panels than the limit.
@@ -133,4 +157,45 @@ pub(super) fn too_many(count: usize, limit: usize, line: usize) -> Fault {
         format!("the file has {count} pieces; at most {limit} are read"),
     )
     .fix("export fewer pieces or sizes")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rectangle(x: f64, y: f64, w: f64, h: f64) -> Loop {
+        let points = vec![[x, y], [x + w, y], [x + w, y + h], [x, y + h]];
+        Loop::new(Chain {
+            run_end: vec![false; 4],
+            points,
+            closed: true,
+            repaired: None,
+            line: 1,
+        })
+    }
+
+    #[test]
+    fn sew_line_is_told_from_a_patch() {
+        let outline = rectangle(0.0, 0.0, 0.3, 0.4);
+        assert!(outline.is_sewn_on(&rectangle(0.01, 0.01, 0.28, 0.38)));
+        assert!(!outline.is_sewn_on(&rectangle(0.1, 0.1, 0.1, 0.1)));
+    }
+
+    #[test]
+    fn outlines_are_owned_by_the_largest_around_them() {
+        let (outer, inner) = nest(vec![
+            rectangle(0.1, 0.1, 0.1, 0.1),
+            rectangle(0.0, 0.0, 0.3, 0.4),
+            rectangle(1.0, 0.0, 0.3, 0.4),
+            rectangle(0.05, 0.05, 0.2, 0.3),
+        ]);
+        assert_eq!(
+            outer.iter().map(|l| l.bounds[0]).collect::<Vec<_>>(),
+            [[0.0, 0.0], [1.0, 0.0]]
+        );
+        assert_eq!(
+            inner.iter().map(|(owner, _)| *owner).collect::<Vec<_>>(),
+            [0, 0]
+        );
+    }
 }

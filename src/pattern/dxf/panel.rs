@@ -8,7 +8,9 @@ use super::{Findings, at_line};
 use crate::config::Limits;
 use crate::fault::Fault;
 use crate::pattern::assemble::{self, Outline};
-use crate::pattern::outline::{P, bounds, crossing, distance, nearest, segments, signed_area};
+use crate::pattern::outline::{
+    P, bounds, cross, crossing, distance, nearest, segments, signed_area, sub,
+};
 use crate::pattern::{Grain, Hole, NotchKind, Panel};
 
 /// A notch belongs to an outline that is at most this far away (sew lines lie inside the notched cut line) \[m\].
@@ -16,26 +18,12 @@ const NOTCH_REACH: f64 = 0.03;
 
 /// Makes a panel of a piece. What keeps it from being one becomes a fault at its line.
 pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> Option<Panel> {
-    let drawn = checked_ring(piece, &piece.outline, limits, findings)?;
+    let drawn = checked_ring(piece, &piece.outline.chain, limits, findings)?;
     let sew = piece
         .sew
         .as_ref()
         .and_then(|sew| sew_ring(piece, sew, limits, findings));
-    let fold = piece
-        .marks
-        .folds
-        .iter()
-        .find_map(|line| Fold::new(*line).filter(|fold| fold.unfold(&drawn).is_some()));
-    if fold.is_none() && !piece.marks.folds.is_empty() {
-        findings.warn(
-            "pattern/fold_ignored",
-            piece.line,
-            format!(
-                "the fold line of {:?} is not an edge of it; the piece was not unfolded",
-                piece.name
-            ),
-        );
-    }
+    let fold = fold(piece, &drawn, findings);
     let whole = |ring: &Ring| {
         fold.and_then(|fold| fold.unfold(ring))
             .unwrap_or_else(|| ring.clone())
@@ -68,11 +56,35 @@ pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> 
         corners: outline.corners,
         edges: outline.edges,
         holes,
-        cut_line: cut_line(piece, sew.is_some(), cut, fold),
+        cut_line: if sew.is_some() {
+            cut.points
+        } else {
+            drawn_cut_line(piece, fold)
+        },
         drill_holes: doubled(piece.marks.drills.clone(), fold),
         grain: grain(&piece.marks.grains),
         internal_lines: internal_lines(piece, sew.is_some(), fold),
     })
+}
+
+/// The fold line that the outline is to be unfolded about, if it has one.
+fn fold(piece: &Piece, drawn: &Ring, findings: &mut Findings) -> Option<Fold> {
+    let lines = &piece.marks.folds;
+    let found = lines
+        .iter()
+        .filter_map(|line| Fold::new(*line))
+        .find(|fold| fold.unfold(drawn).is_some());
+    if found.is_none() && !lines.is_empty() {
+        findings.warn(
+            "pattern/fold_ignored",
+            piece.line,
+            format!(
+                "the fold line of {:?} is not an edge of it; the piece was not unfolded",
+                piece.name
+            ),
+        );
+    }
+    found
 }
 
 fn refuse(piece: &Piece, code: &str, detail: &str, fix: &str) -> Fault {
@@ -104,56 +116,68 @@ fn checked_ring(
     findings: &mut Findings,
 ) -> Option<Ring> {
     if let Some(gap) = chain.repaired {
-        findings.warn(
-            "pattern/gap_closed",
-            chain.line,
-            format!(
-                "a gap of {:.3} mm in the outline of {:?} was closed",
-                1000.0 * gap,
-                piece.name
-            ),
+        let detail = format!(
+            "a gap of {:.3} mm in the outline of {:?} was closed",
+            1000.0 * gap,
+            piece.name
         );
+        findings.warn("pattern/gap_closed", chain.line, detail);
     }
+    match ring(piece, chain, limits) {
+        Ok(ring) => Some(ring),
+        Err(fault) => {
+            findings.faults.push(fault);
+            None
+        }
+    }
+}
+
+fn ring(piece: &Piece, chain: &Chain, limits: &Limits) -> Result<Ring, Fault> {
+    let no_area = || {
+        refuse(
+            piece,
+            "pattern/no_area",
+            "has no area",
+            "delete it, or draw its outline anew",
+        )
+    };
     if chain.points.len() > limits.panel_vertices {
         let detail = format!(
             "has {} outline points; at most {} are read",
             chain.points.len(),
             limits.panel_vertices
         );
-        findings.faults.push(refuse(
+        return Err(refuse(
             piece,
             "pattern/too_large",
             &detail,
             "export curves with fewer points",
         ));
-        return None;
+    }
+    if chain.points.len() < 3 {
+        return Err(no_area());
     }
     let [low, high] = bounds(&chain.points);
     let side = (high[0] - low[0]).max(high[1] - low[1]);
-    if side < limits.panel_size_m[0] || side > limits.panel_size_m[1] || !side.is_finite() {
-        let detail = format!(
-            "is {side:.3e} m long; sizes from {} to {} m are read",
-            limits.panel_size_m[0], limits.panel_size_m[1]
-        );
-        findings.faults.push(refuse(
-            piece,
-            "pattern/implausible_size",
-            &detail,
-            "say the units of the file with units=mm|cm|m|inch, or mend the drawing",
-        ));
-        return None;
+    let [least, most] = limits.panel_size_m;
+    if !(least..=most).contains(&side) {
+        let detail = format!("is {side:.3e} m long; sizes from {least} to {most} m are read");
+        let fix = "say the units of the file with units=mm|cm|m|inch, or mend the drawing";
+        return Err(refuse(piece, "pattern/implausible_size", &detail, fix));
     }
     let ring = Ring::new(chain, &piece.marks.turns);
-    if ring.points.len() < 3 || signed_area(&ring.points).abs() < 1e-6 * side * side {
-        findings.faults.push(refuse(
-            piece,
-            "pattern/no_area",
-            "has no area",
-            "delete it, or draw its outline anew",
-        ));
-        return None;
+    if swept_area(&ring.points) < 1e-6 * side * side {
+        return Err(no_area());
     }
-    Some(ring)
+    Ok(ring)
+}
+
+/// The areas of the triangles from the first point to each segment, none taken from another: 0 only where all points
+/// lie on one line.
+fn swept_area(ring: &[P]) -> f64 {
+    segments(ring)
+        .map(|(a, b)| 0.5 * cross(sub(a, ring[0]), sub(b, ring[0])).abs())
+        .sum()
 }
 
 /// The sew line as an outline; one that is open along a fold is closed there.
@@ -188,13 +212,16 @@ fn doubled(mut points: Vec<P>, fold: Option<Fold>) -> Vec<P> {
     points
 }
 
-/// What is cut, where the outline is the sew line, or an open cut line that the file has.
-fn cut_line(piece: &Piece, sewn: bool, cut: Ring, fold: Option<Fold>) -> Vec<P> {
-    match (sewn, &piece.cut) {
-        (true, _) => cut.points,
-        (false, Some(open)) if fold.is_none() => open.points.clone(),
-        _ => Vec::new(),
+/// The cut line drawn about a sewn outline; an open one is unfolded like the piece.
+fn drawn_cut_line(piece: &Piece, fold: Option<Fold>) -> Vec<P> {
+    let Some(cut) = &piece.cut else {
+        return Vec::new();
+    };
+    let mut line = cut.points.clone();
+    if let Some(fold) = fold.filter(|_| !cut.closed) {
+        line.extend(cut.points.iter().rev().map(|p| fold.mirror(*p)));
     }
+    line
 }
 
 fn grain(lines: &[[P; 2]]) -> Option<Grain> {
@@ -258,6 +285,9 @@ fn internal_lines(piece: &Piece, sewn: bool, fold: Option<Fold>) -> Vec<Vec<P>> 
     lines
 }
 
+/// At most this many notches of a piece are read.
+const NOTCHES: usize = 1000;
+
 /// Notches put on the nearest edge; those with no edge in reach are warned about.
 fn notches(
     piece: &Piece,
@@ -267,7 +297,7 @@ fn notches(
 ) -> Vec<crate::pattern::Notch> {
     let ring = assemble::ring(&outline.edges);
     let mut marks: Vec<(P, NotchKind)> = Vec::new();
-    for (at, kind) in &piece.marks.notches {
+    for (at, kind) in piece.marks.notches.iter().take(NOTCHES) {
         marks.extend(doubled(vec![*at], fold).into_iter().map(|p| (p, *kind)));
     }
     let mut notches = Vec::new();

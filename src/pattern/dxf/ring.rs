@@ -2,6 +2,7 @@
 
 use super::chain::Chain;
 use crate::pattern::outline::{P, distance, signed_area, turn};
+use std::collections::BTreeSet;
 
 /// Points closer than this are one \[m\]: half the rounding of CAD.
 const SAME: f64 = 1.5e-6;
@@ -130,20 +131,21 @@ impl Ring {
 
 /// Which points of an outline have a mark on them.
 fn marked(points: &[P], marks: &[P]) -> Vec<bool> {
-    /// Marks are rounded like outlines; two roundings apart \[m\].
-    const ON: f64 = 1e-5;
-    let mut sorted: Vec<P> = marks.to_vec();
-    sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    points
-        .iter()
-        .map(|p| {
-            let from = sorted.partition_point(|m| m[0] < p[0] - ON);
-            sorted[from..]
-                .iter()
-                .take_while(|m| m[0] <= p[0] + ON)
-                .any(|m| distance(*m, *p) <= ON)
-        })
-        .collect()
+    let cells: BTreeSet<(i64, i64)> = marks.iter().map(|p| cell(*p)).collect();
+    let near = |(x, y): (i64, i64)| {
+        (-1..=1).any(|dx| (-1..=1).any(|dy| cells.contains(&(x + dx, y + dy))))
+    };
+    points.iter().map(|p| near(cell(*p))).collect()
+}
+
+/// The cell of 10 um that a point lies in: marks are rounded like outlines, to 3 um at worst.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "outlines are checked to be smaller than 20 m and near the origin"
+)]
+fn cell(p: P) -> (i64, i64) {
+    let index = |c: f64| (c * 1e5).round().clamp(-1e15, 1e15) as i64;
+    (index(p[0]), index(p[1]))
 }
 
 #[cfg(test)]

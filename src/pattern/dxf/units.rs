@@ -106,7 +106,7 @@ fn from_insunits(code: i32) -> Option<Units> {
 const PLAUSIBLE: [f64; 2] = [0.12, 4.0];
 
 /// Checks the longest side of the largest panel: outside `hard` limits the import is refused, outside the plausible
-/// range it is warned about; both name the unit that would fit.
+/// range it is warned about; both name the unit that would fit. A length of 0 says that there is no panel to measure.
 pub(super) fn check(
     units: Units,
     longest_m: f64,
@@ -114,7 +114,7 @@ pub(super) fn check(
     findings: &mut Findings,
 ) -> Result<(), Fault> {
     let plausible = |size: f64| (PLAUSIBLE[0]..=PLAUSIBLE[1]).contains(&size);
-    if plausible(longest_m) || !longest_m.is_finite() && findings.refused() {
+    if longest_m == 0.0 || plausible(longest_m) {
         return Ok(());
     }
     let drawn = longest_m / units.in_metres();
@@ -144,9 +144,9 @@ pub(super) fn check(
 }
 
 fn shown(metres: f64) -> String {
-    if metres < 0.01 {
-        format!("{:.3} mm", metres * 1000.0)
-    } else {
-        format!("{metres:.3} m")
+    match metres {
+        m if (0.01..1e4).contains(&m) => format!("{m:.3} m"),
+        m if (1e-5..0.01).contains(&m) => format!("{:.3} mm", m * 1000.0),
+        m => format!("{m:.3e} m"),
     }
 }

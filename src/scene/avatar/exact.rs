@@ -48,14 +48,20 @@ impl ExactDistance {
 
     /// Signed distance \[m\], negative inside; NaN where `p` is no point.
     pub(super) fn signed(&self, p: &Vector3<f64>) -> f64 {
-        self.signed_within(p, f64::INFINITY)
+        self.tree
+            .nearest(p, f64::INFINITY)
+            .map_or(f64::NAN, |nearest| self.sign(p, &nearest))
     }
 
-    /// The same, where it is known to be below `within` in size; else NaN.
-    pub(super) fn signed_within(&self, p: &Vector3<f64>, within: f64) -> f64 {
-        self.tree
-            .nearest(p, within)
-            .map_or(f64::NAN, |nearest| self.sign(p, &nearest))
+    /// The same, sooner, if `near` is a point of the surface near the nearest one; it becomes the nearest one.
+    pub(super) fn signed_near(&self, p: &Vector3<f64>, near: &mut Vector3<f64>) -> f64 {
+        // a little more than the distance to `near`, which must itself be found
+        let within = (p - *near).norm() * 1.000_001 + 1e-12;
+        let Some(nearest) = self.tree.nearest(p, within) else {
+            return self.signed(p);
+        };
+        *near = nearest.point;
+        self.sign(p, &nearest)
     }
 
     /// The point of the surface nearest to `p` \[m\]; `p` where it is no point.

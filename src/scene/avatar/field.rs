@@ -5,7 +5,7 @@ use super::spline::{bends, interpolate, pivots, slopes, weights};
 use nalgebra::{Matrix3, Vector3};
 
 /// Spacing of the grid \[m\]: about the mesh edges of a body, so that its facets are not resolved but smoothed.
-const SPACING: f64 = 0.008;
+const SPACING: f64 = 0.009;
 /// Most nodes; a body that would need more gets a wider spacing.
 const NODES: f64 = 1.0e6;
 /// Nodes beyond the reach on each side: there the free ends of the spline are felt by less than 0.268^4 = 0.5 %.
@@ -77,18 +77,19 @@ impl DistanceField {
         (i * self.size[1] + j) * self.size[2] + k
     }
 
-    /// Exact distances at the nodes. A node is at most one spacing further from the surface than its neighbour,
-    /// which bounds each search by the one before.
+    /// Exact distances at the nodes; each search begins with the nearest point of the node before.
     fn fill(&mut self, exact: &ExactDistance) {
+        let mut column = exact.nearest(&self.origin);
         for i in 0..self.size[0] {
             for j in 0..self.size[1] {
-                let mut within = f64::INFINITY;
+                let mut near = column;
                 for k in 0..self.size[2] {
                     let node = Vector3::new(i as f64, j as f64, k as f64) * self.spacing;
-                    let distance = exact.signed_within(&(self.origin + node), within);
                     let at = self.index([i, j, k]);
-                    self.coefficients[at] = distance;
-                    within = distance.abs() + 1.000_001 * self.spacing;
+                    self.coefficients[at] = exact.signed_near(&(self.origin + node), &mut near);
+                    if k == 0 {
+                        column = near;
+                    }
                 }
             }
         }
@@ -142,9 +143,9 @@ impl DistanceField {
         let Cell { first, at } = self.cell(p)?;
         let [x, y, z] = at.map(weights);
         let mut distance = 0.0;
-        for i in 0..4 {
-            for j in 0..4 {
-                distance += x[i] * y[j] * dot(self.line(first, i, j), &z);
+        for (i, x) in x.iter().enumerate() {
+            for (j, y) in y.iter().enumerate() {
+                distance += x * y * dot(self.line(first, i, j), &z);
             }
         }
         (distance <= self.reach).then_some(distance)
@@ -154,17 +155,17 @@ impl DistanceField {
     pub(super) fn sample(&self, p: &Vector3<f64>) -> Option<BodySample> {
         let Cell { first, at } = self.cell(p)?;
         let [x, y, z] = at.map(|t| [weights(t), slopes(t), bends(t)]);
-        // sums[a][b][c]: derived a times by x, b times by y, c times by z, as far as needed
+        // f and its derivatives by y and z, then those of them that are derived by x once or twice
         let (mut f, mut fx, mut fxx) = ([0.0; 6], [0.0; 3], 0.0);
-        for i in 0..4 {
+        for (i, ((value, slope), bend)) in x[0].iter().zip(&x[1]).zip(&x[2]).enumerate() {
             let plane = self.plane(first, i, (&y, &z));
             for (sum, part) in f.iter_mut().zip(plane) {
-                *sum += x[0][i] * part;
+                *sum += value * part;
             }
-            for (sum, part) in fx.iter_mut().zip([plane[0], plane[1], plane[2]]) {
-                *sum += x[1][i] * part;
+            for (sum, part) in fx.iter_mut().zip(plane) {
+                *sum += slope * part;
             }
-            fxx += x[2][i] * plane[0];
+            fxx += bend * plane[0];
         }
         if f[0] > self.reach {
             return None;
@@ -182,15 +183,15 @@ impl DistanceField {
     /// Sums over the 4 x 4 coefficients of plane `i`: value, y, z, yy, yz, zz.
     fn plane(&self, first: usize, i: usize, (y, z): (&[[f64; 4]; 3], &[[f64; 4]; 3])) -> [f64; 6] {
         let mut sums = [0.0; 6];
-        for j in 0..4 {
+        for (j, ((y0, y1), y2)) in y[0].iter().zip(&y[1]).zip(&y[2]).enumerate() {
             let line = self.line(first, i, j);
             let [value, slope, bend] = [0, 1, 2].map(|order| dot(line, &z[order]));
-            sums[0] += y[0][j] * value;
-            sums[1] += y[1][j] * value;
-            sums[2] += y[0][j] * slope;
-            sums[3] += y[2][j] * value;
-            sums[4] += y[1][j] * slope;
-            sums[5] += y[0][j] * bend;
+            sums[0] += y0 * value;
+            sums[1] += y1 * value;
+            sums[2] += y0 * slope;
+            sums[3] += y2 * value;
+            sums[4] += y1 * slope;
+            sums[5] += y0 * bend;
         }
         sums
     }

@@ -6,7 +6,7 @@ use crate::fault::{Fault, Faults};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 use utoipa::ToSchema;
 
 /// Rounds of fitting the sections to the measurements; each one leaves a few per cent of the error before.
@@ -61,10 +61,14 @@ impl DressForm {
         Faults(self.check()).or(())?;
         let (torso, surface) = self.fit();
         let mut avatar = Avatar::from_surface("dress form", surface, BTreeMap::new())?;
-        for (name, point) in landmarks(&torso, self.height_m) {
+        for (name, point) in side_landmarks(&torso, self.height_m) {
             let on_surface = avatar.nearest_point(&point);
-            avatar.landmarks.insert(name, on_surface);
+            let mirrored = Vector3::new(-on_surface.x, on_surface.y, on_surface.z);
+            avatar.landmarks.insert(format!("{name}_l"), on_surface);
+            avatar.landmarks.insert(format!("{name}_r"), mirrored);
         }
+        let middle = middle_landmarks(&avatar.surface, self.height_m);
+        avatar.landmarks.extend(middle);
         Ok(avatar)
     }
 
@@ -74,10 +78,10 @@ impl DressForm {
             .unwrap_or(0.14 * self.height_m + 0.13 * self.bust_m)
     }
 
-    /// Width of the shoulders as given, or what height and bust make likely (0.38 m in a size M).
+    /// Width of the shoulders as given, or what height and bust make likely (0.37 m in a size M).
     fn shoulder(&self) -> f64 {
         self.shoulder_m
-            .unwrap_or(0.176 * self.height_m + 0.09 * self.bust_m)
+            .unwrap_or(0.170 * self.height_m + 0.09 * self.bust_m)
     }
 
     pub(crate) fn check(&self) -> Vec<Fault> {
@@ -217,48 +221,186 @@ fn shoulder_line(torso: &Torso) -> [[f64; 3]; 2] {
     [point(neck), point(tip)]
 }
 
-/// The landmarks of a form, near enough to its mesh to be put onto it.
-fn landmarks(torso: &Torso, height: f64) -> Vec<(String, Vector3<f64>)> {
-    let mut found = Vec::new();
-    let mut pair = |name: &str, p: Vector3<f64>| {
-        found.push((format!("{name}_l"), p));
-        found.push((format!("{name}_r"), Vector3::new(-p.x, p.y, p.z)));
-    };
-    let section = |share: f64| torso.section(torso.parameter(share * height));
+/// The landmarks that come in pairs: names without `_l`, and points on the left, near enough to the mesh to be put onto it.
+fn side_landmarks(torso: &Torso, height: f64) -> [(&'static str, Vector3<f64>); 7] {
     let at = |share: f64, angle: f64| {
-        let [x, z] = section(share).point(angle);
-        Vector3::new(x, share * height, z)
+        let section = torso.section(torso.parameter(share * height));
+        let [x, z] = section.point(angle);
+        Vector3::new(x, section.y, z)
     };
-    for (name, share) in [
-        ("bust", share::BUST),
-        ("waist", share::WAIST),
-        ("hip", share::HIP),
+    let [neck, tip] = shoulder_line(torso).map(|[x, y, z]| Vector3::new(x, y, z));
+    [
+        ("neck_side", neck),
+        ("shoulder_tip", tip),
+        ("armpit", at(share::ARMPIT, FRAC_PI_2)),
+        ("bust_point", at(share::BUST, BUST_ANGLE)),
+        ("bust_side", at(share::BUST, FRAC_PI_2)),
+        ("waist_side", at(share::WAIST, FRAC_PI_2)),
+        ("hip_side", at(share::HIP, FRAC_PI_2)),
+    ]
+}
+
+/// The landmarks in the middle; `crotch` is the lowest one.
+fn middle_landmarks(surface: &TriangleMesh, height: f64) -> BTreeMap<String, Vector3<f64>> {
+    let mut found = BTreeMap::new();
+    for (name, front, back) in [
+        ("neck", share::NECK_FRONT, share::NECK_BACK),
+        ("bust", share::BUST, share::BUST),
+        ("waist", share::WAIST, share::WAIST),
+        ("hip", share::HIP, share::HIP),
     ] {
-        pair(&format!("{name}_side"), at(share, FRAC_PI_2));
+        for (end, share, which) in [("back", back, 0), ("front", front, 1)] {
+            if let Some(z) = slice::middle(surface, share * height) {
+                let point = Vector3::new(0.0, share * height, z[which]);
+                found.insert(format!("{name}_{end}"), point);
+            }
+        }
     }
-    for (name, [x, y, z]) in ["neck_side", "shoulder_tip"]
-        .into_iter()
-        .zip(shoulder_line(torso))
-    {
-        pair(name, Vector3::new(x, y, z));
-    }
-    pair("armpit", at(share::ARMPIT, FRAC_PI_2));
-    pair("bust_point", at(share::BUST, BUST_ANGLE));
-    for (name, share, angle) in [
-        ("bust_front", share::BUST, 0.0),
-        ("bust_back", share::BUST, PI),
-        ("waist_front", share::WAIST, 0.0),
-        ("waist_back", share::WAIST, PI),
-        ("hip_front", share::HIP, 0.0),
-        ("hip_back", share::HIP, PI),
-        ("neck_front", share::NECK_FRONT, 0.0),
-        ("neck_back", share::NECK_BACK, PI),
-    ] {
-        let mut point = at(share, angle);
-        point.x = 0.0;
-        found.push((name.to_owned(), point));
-    }
-    let [y, z] = torso.middle(Torso::END);
-    found.push(("crotch".to_owned(), Vector3::new(0.0, y, z)));
+    let lowest = surface.vertices.iter().min_by(|a, b| a.y.total_cmp(&b.y));
+    found.extend(lowest.map(|v| ("crotch".to_owned(), *v)));
     found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::LANDMARKS;
+    use super::*;
+
+    const fn form(height_m: f64, bust_m: f64, waist_m: f64, hip_m: f64) -> DressForm {
+        DressForm {
+            height_m,
+            bust_m,
+            waist_m,
+            hip_m,
+            neck_m: None,
+            shoulder_m: None,
+        }
+    }
+
+    /// The smallest to the largest of EN 13402-3 and of people, slim, round, and of uncommon proportions.
+    const FORMS: [DressForm; 7] = [
+        form(1.68, 0.92, 0.74, 0.98),
+        form(1.50, 0.76, 0.58, 0.82),
+        form(1.84, 0.80, 0.62, 0.88),
+        form(1.60, 1.10, 0.94, 1.12),
+        form(1.72, 1.40, 1.30, 1.44),
+        form(1.64, 0.90, 0.86, 0.90),
+        form(1.64, 0.88, 0.66, 1.12),
+    ];
+
+    #[test]
+    fn girths_are_those_asked_for_within_a_millimetre() {
+        for form in FORMS {
+            let (_, surface) = form.fit();
+            for (share, asked) in [
+                (share::NECK, form.neck()),
+                (share::BUST, form.bust_m),
+                (share::WAIST, form.waist_m),
+                (share::HIP, form.hip_m),
+            ] {
+                let girth = slice::girth(&surface, share * form.height_m).expect("a slice");
+                assert!(
+                    (girth - asked).abs() < 1e-3,
+                    "{girth} for {asked} of {form:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn every_form_is_closed_fine_and_symmetric() {
+        for form in FORMS {
+            let (_, surface) = form.fit();
+            assert_eq!(surface.check(), [], "{form:?}");
+            let count = surface.triangles.len();
+            assert!((5_000..=18_000).contains(&count), "{count} of {form:?}");
+            // a closed surface without handles (Euler)
+            assert_eq!(surface.vertices.len(), count / 2 + 2);
+            let mirror: f64 = surface.vertices.iter().map(|v| v.x).sum();
+            assert!(mirror.abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn own_neck_and_shoulders_are_met() {
+        let form = DressForm {
+            neck_m: Some(0.40),
+            shoulder_m: Some(0.42),
+            ..DressForm::default()
+        };
+        let (torso, surface) = form.fit();
+        let girth = slice::girth(&surface, share::NECK * form.height_m).expect("a slice");
+        assert!((girth - 0.40).abs() < 1e-3, "{girth}");
+        let [_, tip] = shoulder_line(&torso);
+        assert!((2.0 * tip[0] - 0.42).abs() < 1e-3, "{tip:?}");
+    }
+
+    #[test]
+    fn every_landmark_is_on_the_surface_on_its_side() {
+        let avatar = DressForm::default().build().expect("size M");
+        assert!(avatar.landmarks.keys().map(String::as_str).eq(LANDMARKS));
+        for (name, p) in &avatar.landmarks {
+            assert!(avatar.exact_distance(p).abs() < 1e-9, "{name}");
+            let side = [("_l", 1.0), ("_r", -1.0)]
+                .iter()
+                .find(|(end, _)| name.ends_with(end))
+                .map_or(0.0, |(_, side)| *side);
+            assert!(
+                p.x * side > 0.0 || (side == 0.0 && p.x.abs() < 1e-6),
+                "{name} {p}"
+            );
+        }
+        let at = |name: &str| avatar.landmarks[name];
+        assert!(at("bust_front").z > at("bust_back").z + 0.15);
+        let (neck, tip) = (at("neck_side_l"), at("shoulder_tip_l"));
+        let slope = ((neck.y - tip.y) / (tip.x - neck.x)).atan().to_degrees();
+        assert!((15.0..30.0).contains(&slope), "shoulders slope by {slope}");
+    }
+
+    #[test]
+    fn the_waist_is_the_narrowest_place_of_a_usual_form() {
+        let form = DressForm::default();
+        let (_, surface) = form.fit();
+        let girth = |y: f64| slice::girth(&surface, y).expect("a slice");
+        let waist = share::WAIST * form.height_m;
+        for off in [-0.15, -0.10, -0.05, 0.05, 0.10, 0.15] {
+            assert!(girth(waist + off) > girth(waist), "{off}");
+        }
+    }
+
+    #[test]
+    fn every_measurement_that_no_person_has_is_named() {
+        let pointers = |form: DressForm| -> Vec<String> {
+            let faults = form.build().expect_err("refused");
+            assert!(faults.0.iter().all(|f| f.fix.is_some()));
+            faults.0.into_iter().map(|f| f.pointer).collect()
+        };
+        let centimetres = form(168.0, 92.0, 74.0, 98.0);
+        let all = [
+            "/height_m",
+            "/bust_m",
+            "/waist_m",
+            "/hip_m",
+            "/neck_m",
+            "/shoulder_m",
+        ];
+        assert_eq!(pointers(centimetres), all);
+        assert_eq!(pointers(form(1.68, 0.92, 1.25, 0.98)), ["/waist_m"; 2]);
+        assert_eq!(
+            pointers(form(1.68, f64::NAN, 0.74, 0.98)),
+            ["/bust_m", "/neck_m", "/shoulder_m"]
+        );
+        let narrow = DressForm {
+            shoulder_m: Some(-0.4),
+            ..DressForm::default()
+        };
+        assert_eq!(pointers(narrow), ["/shoulder_m"]);
+    }
+
+    #[test]
+    fn a_misspelt_measurement_is_refused() {
+        let json =
+            r#"{"height_m":1.68,"bust_m":0.92,"waist_m":0.74,"hip_m":0.98,"neckline_m":0.3}"#;
+        assert!(serde_json::from_str::<DressForm>(json).is_err());
+    }
 }

@@ -93,7 +93,7 @@ impl Avatar {
     ///
     /// One twice continuously differentiable function, the cubic spline through exact distances on a grid: the three
     /// results are exact derivatives of each other, and the value differs from [`Avatar::exact_distance`] by some
-    /// tenths of a millimetre at most where the surface is smooth on the scale of the grid (8 mm).
+    /// tenths of a millimetre at most where the surface is smooth on the scale of the grid (9 mm).
     pub fn sample(&self, p: &Vector3<f64>) -> Option<BodySample> {
         self.field.sample(p)
     }
@@ -123,3 +123,6 @@ impl Avatar {
         slice::bounds(&self.surface, y)
     }
 }
+
+#[cfg(test)]
+mod tests;

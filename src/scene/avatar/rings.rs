@@ -5,10 +5,10 @@ use super::torso::{BUST_ANGLE, SEAT_ANGLE, Torso};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Longest and shortest mesh edge \[m\].
-const EDGE: [f64; 2] = [0.0105, 0.0035];
-/// How far a chord may stay below its arc \[m\].
-const SAG: f64 = 0.000_1;
+/// Longest and shortest mesh edge of a form in size M \[m\]; others in proportion, so that all have about as many.
+const EDGE: [f64; 2] = [0.012, 0.004];
+/// How far a chord may stay below its arc, likewise \[m\].
+const SAG: f64 = 0.000_15;
 /// Samples of the profiles that the heights of the rings are found from.
 const SAMPLES: usize = 2000;
 /// Polar angles of those profiles: front, bust, side, seat, back \[rad\].
@@ -20,11 +20,12 @@ pub(super) fn mesh(torso: &Torso) -> TriangleMesh {
         let [y, z] = torso.middle(t);
         vec![Vector3::new(0.0, y, z)]
     };
+    let size = torso.size();
     let mut halves = vec![pole(0.0)];
-    for t in heights(torso) {
+    for t in heights(torso, size) {
         let section = torso.section(t);
         let half = section.half();
-        let marks = spread(&densities(&half));
+        let marks = spread(&densities(&half, size));
         halves.push(
             marks
                 .iter()
@@ -40,7 +41,7 @@ pub(super) fn mesh(torso: &Torso) -> TriangleMesh {
 }
 
 /// Parameters of the rings, poles left out.
-fn heights(torso: &Torso) -> Vec<f64> {
+fn heights(torso: &Torso, size: f64) -> Vec<f64> {
     let step = Torso::END / SAMPLES as f64;
     let sections: Vec<_> = (1..SAMPLES)
         .map(|i| torso.section(i as f64 * step))
@@ -54,7 +55,7 @@ fn heights(torso: &Torso) -> Vec<f64> {
                 [x * angle.sin() + z * angle.cos(), section.y]
             })
             .collect();
-        for (most, here) in density.iter_mut().zip(densities(&profile)) {
+        for (most, here) in density.iter_mut().zip(densities(&profile, size)) {
             *most = most.max(here);
         }
     }
@@ -63,8 +64,8 @@ fn heights(torso: &Torso) -> Vec<f64> {
     marks.iter().map(|mark| (1.0 + mark) * step).collect()
 }
 
-/// How many edges each piece of a polyline is worth.
-fn densities(points: &[[f64; 2]]) -> Vec<f64> {
+/// How many edges each piece of a polyline is worth on a form `size` times as large as size M.
+fn densities(points: &[[f64; 2]], size: f64) -> Vec<f64> {
     let pieces: Vec<[f64; 2]> = points
         .windows(2)
         .map(|p| [p[1][0] - p[0][0], p[1][1] - p[0][1]])
@@ -81,8 +82,8 @@ fn densities(points: &[[f64; 2]]) -> Vec<f64> {
             let after = turn(&pieces[i], &pieces[(i + 1).min(pieces.len() - 1)]);
             // a chord c of a circle of radius R = 1/curvature stays c^2 / 8R below it
             let curvature = 0.5 * (before + after) / length.max(1e-9);
-            let edge = (8.0 * SAG / curvature.max(1e-9)).sqrt();
-            length / edge.clamp(EDGE[1], EDGE[0])
+            let edge = (8.0 * SAG * size / curvature.max(1e-9)).sqrt();
+            length / edge.clamp(size * EDGE[1], size * EDGE[0])
         })
         .collect()
 }

@@ -31,6 +31,14 @@ pub(super) fn bounds(surface: &TriangleMesh, y: f64) -> Option<[[f64; 2]; 2]> {
     Some(bounds)
 }
 
+/// z of the back and of the front in the middle (x = 0) at height `y`, for a surface with edges along the middle \[m\].
+pub(super) fn middle(surface: &TriangleMesh, y: f64) -> Option<[f64; 2]> {
+    let points = points(surface, y);
+    let middle = || points.iter().filter(|p| p[0] == 0.0).map(|p| p[1]);
+    let back = middle().min_by(f64::total_cmp)?;
+    Some([back, middle().max_by(f64::total_cmp)?])
+}
+
 /// Perimeter of the convex hull of the slice at height `y`, `None` where it is empty \[m\].
 pub(super) fn girth(surface: &TriangleMesh, y: f64) -> Option<f64> {
     let hull = hull(points(surface, y));

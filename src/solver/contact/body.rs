@@ -15,6 +15,9 @@ use std::sync::Arc;
 /// Stiffness of the layer on the skin, per area \[N/m³\]: a garment's few hundred pascals press 0.1 mm into it.
 const LAYER_STIFFNESS: f64 = 5e6;
 
+/// Slip of one step that is more than rounding \[m\].
+const SLIP_FELT: f64 = 1e-7;
+
 /// Friction of the particles in contact.
 #[derive(Clone, Debug)]
 pub(crate) struct Friction {
@@ -28,6 +31,8 @@ struct Anchor {
     normal: Vector3<f64>,
     /// Largest tangential force: μ N \[N\].
     limit: f64,
+    /// Whether the last step slipped: then the next is taken to slip on, or it would creep by the spring's give at a time.
+    slipping: bool,
 }
 
 impl Friction {
@@ -120,10 +125,11 @@ impl BodyContact {
         (sample.distance < self.offset).then_some(sample)
     }
 
-    /// Takes the state at an accepted step: new normal forces, and anchors dragged along by what slipped.
-    pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) {
+    /// Takes the state at an accepted step: new normal forces, and anchors dragged along by what slipped. Whether any did.
+    pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
+        let mut slipped = false;
         let Some(mut friction) = self.friction.take() else {
-            return;
+            return slipped;
         };
         for (i, position) in x.iter().enumerate() {
             let Some(sample) = self.touch(i, position) else {
@@ -136,19 +142,18 @@ impl BodyContact {
             let mut point = friction.anchors[i].map_or(*position, |a| a.point);
             let u = tangential(&(position - point), &normal);
             let slip = limit / stiffness;
-            point = position
-                - if u.norm() > slip {
-                    u * (slip / u.norm())
-                } else {
-                    u
-                };
+            let slipping = u.norm() > slip;
+            slipped |= u.norm() > slip + SLIP_FELT;
+            point = position - if slipping { u * (slip / u.norm()) } else { u };
             friction.anchors[i] = Some(Anchor {
                 point,
                 normal,
                 limit,
+                slipping,
             });
         }
         self.friction = Some(friction);
+        slipped
     }
 
     /// Particles in contact at `x`.
@@ -232,7 +237,7 @@ impl Force for BodyContact {
                 let u = tangential(&(position - anchor.point), &anchor.normal);
                 let length = u.norm();
                 let mut block = Matrix3::identity() - anchor.normal * anchor.normal.transpose();
-                if k * length <= anchor.limit {
+                if length == 0.0 || (k * length <= anchor.limit && !anchor.slipping) {
                     block *= k;
                 } else {
                     let along = u / length;

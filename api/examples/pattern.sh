@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Upload a pattern: panels with corners, edges, notches and grain come back, in metres.
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+base=${BASE:-http://127.0.0.1:8737}
+
+# As a form. A file whose units are wrong or not stated: add ?units=cm (mm, cm, m, inch).
+pattern=$(curl -fsS -o /dev/null -w '%header{location}' "$base/v1/patterns" \
+  -F file=@static/samples/skirt.dxf)
+curl -fsS "$base$pattern"
+echo
+
+# As plain bytes.
+curl -fsS -o /dev/null "$base/v1/patterns" \
+  -H 'Content-Type: image/vnd.dxf' --data-binary @static/samples/top.dxf
+
+# What is kept, newest first.
+curl -fsS "$base/v1/patterns?limit=10"
+echo

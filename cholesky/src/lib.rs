@@ -1,0 +1,123 @@
+//! Sparse Cholesky factors of symmetric positive definite matrices in f64: one symbolic factorisation, many numeric ones
+//! in the same memory.
+//!
+//! A crate of its own because faer is generic: used from a large crate, its kernels are compiled again with every change of
+//! that crate, and at that crate's optimisation level.
+
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering,
+    factorize_symbolic_cholesky,
+};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMatRef};
+use faer::{Conj, MatMut, Par, Side};
+
+/// The sparsity of a matrix, its ordering, and the memory for its factor.
+pub struct Cholesky {
+    column_start: Vec<usize>,
+    rows: Vec<usize>,
+    symbolic: SymbolicCholesky<usize>,
+    factor: Vec<f64>,
+    memory: MemBuffer,
+}
+
+/// The matrix is not positive definite to rounding.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NotPositiveDefinite;
+
+/// There is no memory for the factor.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OutOfMemory;
+
+impl Cholesky {
+    /// Orders (approximate minimum degree) and analyses the lower triangle of a matrix: the rows of column `j` are
+    /// `rows[column_start[j]..column_start[j + 1]]`, ascending.
+    ///
+    /// # Errors
+    /// [`OutOfMemory`] if the factor does not fit.
+    ///
+    /// # Panics
+    /// If `column_start` and `rows` are not such a triangle.
+    pub fn new(column_start: Vec<usize>, rows: Vec<usize>) -> Result<Self, OutOfMemory> {
+        let size = column_start.len() - 1;
+        let pattern = SymbolicSparseColMatRef::new_checked(size, size, &column_start, None, &rows);
+        let parameters = CholeskySymbolicParams::default();
+        let symbolic =
+            factorize_symbolic_cholesky(pattern, Side::Lower, SymmetricOrdering::Amd, parameters)
+                .map_err(|_| OutOfMemory)?;
+        let scratch = symbolic
+            .factorize_numeric_llt_scratch::<f64>(Par::Seq, faer::Spec::default())
+            .or(symbolic.solve_in_place_scratch::<f64>(1, Par::Seq));
+        let memory = MemBuffer::try_new(scratch).map_err(|_| OutOfMemory)?;
+        Ok(Self {
+            factor: vec![0.0; symbolic.len_val()],
+            column_start,
+            rows,
+            symbolic,
+            memory,
+        })
+    }
+
+    /// Numbers stored in the factor.
+    pub fn factor_len(&self) -> usize {
+        self.factor.len()
+    }
+
+    /// Factors the matrix of these values, which lie as `rows` given to [`Cholesky::new`].
+    ///
+    /// # Errors
+    /// [`NotPositiveDefinite`] if a pivot is not positive; the factor is then of no use.
+    pub fn factorise(&mut self, values: &[f64]) -> Result<(), NotPositiveDefinite> {
+        let size = self.column_start.len() - 1;
+        let pattern =
+            SymbolicSparseColMatRef::new_checked(size, size, &self.column_start, None, &self.rows);
+        self.symbolic
+            .factorize_numeric_llt(
+                &mut self.factor,
+                SparseColMatRef::new(pattern, values),
+                Side::Lower,
+                LltRegularization::default(),
+                Par::Seq,
+                MemStack::new(&mut self.memory),
+                faer::Spec::default(),
+            )
+            .map(|_| ())
+            .map_err(|_| NotPositiveDefinite)
+    }
+
+    /// Solves with the last factor: `x` holds the right side and becomes the solution.
+    pub fn solve(&mut self, x: &mut [f64]) {
+        let size = x.len();
+        let right_side = MatMut::from_column_major_slice_mut(x, size, 1);
+        LltRef::new(&self.symbolic, &self.factor).solve_in_place_with_conj(
+            Conj::No,
+            right_side,
+            Par::Seq,
+            MemStack::new(&mut self.memory),
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_laplacian_is_solved() {
+        // [2 -1 0; -1 2 -1; 0 -1 2] x = [1 0 1] has x = [1 1 1].
+        let mut cholesky = Cholesky::new(vec![0, 2, 4, 5], vec![0, 1, 1, 2, 2]).expect("small");
+        cholesky
+            .factorise(&[2.0, -1.0, 2.0, -1.0, 2.0])
+            .expect("positive definite");
+        let mut x = [1.0, 0.0, 1.0];
+        cholesky.solve(&mut x);
+        assert!(x.iter().all(|x| (x - 1.0).abs() < 1e-15));
+    }
+
+    #[test]
+    fn an_indefinite_matrix_is_refused() {
+        let mut cholesky = Cholesky::new(vec![0, 1], vec![0]).expect("small");
+        assert_eq!(cholesky.factorise(&[-1.0]), Err(NotPositiveDefinite));
+    }
+}

@@ -1,0 +1,107 @@
+//! One stage of a fit run to its end, by explicit steps or by Newton's method.
+
+use super::newton::{Iteration, Newton, Rungs, Stop, Verdict};
+use super::symplectic_euler::{self, Motion};
+use super::system::System;
+use nalgebra::Vector3;
+
+/// One stage run to its end.
+pub(super) struct Ended {
+    pub(super) stop: Stop,
+    pub(super) residual: f64,
+    pub(super) rungs: Rungs,
+    /// The step that explicit steps may not exceed, if a longer one was asked for \[s\].
+    pub(super) too_long: Option<f64>,
+}
+
+/// How often a stage may be iterated.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Bounds {
+    /// Newton iterations.
+    pub(super) iterations: usize,
+    /// Explicit steps.
+    pub(super) steps: u64,
+}
+
+/// Runs one stage by explicit steps if `motion` is given, else by Newton's method.
+pub(super) fn run(
+    system: &mut System<'_>,
+    x: &mut [Vector3<f64>],
+    motion: Option<Motion>,
+    bounds: Bounds,
+    judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
+) -> (Ended, Option<Newton>) {
+    let ended = |stop| Ended {
+        stop,
+        residual: f64::NAN,
+        rungs: Rungs::default(),
+        too_long: None,
+    };
+    if let Some(motion) = motion {
+        return match symplectic_euler::run(system, x, motion, bounds.steps, judge) {
+            Ok(stop) => (ended(stop), None),
+            Err(stable) => (
+                Ended {
+                    too_long: Some(stable),
+                    ..ended(Stop::Stalled)
+                },
+                None,
+            ),
+        };
+    }
+    match Newton::new(system) {
+        Ok(mut newton) => {
+            let stop = newton.run(system, x, bounds.iterations, judge);
+            (
+                Ended {
+                    rungs: newton.rungs,
+                    ..ended(stop)
+                },
+                Some(newton),
+            )
+        }
+        Err(_) => (ended(Stop::OutOfMemory), None),
+    }
+}
+
+impl Ended {
+    /// Why the stage ended, in words.
+    pub(super) fn reason(&self, canceled: bool) -> String {
+        let r = self.residual;
+        if let Some(step) = self.too_long {
+            return format!(
+                "step_s is above the stability limit of {step:.2e} s: give a shorter one or leave it out"
+            );
+        }
+        match self.stop {
+            Stop::Reached => format!("at rest: r = {r:.1e}"),
+            Stop::Interrupted if canceled => format!("canceled at r = {r:.1e}"),
+            Stop::Interrupted => format!("the time allowed was up at r = {r:.1e}"),
+            Stop::Stalled => format!("no step lowers the energy any more, at r = {r:.1e}"),
+            Stop::Iterations => format!("the limit of iterations was reached at r = {r:.1e}"),
+            Stop::OutOfMemory => "there is no memory for the matrix factor: ask for longer mesh edges".to_owned(),
+            Stop::NotFinite => "forces became infinite: look for panels that start inside the body or seams of very unlike length".to_owned(),
+        }
+    }
+}
+
+/// Adds the rungs that were taken to the report's list.
+pub(super) fn note_rungs(ladder: &mut Vec<String>, rungs: Rungs) {
+    for (taken, name) in [
+        (rungs.true_hessian, "true_hessian"),
+        (rungs.convex_part, "convex_part"),
+        (rungs.diagonal_shift, "diagonal_shift"),
+        (rungs.smaller_step, "smaller_step"),
+    ] {
+        if taken {
+            push_once(ladder, name);
+        }
+    }
+}
+
+/// Adds `name` unless it is there.
+pub(super) fn push_once(ladder: &mut Vec<String>, name: &str) {
+    if !ladder.iter().any(|n| n == name) {
+        ladder.push(name.to_owned());
+    }
+}

@@ -1,0 +1,97 @@
+//! What a report says of a shape besides how it was reached: energies, terms, what was left out, whether it is worn.
+
+use super::report::{Energy, LeftOut, Report, Term, Worn};
+use super::system::System;
+use crate::scene::Scene;
+use nalgebra::Vector3;
+
+/// How far the middle of a garment may sink while it comes to rest before it counts as fallen off \[m\].
+const FALLEN: f64 = 0.15;
+
+pub(super) fn energies(system: &mut System<'_>, x: &[Vector3<f64>]) -> Energy {
+    Energy {
+        stretch: system.energy_of("stretch", x),
+        bend: system.energy_of("bend", x),
+        gravity: system.energy_of("gravity", x),
+        seam: system.energy_of("seam", x),
+        contact: system.energy_of("contact", x),
+    }
+}
+
+pub(super) fn terms(system: &System<'_>) -> Vec<Term> {
+    let mut terms: Vec<Term> = system
+        .terms
+        .iter()
+        .map(|t| Term {
+            name: t.force.name().to_owned(),
+            cpu_s: t.cpu_s,
+        })
+        .collect();
+    if system.contact.is_some() {
+        terms.push(Term {
+            name: "contact".to_owned(),
+            cpu_s: system.contact_cpu_s,
+        });
+    }
+    terms
+}
+
+pub(super) fn left_out(scene: &Scene) -> Vec<LeftOut> {
+    let mut left_out = vec![LeftOut {
+        name: "wind".to_owned(),
+        because: "the scene has none".to_owned(),
+    }];
+    let mut leave = |name: &str, because: &str| {
+        left_out.push(LeftOut {
+            name: name.to_owned(),
+            because: because.to_owned(),
+        })
+    };
+    leave("self_contact", "cloth against cloth is not looked for");
+    if scene.avatar.is_none() {
+        leave("contact", "the scene has no avatar");
+    } else if scene.friction == 0.0 {
+        leave("friction", "the coefficient is 0");
+    }
+    if scene.mesh.stitches.is_empty() {
+        leave("seam", "the scene has no seams");
+    }
+    if scene
+        .fabrics
+        .iter()
+        .all(|f| f.bending_warp_n_m.max(f.bending_weft_n_m) <= 0.0)
+    {
+        leave("bend", "the fabrics have no bending rigidity");
+    }
+    left_out
+}
+
+pub(super) fn mean_height(x: &[Vector3<f64>]) -> f64 {
+    x.iter().map(|p| p.y).sum::<f64>() / x.len().max(1) as f64
+}
+
+/// Whether the body carries the garment: it came to rest on it without sinking far.
+pub(super) fn worn(scene: &Scene, report: &Report, sunk: f64) -> Worn {
+    let (ok, because) = if scene.avatar.is_none() {
+        (false, "there is no avatar".to_owned())
+    } else if !report.converged {
+        (false, "it did not come to rest".to_owned())
+    } else if sunk > FALLEN {
+        (
+            false,
+            format!(
+                "it sank by {:.0} mm: nothing holds it where it was put",
+                sunk * 1e3
+            ),
+        )
+    } else {
+        (
+            true,
+            format!(
+                "it came to rest on the body, {:.0} mm lower than it was sewn",
+                sunk * 1e3
+            ),
+        )
+    };
+    Worn { ok, because }
+}

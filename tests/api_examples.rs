@@ -1,0 +1,187 @@
+//! Every script of `api/examples` against a started program: what the documentation says can be copied, works.
+
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
+
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::net::{TcpListener, TcpStream};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+
+/// The program, serving on a port of its own; it ends when dropped.
+struct Program {
+    child: Child,
+    base: String,
+    folder: TempDir,
+}
+
+impl Program {
+    fn start() -> Self {
+        // The port is free now; that somebody else takes it before the program does is not worth a protocol.
+        let address = TcpListener::bind("127.0.0.1:0")
+            .unwrap()
+            .local_addr()
+            .unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let child = Command::new(env!("CARGO_BIN_EXE_seamster"))
+            .args(["serve", "--listen", &address.to_string(), "--data"])
+            .arg(folder.path().join("data"))
+            .stdin(Stdio::null())
+            .spawn()
+            .unwrap();
+        let program = Self {
+            child,
+            base: format!("http://{address}"),
+            folder,
+        };
+        let end = Instant::now() + Duration::from_secs(30);
+        while TcpStream::connect(address).is_err() {
+            assert!(Instant::now() < end, "the program does not listen");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        program
+    }
+
+    /// Runs an example and returns what it prints.
+    fn run(&self, example: &str) -> String {
+        let output = Command::new(examples().join(example))
+            .arg(self.folder.path())
+            .env("BASE", &self.base)
+            .output()
+            .unwrap();
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{example}: {errors}");
+        String::from_utf8(output.stdout).unwrap()
+    }
+
+    fn file(&self, name: &str) -> Vec<u8> {
+        std::fs::read(self.folder.path().join(name)).unwrap()
+    }
+}
+
+impl Drop for Program {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+fn examples() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("api/examples")
+}
+
+/// Each line as JSON.
+fn lines(text: &str) -> Vec<Value> {
+    let lines = text.lines().filter(|line| !line.is_empty());
+    lines
+        .map(|line| serde_json::from_str(line).unwrap_or_else(|error| panic!("{error}: {line}")))
+        .collect()
+}
+
+#[test]
+fn every_example_is_run_by_a_test() {
+    let run = BTreeSet::from(
+        [
+            "pattern.sh",
+            "seams.sh",
+            "fit.sh",
+            "events.sh",
+            "cancel.sh",
+            "own_fabric.sh",
+            "avatar.sh",
+        ]
+        .map(String::from),
+    );
+    let files = std::fs::read_dir(examples()).unwrap();
+    let there: BTreeSet<String> = files
+        .map(|file| file.unwrap().file_name().into_string().unwrap())
+        .collect();
+    assert_eq!(there, run);
+}
+
+#[test]
+fn pattern_comes_back_with_its_panels() {
+    let program = Program::start();
+    let answers = lines(&program.run("pattern.sh"));
+    assert_eq!(answers[0]["panels"].as_array().unwrap().len(), 3);
+    assert_eq!(answers[1]["patterns"].as_array().unwrap().len(), 2);
+    assert_eq!(answers[1]["patterns"][1]["id"], answers[0]["id"]);
+}
+
+#[test]
+fn seams_are_checked_and_a_wrong_corner_is_found() {
+    let program = Program::start();
+    let answers = lines(&program.run("seams.sh"));
+    assert_eq!(answers[0]["ok"], true, "{}", answers[0]);
+    assert_eq!(answers[1]["ok"], false);
+    let fault = &answers[1]["seams"][0]["errors"][0];
+    assert_eq!(fault["pointer"], "/seams/0/b/to", "{}", answers[1]);
+}
+
+#[test]
+fn fit_leaves_a_mesh_and_a_report() {
+    let program = Program::start();
+    let fit = &lines(&program.run("fit.sh"))[0];
+    assert_eq!(fit["status"], "succeeded", "{fit}");
+    let report: Value = serde_json::from_slice(&program.file("skirt.report.json")).unwrap();
+    assert_eq!(report["converged"], true, "{report}");
+    assert!(
+        report["seam_gap_max_m"].as_f64().unwrap() < 1e-3,
+        "{report}"
+    );
+    let glb = gltf::Gltf::from_slice(&program.file("skirt.glb")).unwrap();
+    assert_eq!(glb.meshes().count(), 3);
+    let obj = program.file("skirt.obj");
+    let options = tobj::LoadOptions::default();
+    let (models, _) =
+        tobj::load_obj_buf(&mut obj.as_slice(), &options, |_| Ok(Default::default())).unwrap();
+    assert_eq!(models.len(), 3);
+}
+
+#[test]
+fn events_end_with_the_final_status() {
+    let program = Program::start();
+    let text = program.run("events.sh");
+    let mut last = None;
+    let mut progress = 0;
+    for event in text.split("\n\n").filter(|event| event.contains("data:")) {
+        progress += usize::from(event.contains("event: progress"));
+        last = Some(event);
+    }
+    let last = last.unwrap();
+    assert!(
+        last.contains("event: status") && last.contains("\"succeeded\""),
+        "{last}"
+    );
+    assert!(progress > 0, "{text}");
+}
+
+#[test]
+fn canceled_fit_says_so() {
+    let program = Program::start();
+    let fit = &lines(&program.run("cancel.sh"))[0];
+    assert_eq!(fit["status"], "canceled", "{fit}");
+}
+
+#[test]
+fn own_fabric_gets_an_id() {
+    let program = Program::start();
+    let answers = lines(&program.run("own_fabric.sh"));
+    let shipped = answers[0]["fabrics"].as_array().unwrap();
+    assert!(shipped.iter().any(|fabric| fabric["id"] == "cotton-poplin"));
+    assert!(answers[1]["id"].as_str().is_some_and(|id| !id.is_empty()));
+}
+
+#[test]
+fn avatar_has_landmarks_and_a_mesh() {
+    let program = Program::start();
+    let avatar = &lines(&program.run("avatar.sh"))[0];
+    assert!(
+        !avatar["landmarks"].as_object().unwrap().is_empty(),
+        "{avatar}"
+    );
+    let glb = gltf::Gltf::from_slice(&program.file("form.glb")).unwrap();
+    assert_eq!(glb.meshes().count(), 1);
+}

@@ -1,0 +1,332 @@
+// The page in a browser, as a user has it: `node tests/browser/page.mjs`.
+// BASE is the address of a running service; without it SEAMSTER_BIN is started on a free port.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, before, test } from "node:test";
+import { axeFaults, difference, openTab, startBrowser, startService } from "./support.mjs";
+
+const FIT_MS = 300_000;
+const { BASE, SEAMSTER_BIN } = process.env;
+
+let service;
+let browser;
+let tab;
+let page;
+let emptyStage;
+
+before(async () => {
+  if (!BASE && !SEAMSTER_BIN) throw new Error("set BASE to a running service or SEAMSTER_BIN to the binary");
+  service = BASE ? { url: BASE, stop: async () => {}, log: () => "" } : await startService(SEAMSTER_BIN);
+  browser = await startBrowser();
+  tab = await openTab(browser, service.url);
+  page = tab.page;
+});
+
+after(async () => {
+  await browser?.close();
+  await service?.stop();
+});
+
+const status = () => page.locator("#status").textContent();
+const seams = () => page.locator("#seam-list .seam");
+const edge = (panel, index) => page.locator(`path.edge[data-panel="${panel}"][data-edge="${index}"]`);
+const until = (text) => page.waitForFunction((part) => document.getElementById("status").textContent.includes(part), text);
+
+/** The body of the next check that the page asks for. */
+async function checkedAfter(act) {
+  const asked = page.waitForRequest((request) => request.url().endsWith("/seams/check"));
+  await act();
+  const request = await asked;
+  assert.equal((await request.response()).status(), 200);
+  return request.postDataJSON();
+}
+
+/** Clicks an edge at a fraction of its length, clockwise. */
+async function clickEdge(panel, index, fraction) {
+  const at = await edge(panel, index).evaluate((path, share) => {
+    const point = path.getPointAtLength(path.getTotalLength() * share);
+    const box = path.ownerSVGElement.getBoundingClientRect();
+    return { x: box.left + point.x, y: box.top + point.y };
+  }, fraction);
+  await page.mouse.click(at.x, at.y);
+}
+
+async function deleteSeam(id) {
+  const count = await seams().count();
+  const body = await checkedAfter(() => page.getByRole("button", { name: `Delete ${id}`, exact: true }).click());
+  assert.equal(body.seams.length, count - 1);
+  assert.ok(!body.seams.some((seam) => seam.id === id));
+}
+
+/** Side A and B of a sample's seam with directions as the page states them. */
+const SIDE = {
+  a: { panel: "skirt-front", from: 1, to: 2, direction: "cw" },
+  b: { panel: "skirt-back", from: 0, to: 4, direction: "ccw" },
+};
+
+async function assertNoAxeFaults() {
+  for (const colorScheme of ["light", "dark"]) {
+    await page.emulateMedia({ colorScheme });
+    assert.deepEqual(await axeFaults(page), [], colorScheme);
+  }
+  await page.emulateMedia({ colorScheme: "light" });
+}
+
+test("the page opens and offers samples and fabrics", async () => {
+  await page.waitForFunction(() => document.querySelectorAll("#default-fabric option").length >= 3);
+  assert.equal(await page.title(), "Seamster");
+  assert.ok(await page.locator("#run").isDisabled());
+  await assertNoAxeFaults();
+});
+
+test("a file that is no pattern is refused with its reason", async () => {
+  await page.setInputFiles("#pattern-file", { name: "letter.dxf", mimeType: "image/vnd.dxf", buffer: Buffer.from("Dear Sir or Madam") });
+  await page.locator("#pattern-faults .fault code").first().waitFor();
+  assert.match(await page.locator("#pattern-faults").textContent(), /pattern\//);
+  const expected = tab.record.errors.splice(0);
+  assert.ok(expected.every((text) => / 422 /.test(text)), expected.join("\n"));
+});
+
+test("the skirt sample shows its panels, corners and edges", async () => {
+  await page.getByRole("button", { name: "Skirt sample" }).click();
+  await until("seams can be sewn");
+  assert.equal(await page.locator("#sheet [aria-label^='Panel ']").count(), 3);
+  const pattern = await page.evaluate(() => fetch(`/v1/patterns/${new URLSearchParams(location.hash.slice(1)).get("pattern")}`).then((r) => r.json()));
+  for (const { id, corners, edges } of pattern.panels) {
+    assert.equal(await page.locator(`path.edge[data-panel="${id}"]`).count(), edges.length);
+    assert.equal(edges.length, corners.length);
+  }
+  assert.equal(await seams().count(), 6);
+  assert.equal(await page.locator(".seam-mark").count(), 6);
+  assert.ok(await page.locator("#run").isEnabled());
+});
+
+test("the drawing is y up and clockwise", async () => {
+  const area = await page.evaluate(() => [...document.querySelectorAll("path.cloth")].map((path) => {
+    const points = path.getAttribute("d").match(/-?[\d.]+/g).map(Number);
+    let sum = 0;
+    for (let i = 0; i < points.length; i += 2) {
+      const j = (i + 2) % points.length;
+      sum += points[i] * points[j + 1] - points[j] * points[i + 1];
+    }
+    return sum;
+  }));
+  // With y down on the screen a clockwise outline has a positive area.
+  assert.ok(area.every((sum) => sum > 0), String(area));
+});
+
+test("a seam is deleted and picked again by keyboard", async () => {
+  await deleteSeam("side-left");
+  await edge("skirt-front", 0).focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  assert.match(await status(), /First side: .* 1 → 2, clockwise/);
+  assert.equal(await page.locator(".pending .arrow").count(), 1);
+  await edge("skirt-back", 0).focus();
+  await page.keyboard.press("ArrowLeft");
+  const body = await checkedAfter(() => page.keyboard.press("Shift+Enter"));
+  const { a, b } = body.seams.at(-1);
+  assert.deepEqual({ a, b }, SIDE);
+  await until("It can be sewn");
+  assert.equal(await seams().count(), 6);
+  assert.equal(await page.locator(".seam-mark.selected .thread").count(), 2);
+  assert.equal(await page.locator(".seam-mark.selected .arrow").count(), 2);
+});
+
+test("a seam is deleted and picked again by pointer, the nearer end first", async () => {
+  const name = await page.locator("#seam-list .seam.selected .choose").getAttribute("data-key");
+  await deleteSeam(name.replace("choose ", ""));
+  await clickEdge("skirt-front", 1, 0.2);
+  assert.match(await status(), /1 → 2, clockwise/);
+  const body = await checkedAfter(() => clickEdge("skirt-back", 4, 0.8));
+  const { a, b } = body.seams.at(-1);
+  assert.deepEqual({ a, b }, SIDE);
+  await until("It can be sewn");
+  await assertNoAxeFaults();
+});
+
+test("escape lets go of the first edge", async () => {
+  await clickEdge("skirt-front", 2, 0.2);
+  assert.equal(await page.locator(".pending").count(), 1);
+  await page.keyboard.press("Escape");
+  await page.waitForFunction(() => document.querySelectorAll(".pending").length === 0);
+  assert.equal(await seams().count(), 6);
+});
+
+test("a bad pair says why and keeps the garment from being sewn", async () => {
+  await clickEdge("skirt-front", 2, 0.2);
+  await checkedAfter(() => clickEdge("waistband", 5, 0.2));
+  await until("cannot be sewn");
+  const faults = page.locator("#seam-list .seam.selected .fault");
+  assert.ok(await faults.count() > 0);
+  assert.match(await faults.first().textContent(), /seam\/\w+ at \/seams\/6/);
+  assert.ok(await page.locator("#run").isDisabled());
+  await assertNoAxeFaults();
+  await checkedAfter(() => page.getByRole("button", { name: "Undo" }).click());
+  await until("All 6 seams can be sewn");
+  assert.ok(await page.locator("#run").isEnabled());
+});
+
+test("a seam picked the wrong way round offers its correction", async () => {
+  await checkedAfter(() => page.getByRole("button", { name: "Reverse side-right", exact: true }).click());
+  await until("cannot be sewn");
+  const body = await checkedAfter(() => page.getByRole("button", { name: /^Use the correction/ }).first().click());
+  const right = body.seams.find((seam) => seam.id === "side-right");
+  assert.deepEqual([right.a.from, right.a.to, right.b.from, right.b.to], [0, 3, 2, 3]);
+  await until("can be sewn.");
+  assert.equal(await page.locator("#seam-list .seam.bad").count(), 0);
+});
+
+test("seams are put in another order of sewing", async () => {
+  const ids = () => page.locator("#seam-list .choose").evaluateAll((rows) => rows.map((row) => row.dataset.key));
+  const [first, second] = await ids();
+  await page.getByRole("button", { name: `Sew later ${first.replace("choose ", "")}`, exact: true }).click();
+  await page.waitForFunction((key) => document.querySelector("#seam-list .choose").dataset.key === key, second);
+  assert.deepEqual((await ids()).slice(0, 2), [second, first]);
+});
+
+test("fabric and body go into the garment that is sewn, and the fit runs to the end", async () => {
+  await page.locator("#stage-note").evaluate((note) => { note.style.visibility = "hidden"; });
+  emptyStage = await page.locator("#stage").screenshot();
+  await page.locator("#edge-length").selectOption("0.02");
+  await page.locator("#by-panel summary").click();
+  await page.getByLabel("Fabric of WAISTBAND").selectOption("cotton-poplin");
+  // A skirt does not touch the bust: the shape stays the sample's.
+  const bust = page.getByLabel("Bust, cm");
+  await bust.fill("93");
+  await bust.press("Tab");
+  const asked = page.waitForRequest((request) => request.url().endsWith("/v1/fits") && request.method() === "POST");
+  await page.getByRole("button", { name: "Sew and drape" }).press("Enter");
+  const body = (await asked).postDataJSON();
+  assert.equal(body.panels.waistband.fabric, "cotton-poplin");
+  assert.equal(body.avatar.form.bust_m, 0.93);
+  assert.equal(body.simulate.edge_length_m, 0.02);
+  await page.locator("#progress").waitFor({ state: "visible" });
+  assert.equal(await page.evaluate(() => document.activeElement.id), "cancel", "the focus stays where the button was");
+  await page.locator("#report .verdict").waitFor({ timeout: FIT_MS });
+  assert.equal(await page.locator("#fit-faults").textContent(), "");
+  assert.match(await page.locator("#report").textContent(), /The garment came to rest.*All seams are closed/s);
+  await page.locator("#stage canvas").waitFor();
+});
+
+test("the garment is seen in 3D from its sides", async () => {
+  const view = async (name) => {
+    await page.getByRole("button", { name, exact: true }).click();
+    await page.waitForTimeout(1500);
+    return page.locator("#stage").screenshot();
+  };
+  await page.locator("#stage-note").waitFor({ state: "hidden" });
+  const [front, left] = [await view("Front"), await view("Left")];
+  // The garment fills at least a tenth of the stage, whatever the shape of the window.
+  assert.ok(await difference(browser, emptyStage, front) > 0.1);
+  assert.ok(await difference(browser, front, left) > 0.01);
+  await page.getByLabel("Body", { exact: true }).uncheck();
+  const alone = await view("Left");
+  assert.ok(await difference(browser, left, alone) > 0.005);
+  assert.ok(await difference(browser, emptyStage, alone) > 0.05);
+  await page.getByLabel("Body", { exact: true }).check();
+  await page.locator("#stage canvas").focus();
+  await page.keyboard.press("ArrowRight");
+  await page.waitForTimeout(1500);
+  assert.ok(await difference(browser, left, await page.locator("#stage").screenshot()) > 0.005);
+  await assertNoAxeFaults();
+});
+
+test("the result and the garment file are downloaded", async () => {
+  const download = async (name) => {
+    const waiting = page.waitForEvent("download");
+    await page.getByRole("button", { name, exact: true }).click();
+    return readFile(await (await waiting).path());
+  };
+  const glb = await download("GLB");
+  assert.equal(glb.subarray(0, 4).toString(), "glTF");
+  assert.equal(glb.readUInt32LE(8), glb.length);
+  assert.match((await download("OBJ")).toString(), /^v /m);
+  assert.equal(JSON.parse(await download("JSON")).panels.length, 3);
+  assert.equal(JSON.parse(await download("Report")).converged, true);
+  const garment = JSON.parse(await download("Save garment"));
+  assert.equal(garment.seams.length, 6);
+  assert.equal(garment.pattern.panels.length, 3);
+});
+
+test("a reload shows the same fit and garment", async () => {
+  await page.reload();
+  await page.locator("#report .verdict").waitFor();
+  assert.equal(await seams().count(), 6);
+  assert.equal(await page.getByLabel("Bust, cm").inputValue(), "93");
+  await page.locator("#stage canvas").waitFor();
+  assert.equal(await page.locator("#run-note").textContent(), "");
+});
+
+test("a change asks for another run, which can be canceled", async () => {
+  await page.locator("#edge-length").selectOption("0.008");
+  await page.waitForFunction(() => document.getElementById("run-note").textContent.startsWith("Changed since"));
+  await page.getByRole("button", { name: "Sew again" }).click();
+  await page.getByRole("button", { name: "Cancel", exact: true }).click();
+  await page.locator("#progress").waitFor({ state: "hidden", timeout: 10_000 });
+  const id = await page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("fit"));
+  const fit = await page.evaluate((of) => fetch(`/v1/fits/${of}`).then((response) => response.json()), id);
+  assert.equal(fit.status, "canceled");
+  assert.ok(await page.locator("#run").isEnabled());
+  const missing = tab.record.errors.splice(0);
+  assert.ok(missing.every((text) => / 404 /.test(text)), missing.join("\n"));
+});
+
+test("a saved garment opens again", async () => {
+  const waiting = page.waitForEvent("download");
+  await page.getByRole("button", { name: "Save garment" }).click();
+  const file = await (await waiting).path();
+  await deleteSeam("side-right");
+  await page.setInputFiles("#open-garment-file", { name: "skirt.garment.json", mimeType: "application/json", buffer: await readFile(file) });
+  await until("All 6 seams can be sewn");
+  assert.equal(await seams().count(), 6);
+});
+
+test("names from files are text, never markup", async () => {
+  const pattern = await page.evaluate(() => fetch(`/v1/patterns/${new URLSearchParams(location.hash.slice(1)).get("pattern")}`).then((r) => r.json()));
+  pattern.name = "<img src=x onerror=document.title='broken'>";
+  delete pattern.id;
+  for (const panel of pattern.panels) panel.name = "<b id=injected>x</b>";
+  const buffer = Buffer.from(JSON.stringify({ schema: "seamster/garment/1", pattern, seams: [] }));
+  await page.setInputFiles("#open-garment-file", { name: "odd.json", mimeType: "application/json", buffer });
+  await page.waitForFunction(() => document.getElementById("pattern-facts").textContent.includes("<img src=x"));
+  assert.equal(await page.locator("#injected, main img").count(), 0);
+  assert.equal(await page.title(), "Seamster");
+});
+
+test("nothing left the origin, broke the policy or failed", () => {
+  assert.deepEqual(tab.record, { foreign: [], errors: [], breaches: [] });
+});
+
+test("no part is cut off at 800 and 1920 pixels", async () => {
+  for (const viewport of [{ width: 800, height: 900 }, { width: 1920, height: 1080 }]) {
+    await page.setViewportSize(viewport);
+    await page.waitForTimeout(300);
+    const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
+    assert.ok(wide <= 0, `${viewport.width}: ${wide} px too wide`);
+    assert.deepEqual(await axeFaults(page), []);
+  }
+});
+
+test("a service with tokens is used after the token was given once", { skip: BASE ? "BASE names a service without tokens" : false }, async () => {
+  const token = "a-token-for-this-test-alone";
+  const guarded = await startService(SEAMSTER_BIN, { SEAMSTER_TOKENS: token });
+  try {
+    const { page: tokenPage, record, context } = await openTab(browser, guarded.url);
+    await tokenPage.locator("#token-dialog[open]").waitFor();
+    assert.deepEqual(await axeFaults(tokenPage), []);
+    await tokenPage.getByLabel("Token", { exact: true }).fill("wrong");
+    await tokenPage.keyboard.press("Enter");
+    await tokenPage.locator("#token-why", { hasText: "refused" }).waitFor();
+    await tokenPage.getByLabel("Token", { exact: true }).fill(token);
+    await tokenPage.keyboard.press("Enter");
+    await tokenPage.getByRole("button", { name: "Top sample" }).click();
+    await tokenPage.waitForFunction(() => document.getElementById("status").textContent.includes("can be sewn"));
+    assert.equal(await tokenPage.locator("#sheet [aria-label^='Panel ']").count(), 2);
+    assert.ok(record.errors.every((text) => / 401 /.test(text)), record.errors.join("\n"));
+    assert.deepEqual([record.foreign, record.breaches], [[], []]);
+    await context.close();
+  } finally {
+    await guarded.stop();
+  }
+});
