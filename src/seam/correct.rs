@@ -2,12 +2,17 @@
 
 use super::Routed;
 use super::faces::Saying;
+use super::parity::{Link, Parity};
 use super::place::opposite;
 use crate::pattern::{Panel, Pattern, Place, Run, SeamPair, Side};
 use std::cmp::Ordering;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// How far the reflection of an edge may be from the edge that is taken for its mirror: share of the panel's width and height.
 const MIRROR_SHARE: f64 = 0.02;
+
+/// A point of an outline: the panel, and the bits of edge plus fraction.
+type Point = (usize, u64);
 
 /// A pair that could be sewn, and what was changed in words.
 pub(super) struct Correction {
@@ -109,24 +114,32 @@ impl Request<'_> {
         (!taken).then_some((run, told))
     }
 
-    /// Whether more ends of a seam meet where ends of other seams meet too once side B is reversed.
+    /// Whether more ends of a seam join points that other seams, one after another, join too once side B is reversed.
     fn ends_gained(&self, index: usize) -> Ordering {
-        let others = || self.seams.iter().filter(move |seam| seam.index != index);
-        let shared = |seam: &Routed| {
-            let ends = self.ends(seam);
-            let theirs = others().flat_map(|other| self.ends(other));
-            theirs.filter(|end| ends.contains(end)).count()
+        let Some(seam) = self.seams.iter().find(|seam| seam.index == index) else {
+            return Ordering::Equal;
         };
-        self.seams
-            .iter()
-            .find(|seam| seam.index == index)
-            .map_or(Ordering::Equal, |seam| {
-                shared(&seam.reversed()).cmp(&shared(seam))
-            })
+        let [picked, reversed] = [self.ends(seam), self.ends(&seam.reversed())];
+        let others = self.seams.iter().filter(|seam| seam.index != index);
+        let others: Vec<_> = others.flat_map(|seam| self.ends(seam)).collect();
+        let points: BTreeSet<Point> = others.iter().chain(&picked).flatten().copied().collect();
+        let numbers: BTreeMap<Point, usize> = points.into_iter().zip(0..).collect();
+        let mut joined = Parity::new(numbers.len());
+        let numbered = |ends: [Point; 2]| ends.map(|point| numbers[&point]);
+        for ends in others {
+            let ends = numbered(ends);
+            joined.join(Link { ends, same: true });
+        }
+        let mut count = |ends: [[Point; 2]; 2]| {
+            let mut heads = |ends| numbered(ends).map(|point| joined.find(point).0);
+            let meeting = ends.into_iter().map(&mut heads).filter(|[a, b]| a == b);
+            meeting.count()
+        };
+        count(reversed).cmp(&count(picked))
     }
 
-    /// Which points meet at the two ends of a seam, each as (panel, place on the outline), the lesser first.
-    fn ends(&self, seam: &Routed) -> [[(usize, u64); 2]; 2] {
+    /// Which points meet at the two ends of a seam.
+    fn ends(&self, seam: &Routed) -> [[Point; 2]; 2] {
         let point = |side: usize, last: bool| {
             let mut stretches = seam.sides[side].iter().flat_map(|leg| &leg.stretches);
             let (stretch, at) = if last {
@@ -139,11 +152,7 @@ impl Request<'_> {
             let place = (stretch.edge as f64 + at) % count as f64;
             (stretch.panel, place.to_bits())
         };
-        [false, true].map(|last| {
-            let mut meeting = [point(0, last), point(1, last)];
-            meeting.sort_unstable();
-            meeting
-        })
+        [false, true].map(|last| [point(0, last), point(1, last)])
     }
 }
 
