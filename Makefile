@@ -6,13 +6,14 @@ NPM_CI = npm ci --ignore-scripts --no-audit --no-fund
 
 # Set LISTEN or BIN on the command line: make run LISTEN=127.0.0.1:9000
 
-.PHONY: help run test check smoke audit build page browser chromium
+.PHONY: help run test check bench smoke audit build page browser chromium
 .DEFAULT_GOAL := help
 
 help:
 	@echo "make run     build, start the service on http://$(LISTEN) and open the page"
 	@echo "make test    all tests (SEAMSTER_TEST_DATA: folder of real patterns, left out without it)"
 	@echo "make check   format, lints, documentation"
+	@echo "make bench   times the samples with the error reached, a JSON line a run in target/bench.jsonl"
 	@echo "make smoke   a fresh service sews both samples, a validator reads the result"
 	@echo "make audit   known faults of dependencies (needs the internet)"
 
@@ -51,6 +52,9 @@ test: page browser chromium
 	  else echo cargo test; cargo test --locked --workspace; fi
 	cargo build --locked
 	SEAMSTER_BIN=target/debug/seamster node tests/browser/page.mjs
+
+bench:
+	cargo run --release --locked --example bench | tee target/bench.jsonl
 
 smoke: build browser
 	tests/smoke.sh $(BIN)

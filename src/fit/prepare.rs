@@ -166,7 +166,7 @@ fn inline_avatar(garment: &mut Garment, library: &dyn Library, faults: &mut Vec<
             ),
         },
         Some(AvatarAsked::Form(asked)) => {
-            faults.extend(Faults(asked.form.check()).under("/avatar/form").0)
+            faults.extend(Faults(asked.form.check()).under("/avatar/form").0);
         }
         None => {}
     }

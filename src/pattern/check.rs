@@ -72,7 +72,7 @@ fn placements(pattern: &Pattern) -> Vec<Fault> {
             );
         }
         let numbers = placement.offset_m.iter().chain(&placement.rotate_deg);
-        if numbers.into_iter().any(|c| !(c.abs() <= FAR)) {
+        if numbers.into_iter().any(|c| c.is_nan() || c.abs() > FAR) {
             faults.push(
                 Fault::new(
                     "pattern/not_finite",
@@ -386,7 +386,8 @@ fn derive(panel: &mut Panel) {
     panel.area_m2 = outline - holes;
     panel.perimeter_m = panel.edges.iter().map(|edge| edge.length_m).sum();
     let drawn_otherwise = panel.unfolded || !panel.cut_line.is_empty();
-    if !drawn_otherwise || !(panel.drawn_area_m2 > 0.0 && panel.drawn_area_m2.is_finite()) {
+    let plausible = panel.drawn_area_m2 > 0.0 && panel.drawn_area_m2.is_finite();
+    if !(drawn_otherwise && plausible) {
         panel.drawn_area_m2 = outline;
     }
 }

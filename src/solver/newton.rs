@@ -1,6 +1,6 @@
 //! The shape at rest by pseudo-transient Newton iteration.
 //!
-//! Each iteration minimises a quadratic model of the energy plus a proximal term M / (2 γ²) |x - x_n|² (implicit Euler with
+//! Each iteration minimises a quadratic model of the energy plus a proximal term M / (2 γ²) `|x - x_n|²` (implicit Euler with
 //! the velocity forgotten; C. T. Kelley, D. E. Keyes, "Convergence analysis of pseudo-transient continuation", SIAM J.
 //! Numer. Anal. 35(2), 1998). γ grows while the model predicts well and shrinks where it does not.
 //!

@@ -10,7 +10,7 @@ pub struct Report {
     pub converged: bool,
     /// Why it stopped, in words.
     pub why: String,
-    /// r = sqrt(sum |f_i|² / n) / (M 9.80665 / n).
+    /// `r = sqrt(sum |f_i|² / n) / (M 9.80665 / n)`.
     pub residual: f64,
     /// Below this, r is rounding.
     pub residual_floor: f64,

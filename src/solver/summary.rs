@@ -45,7 +45,7 @@ pub(super) fn left_out(scene: &Scene) -> Vec<LeftOut> {
         left_out.push(LeftOut {
             name: name.to_owned(),
             because: because.to_owned(),
-        })
+        });
     };
     leave("self_contact", "cloth against cloth is not looked for");
     if scene.avatar.is_none() {

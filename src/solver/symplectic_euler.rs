@@ -12,7 +12,7 @@ const LOOK_EVERY: usize = 100;
 /// How a trajectory is damped and bounded.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Motion {
-    /// Drag per mass C_d / m \[1/s\].
+    /// Drag per mass `C_d / m` \[1/s\].
     pub(crate) drag: f64,
     /// Greatest speed \[m/s\]: at the steps in question far less than the layer on the skin, so that nothing passes through.
     pub(crate) speed_limit: f64,

@@ -87,7 +87,7 @@ impl System<'_> {
         sum
     }
 
-    /// r = sqrt(sum |f_i|² / n) / (M 9.80665 / n): the net force on a particle over its weight.
+    /// `r = sqrt(sum |f_i|² / n) / (M 9.80665 / n)`: the net force on a particle over its weight.
     pub(crate) fn residual(&self, force: &[Vector3<f64>]) -> f64 {
         let count = force.len() as f64;
         let weight = self.mass.iter().sum::<f64>() * STANDARD_GRAVITY / count;

@@ -92,7 +92,7 @@ impl<'c, 'w> Trace<'c, 'w> {
 
     fn keep(&mut self, cpu_s: f64, residual: f64, shape: &dyn Fn() -> Vec<Vector3<f64>>) {
         self.seen += 1;
-        if self.seen % self.stride != 0 {
+        if !self.seen.is_multiple_of(self.stride) {
             return;
         }
         self.snapshots.push(Snapshot {

@@ -1,5 +1,7 @@
 //! The shipped samples, prepared for a fit.
 
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
 use seamster::config::Limits;
 use seamster::fit::{Garment, Library, PatternAsked, Prepared, prepare};
 use seamster::pattern::{ImportOptions, Pattern, import};

@@ -56,11 +56,11 @@ impl Ring {
         let runs = self.corner.iter().any(|end| *end);
         let turn_point = marked(&self.points, turns);
         let any_turn_point = turn_point.iter().any(|t| *t);
-        for i in 0..self.points.len() {
+        for (i, marked) in turn_point.into_iter().enumerate() {
             let sharp = self.turn_at(i).abs() >= CORNER;
             self.corner[i] |= match (runs, any_turn_point) {
-                (true, true) => turn_point[i] && sharp,
-                (false, true) => turn_point[i],
+                (true, true) => marked && sharp,
+                (false, true) => marked,
                 (_, false) => sharp,
             };
         }

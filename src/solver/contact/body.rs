@@ -102,7 +102,8 @@ impl BodyContact {
     fn touch(&mut self, i: usize, x: &Vector3<f64>) -> Option<BodySample> {
         let memory = &mut self.memory[i];
         let moved = x - memory.at;
-        if !(moved.norm_squared() <= memory.reach * memory.reach) {
+        // A particle that was never looked at is infinitely far from where it was.
+        if moved.norm() > memory.reach {
             let sample = self.avatar.sample(x);
             // Outside the layer nothing is felt until the particle has come nearer by the distance that is left.
             let free = sample.map_or(self.offset, |s| s.distance - self.offset);
