@@ -591,7 +591,6 @@ enum Expected {
 
 const RECTANGLE: &[f64] = &[120_000.0];
 
-#[expect(clippy::too_many_lines, reason = "one line to a file of the folder")]
 fn expected(file: &str) -> Expected {
     use Expected::{Read, Refused};
     match file.trim_end_matches(".dxf") {
