@@ -81,6 +81,7 @@ fn unit(normal: &Vector3<f64>) -> Vector3<f64> {
 mod tests {
     use super::*;
     use crate::export::PanelMesh;
+    use std::f64::consts::FRAC_PI_2;
 
     #[test]
     fn normal_of_a_corner_leans_to_the_larger_face() {
@@ -142,7 +143,7 @@ mod tests {
 
     #[test]
     fn panels_that_meet_in_a_crease_keep_their_own_normals() {
-        for turn in [1.5708, -1.5708, 3.1] {
+        for turn in [FRAC_PI_2, -FRAC_PI_2, 3.1] {
             let [left, right] = &of_garment(&sewn(turn))[..] else {
                 panic!("two panels");
             };
