@@ -14,7 +14,7 @@ pub use garment::{
 };
 pub use json_schema::garment_schema_json;
 pub use prepare::{Prepared, prepare};
-pub use run::{Outcome, run};
+pub use run::{Outcome, run, scene};
 pub(crate) use shape::Shape;
 pub use shape::{Misshapen, read_garment};
 

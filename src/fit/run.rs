@@ -36,13 +36,7 @@ const WARP_DEG: f64 = 90.0;
 pub fn run(prepared: &Prepared, context: &mut Context<'_>) -> Result<Outcome, Faults> {
     let began = (context.cpu_s)();
     let simulate = &prepared.garment.simulate;
-    let cloth = mesh::triangulate(
-        &prepared.pattern,
-        &prepared.seams,
-        simulate.edge_length_m,
-        context.limits,
-        context.cancel,
-    )?;
+    let cloth = triangulate(prepared, context)?;
     let meshed = (context.cpu_s)();
     let scene = assemble(prepared, cloth)?;
     let assembled = (context.cpu_s)();
@@ -62,6 +56,24 @@ pub fn run(prepared: &Prepared, context: &mut Context<'_>) -> Result<Outcome, Fa
         scene: neutral,
         canceled: drape.canceled,
     })
+}
+
+/// The assembled scene of a prepared garment, before anything moves.
+///
+/// # Errors
+/// As [`run`].
+pub fn scene(prepared: &Prepared, context: &Context<'_>) -> Result<Scene, Faults> {
+    assemble(prepared, triangulate(prepared, context)?)
+}
+
+fn triangulate(prepared: &Prepared, context: &Context<'_>) -> Result<ClothMesh, Faults> {
+    mesh::triangulate(
+        &prepared.pattern,
+        &prepared.seams,
+        prepared.garment.simulate.edge_length_m,
+        context.limits,
+        context.cancel,
+    )
 }
 
 fn assemble(prepared: &Prepared, mesh: ClothMesh) -> Result<Scene, Faults> {

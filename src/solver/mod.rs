@@ -20,7 +20,7 @@ mod trace;
 pub use ask::{Membrane, Method, SeamClose, Simulate, Want};
 pub use assemble::springs;
 pub use report::{CpuSeconds, Energy, ErrorPoint, LeftOut, Report, Term, Worn};
-pub use sew::drape;
+pub use sew::{drape, drape_on};
 
 use crate::config::Limits;
 use crate::progress::{CancelToken, Progress};

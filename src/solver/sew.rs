@@ -43,40 +43,25 @@ const DRAPING_MOTION: Motion = Motion {
 const ESTIMATE_HOLDS: f64 = 1e-2;
 
 /// Sews and drapes.
+///
+/// # Guarantees
+/// Ends within the limits of the context and never with a shape that is not finite; the report says whether the shape is at
+/// rest, and why not where it is not.
+///
+/// # Limitations
+/// Rest shapes are not unique: cloth folds one way or another. Cloth passes through cloth.
 pub fn drape(scene: &Scene, ask: &Simulate, context: &mut Context<'_>) -> Drape {
-    let clock = context.cpu_s;
-    let bounds = Bounds {
-        iterations: context.limits.iterations,
-        steps: context.limits.steps,
-    };
-    let mut fit = Fit {
-        scene,
-        ask,
-        clock,
-        bounds,
-        trace: Trace::new(context, ask.time_limit_s),
-    };
-    let mut x = scene.start.clone();
-    let mut report = Report {
-        method: fit.method().to_owned(),
-        version: env!("CARGO_PKG_VERSION").to_owned(),
-        ..Report::default()
-    };
-    let sewn = fit.sew(&mut x, &mut report);
-    report.cpu_s.sew = fit.trace.cpu_s();
-    match sewn {
-        Ok(stiffness) => fit.settle(&mut x, stiffness, &mut report),
-        Err(why) => {
-            report.why = why;
-            fit.measure(&x, &mut report);
-        }
-    }
-    report.error_against_run_time = fit.trace.error_against_run_time(&x);
-    Drape {
-        positions: x,
-        canceled: fit.trace.canceled,
-        report,
-    }
+    Fit::new(scene, ask, context).run(None)
+}
+
+/// Drapes on from a shape \[m; `#V`\] whose seams are closed, without sewing.
+pub fn drape_on(
+    scene: &Scene,
+    ask: &Simulate,
+    shape: &[Vector3<f64>],
+    context: &mut Context<'_>,
+) -> Drape {
+    Fit::new(scene, ask, context).run(Some(shape))
 }
 
 struct Fit<'s, 'c, 'w> {
@@ -87,7 +72,53 @@ struct Fit<'s, 'c, 'w> {
     trace: Trace<'c, 'w>,
 }
 
-impl<'s, 'w> Fit<'s, '_, 'w> {
+impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
+    fn new(scene: &'s Scene, ask: &'s Simulate, context: &'c mut Context<'w>) -> Self {
+        let bounds = Bounds {
+            iterations: context.limits.iterations,
+            steps: context.limits.steps,
+        };
+        let clock = context.cpu_s;
+        let trace = Trace::new(context, ask.time_limit_s);
+        Self {
+            scene,
+            ask,
+            clock,
+            bounds,
+            trace,
+        }
+    }
+
+    fn run(mut self, closed: Option<&[Vector3<f64>]>) -> Drape {
+        let mut x = closed.unwrap_or(&self.scene.start).to_vec();
+        let mut report = Report {
+            method: self.method().to_owned(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            ..Report::default()
+        };
+        let sewn = match closed {
+            Some(_) => Ok(self.ask.seam_stiffness_n_m.unwrap_or(SEAM_STIFFNESS)),
+            None => self.sew(&mut x, &mut report),
+        };
+        report.cpu_s.sew = self.trace.cpu_s();
+        match sewn {
+            Ok(stiffness) => self.settle(&mut x, stiffness, &mut report),
+            Err(why) => {
+                report.why = why;
+                self.measure(&x, &mut report);
+            }
+        }
+        if !x.iter().all(|p| p.iter().all(|c| c.is_finite())) {
+            x.clone_from(&self.scene.start);
+        }
+        report.error_against_run_time = self.trace.error_against_run_time(&x);
+        Drape {
+            positions: x,
+            canceled: self.trace.canceled,
+            report,
+        }
+    }
+
     fn explicit(&self) -> bool {
         self.ask.method == Method::SymplecticEuler
     }

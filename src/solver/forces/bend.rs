@@ -1,9 +1,12 @@
 //! Quadratic (isometric) bending.
 //!
 //! M. Bergou, M. Wardetzky, D. Harmon, D. Zorin, E. Grinspun, "A Quadratic Bending Model for Inextensible Surfaces"
-//! (Symposium on Geometry Processing 2006): the energy of a hinge is 3 B / (2 (A0 + A1)) |sum_i K_i x_i|² with
-//! cotangent weights K of the flat rest shape, which is B/2 times the integral of the squared mean curvature.
-//! Its second derivative is constant and positive semidefinite.
+//! (Symposium on Geometry Processing 2006): the energy of a hinge is c / 2 |sum K x|² with cotangent weights K of the flat
+//! rest shape. Its second derivative is constant and positive semidefinite.
+//!
+//! The paper's c = 3 B / (A0 + A1) is right for a sphere. Cloth hardly stretches, so it bends into developable surfaces, and on
+//! a cylinder that c gives three times the energy B/2 κ² A, on equilateral and on right-angled meshes alike. Here
+//! c = B / (A0 + A1), so that a strip bends as its rigidity B says.
 
 use super::Force;
 use crate::solver::sparsity::{BlockMatrix, Slot, Sparsity};
@@ -22,7 +25,7 @@ impl Hinge {
     /// cotangents at the first and the second point of the edge, and the area \[m²\].
     pub(crate) fn new(particles: [usize; 4], sides: [HingeSide; 2], rigidity: f64) -> Self {
         let [s, t] = sides;
-        let scale = (3.0 * rigidity / (s.area + t.area)).sqrt();
+        let scale = (rigidity / (s.area + t.area)).sqrt();
         let weights = [
             scale * (s.cotangents[1] + t.cotangents[1]),
             scale * (s.cotangents[0] + t.cotangents[0]),

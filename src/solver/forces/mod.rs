@@ -41,3 +41,6 @@ pub(crate) trait Force {
     /// what limits an explicit step, and what rounding is measured by.
     fn add_stiffness(&self, stiffness: &mut [f64]);
 }
+
+#[cfg(test)]
+mod tests;

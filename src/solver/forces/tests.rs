@@ -1,0 +1,297 @@
+//! Every force against the differences of its energy, every second derivative against those of its force, and closed forms.
+
+use super::*;
+use crate::scene::DressForm;
+use crate::solver::contact::{BodyContact, Friction};
+use nalgebra::{DMatrix, Matrix3};
+use std::sync::Arc;
+
+/// Six points off a plane, the same every time.
+fn points() -> Vec<Vector3<f64>> {
+    let mut seed = 7_u32;
+    let mut number = || {
+        seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        f64::from(seed >> 8) / f64::from(1 << 24) - 0.5
+    };
+    let flat = [
+        [0.0, 0.0],
+        [1.0, 0.0],
+        [0.0, 1.0],
+        [1.1, 1.2],
+        [2.0, 0.1],
+        [2.1, 1.1],
+    ];
+    flat.iter()
+        .map(|[u, v]| Vector3::new(*u, *v, 0.0) + Vector3::new(number(), number(), number()) * 0.3)
+        .collect()
+}
+
+fn dense(force: &mut dyn Force, x: &[Vector3<f64>], convex: bool) -> DMatrix<f64> {
+    let mut pairs = Vec::new();
+    force.couple(&mut pairs);
+    let sparsity = Sparsity::from_pairs(x.len(), pairs);
+    force.bind(&sparsity);
+    let mut blocks = BlockMatrix::zeros(&sparsity);
+    force.add_hessian(x, convex, &mut blocks);
+    let mut dense = DMatrix::zeros(3 * x.len(), 3 * x.len());
+    for column in 0..x.len() {
+        for (row, slot) in sparsity.column(column) {
+            let block: Matrix3<f64> = blocks.blocks[slot];
+            dense
+                .view_mut((3 * row, 3 * column), (3, 3))
+                .copy_from(&block);
+            dense
+                .view_mut((3 * column, 3 * row), (3, 3))
+                .copy_from(&block.transpose());
+        }
+    }
+    dense
+}
+
+fn net(force: &mut dyn Force, x: &[Vector3<f64>]) -> Vec<f64> {
+    let mut f = vec![Vector3::zeros(); x.len()];
+    force.add_force(x, &mut f);
+    f.iter().flat_map(|v| [v.x, v.y, v.z]).collect()
+}
+
+/// Central differences with step `h` have errors of order h² times the third derivative plus rounding eps |E| / h: `within`
+/// bounds both, relative to the largest number compared.
+fn check_derivatives(force: &mut dyn Force, x: &[Vector3<f64>], h: f64, within: f64) {
+    let analytic = net(force, x);
+    let second = dense(force, x, false);
+    let mut differences = (
+        vec![0.0; analytic.len()],
+        DMatrix::zeros(analytic.len(), analytic.len()),
+    );
+    for i in 0..analytic.len() {
+        let moved = |by: f64| {
+            let mut x = x.to_vec();
+            x[i / 3][i % 3] += by;
+            x
+        };
+        let (ahead, behind) = (moved(h), moved(-h));
+        differences.0[i] = -(force.energy(&ahead) - force.energy(&behind)) / (2.0 * h);
+        let (ahead, behind) = (net(force, &ahead), net(force, &behind));
+        for j in 0..analytic.len() {
+            differences.1[(j, i)] = -(ahead[j] - behind[j]) / (2.0 * h);
+        }
+    }
+    let largest = analytic.iter().fold(0.0_f64, |m, f| m.max(f.abs()));
+    for (a, d) in analytic.iter().zip(&differences.0) {
+        assert!(
+            (a - d).abs() <= within * largest,
+            "{}: force {a} against {d}",
+            force.name()
+        );
+    }
+    let apart = (&second - &differences.1).amax();
+    assert!(
+        apart <= within * second.amax().max(1e-12),
+        "{}: second derivatives {apart} apart",
+        force.name()
+    );
+}
+
+/// The convex part has no eigenvalue below rounding.
+fn check_convex(force: &mut dyn Force, x: &[Vector3<f64>]) {
+    let convex = dense(force, x, true);
+    let lowest = convex.clone().symmetric_eigenvalues().min();
+    assert!(
+        lowest >= -1e-12 * convex.amax(),
+        "{}: lowest eigenvalue {lowest}",
+        force.name()
+    );
+}
+
+fn springs() -> SpringForce {
+    let spring = |a, b, rest_length| Spring {
+        a,
+        b,
+        rest_length,
+        stiffness: 300.0,
+    };
+    // One pulled, one pressed together.
+    SpringForce::new(vec![
+        spring(0, 1, 0.4),
+        spring(1, 3, 2.0),
+        spring(2, 4, 1.0),
+        spring(5, 0, 3.5),
+    ])
+}
+
+fn membranes() -> ContinuumForce {
+    let moduli = [900.0, 400.0, 50.0];
+    let triangle = |particles, rest| Membrane::new(particles, rest, moduli).unwrap();
+    ContinuumForce::new(vec![
+        triangle([0, 1, 2], [[0.0, 0.0], [1.2, 0.1], [0.0, 1.0]]),
+        triangle([1, 3, 2], [[1.2, 0.1], [1.3, 1.4], [0.0, 1.0]]),
+        triangle([1, 4, 3], [[0.0, 0.0], [0.7, 0.0], [0.1, 0.9]]),
+    ])
+}
+
+fn hinges() -> BendForce {
+    let side = HingeSide {
+        cotangents: [0.7, 0.4],
+        area: 0.6,
+    };
+    let other = HingeSide {
+        cotangents: [0.3, 0.9],
+        area: 0.5,
+    };
+    BendForce::new(vec![
+        Hinge::new([1, 2, 0, 3], [side, other], 2e-3),
+        Hinge::new([1, 3, 2, 4], [other, side], 1e-3),
+    ])
+}
+
+#[test]
+fn forces_are_the_gradients_of_their_energies() {
+    let x = points();
+    let mut forces: Vec<Box<dyn Force>> = vec![
+        Box::new(springs()),
+        Box::new(membranes()),
+        Box::new(hinges()),
+        Box::new(SewingForce::new(vec![(0, 4), (2, 5)], 1e3)),
+        Box::new(Gravity {
+            weight: vec![Vector3::new(0.0, -0.3, 0.1); 6],
+            start: vec![Vector3::zeros(); 6],
+        }),
+    ];
+    for force in &mut forces {
+        // h = 1e-5: h² and eps / h are both about 1e-10; a margin of a hundred for the third derivatives.
+        check_derivatives(force.as_mut(), &x, 1e-5, 1e-8);
+        check_convex(force.as_mut(), &x);
+    }
+}
+
+#[test]
+fn contact_and_friction_are_the_gradients_of_their_energy() {
+    let avatar = Arc::new(DressForm::default().build().unwrap());
+    let hip = avatar.landmarks["hip_front"];
+    // Inside the layer, on its edge's far side, deep, and away.
+    let mut x: Vec<_> = [
+        (0.0, 1.2e-3),
+        (0.03, 0.2e-3),
+        (-0.05, -0.5e-3),
+        (0.01, 0.02),
+    ]
+    .iter()
+    .map(|(aside, out)| {
+        let p = hip + Vector3::new(*aside, *aside, 0.05);
+        let skin = avatar.nearest_point(&p);
+        skin + (p - skin).normalize() * *out
+    })
+    .collect();
+    let mut contact =
+        BodyContact::new(avatar, 2e-3, &[1e-4; 4]).with_friction(Some(Friction::new(0.3, 4)));
+    contact.accept(&x);
+    // One sticks, the others slip: the first moves by less than the give of its spring (0.3 x 0.8 mm).
+    x[0] += Vector3::new(5e-5, 0.0, 0.0);
+    x[1] += Vector3::new(2e-3, 0.0, 0.0);
+    x[2] += Vector3::new(0.0, 3e-3, 0.0);
+    // The field bends on the scale of its grid, 9 mm: h = 1e-7 keeps h² d³ below 1e-10 and rounding of the energy near 1e-7.
+    check_derivatives(&mut contact, &x, 1e-7, 1e-5);
+    check_convex(&mut contact, &x);
+}
+
+#[test]
+fn a_stretched_patch_has_no_net_force_inside_and_the_energy_of_the_continuum() {
+    // A square of four triangles about a point off its middle, stretched by 3 % along warp and 1 % along weft.
+    let flat = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.4, 0.3]];
+    let moduli = [1000.0, 300.0, 20.0];
+    let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];
+    let mut force = ContinuumForce::new(
+        triangles
+            .iter()
+            .map(|t| Membrane::new(*t, t.map(|v| flat[v]), moduli).unwrap())
+            .collect(),
+    );
+    let x: Vec<_> = flat
+        .iter()
+        .map(|[u, v]| Vector3::new(1.03 * u, 0.0, 1.01 * v))
+        .collect();
+    let f = net(&mut force, &x);
+    // Sums of four terms of up to 30 N, rounded.
+    assert!(f[12..].iter().all(|f| f.abs() < 1e-12));
+    let green = |stretch: f64| 0.5 * (stretch * stretch - 1.0);
+    let exact = 0.5 * (moduli[0] * green(1.03).powi(2) + moduli[1] * green(1.01).powi(2));
+    assert!((force.energy(&x) - exact).abs() < 1e-13 * exact.max(1.0));
+}
+
+#[test]
+fn a_rolled_strip_has_the_bending_energy_of_a_cylinder() {
+    // B/2 κ² A on a grid rolled to radius 0.1 m; hinges are missing along the border, so the error is of first order in the
+    // cell, and halving the cell has to halve it: between 1.6 and 2.4 times.
+    let error = |cells: usize| {
+        let (side, radius, rigidity) = (0.1, 0.1, 1e-5);
+        let cell = side / cells as f64;
+        let index = |i: usize, j: usize| i * (cells + 1) + j;
+        let mut hinges = Vec::new();
+        let right = HingeSide {
+            cotangents: [1.0, 0.0],
+            area: 0.5 * cell * cell,
+        };
+        let corner = HingeSide {
+            cotangents: [0.0, 1.0],
+            area: 0.5 * cell * cell,
+        };
+        let half = HingeSide {
+            cotangents: [1.0, 1.0],
+            area: 0.5 * cell * cell,
+        };
+        for i in 0..cells {
+            for j in 0..cells {
+                // Cells are cut from (i, j) to (i + 1, j + 1).
+                hinges.push(Hinge::new(
+                    [
+                        index(i, j),
+                        index(i + 1, j + 1),
+                        index(i + 1, j),
+                        index(i, j + 1),
+                    ],
+                    [half, half],
+                    rigidity,
+                ));
+                if i > 0 {
+                    hinges.push(Hinge::new(
+                        [
+                            index(i, j),
+                            index(i, j + 1),
+                            index(i + 1, j + 1),
+                            index(i - 1, j),
+                        ],
+                        [right, corner],
+                        rigidity,
+                    ));
+                }
+                if j > 0 {
+                    hinges.push(Hinge::new(
+                        [
+                            index(i, j),
+                            index(i + 1, j),
+                            index(i + 1, j + 1),
+                            index(i, j - 1),
+                        ],
+                        [right, corner],
+                        rigidity,
+                    ));
+                }
+            }
+        }
+        let mut force = BendForce::new(hinges);
+        let rolled = |i: usize, j: usize| {
+            let angle = i as f64 * cell / radius;
+            Vector3::new(radius * angle.sin(), j as f64 * cell, radius * angle.cos())
+        };
+        let x: Vec<_> = (0..=cells)
+            .flat_map(|i| (0..=cells).map(move |j| rolled(i, j)))
+            .collect();
+        let exact = 0.5 * rigidity / (radius * radius) * side * side;
+        (force.energy(&x) - exact).abs() / exact
+    };
+    let (coarse, fine) = (error(16), error(32));
+    assert!(
+        (1.6..2.4).contains(&(coarse / fine)),
+        "{coarse} then {fine}"
+    );
+}

@@ -1,0 +1,60 @@
+//! The shipped samples, prepared for a fit.
+
+use seamster::config::Limits;
+use seamster::fit::{Garment, Library, PatternAsked, Prepared, prepare};
+use seamster::pattern::{ImportOptions, Pattern, import};
+use seamster::progress::{CancelToken, Progress};
+use seamster::scene::{DressForm, Fabric, library};
+use seamster::solver::Context;
+use serde_json::Value;
+use std::sync::Arc;
+use uuid::Uuid;
+
+/// Nothing stored; the shipped fabrics.
+struct Shipped;
+
+impl Library for Shipped {
+    fn pattern(&self, _id: Uuid) -> Option<Arc<Pattern>> {
+        None
+    }
+
+    fn form(&self, _id: Uuid) -> Option<DressForm> {
+        None
+    }
+
+    fn fabric(&self, id: &str) -> Option<Fabric> {
+        library().remove(id)
+    }
+}
+
+/// The sample `name` with the fields of `changes` put over those of its garment file.
+pub(crate) fn sample(name: &str, changes: Value) -> Prepared {
+    let folder = format!("{}/static/samples", env!("CARGO_MANIFEST_DIR"));
+    let dxf = std::fs::read(format!("{folder}/{name}.dxf")).unwrap();
+    let text = std::fs::read_to_string(format!("{folder}/{name}.garment.json")).unwrap();
+    let mut garment: Value = serde_json::from_str(&text).unwrap();
+    for (key, value) in changes.as_object().unwrap() {
+        garment[key] = value.clone();
+    }
+    let mut garment: Garment = serde_json::from_value(garment).unwrap();
+    let pattern = import(&dxf, &ImportOptions::default(), &Limits::default()).unwrap();
+    garment.pattern = Some(PatternAsked::Whole(Box::new(pattern)));
+    prepare(garment, &Shipped, &Limits::default()).unwrap()
+}
+
+/// Calls `run` with a context of its own.
+pub(crate) fn with_context<T>(
+    limits: &Limits,
+    cancel: &CancelToken,
+    mut told: impl FnMut(Progress),
+    run: impl FnOnce(&mut Context<'_>) -> T,
+) -> T {
+    let began = std::time::Instant::now();
+    let mut context = Context {
+        cpu_s: &|| began.elapsed().as_secs_f64(),
+        cancel,
+        progress: &mut told,
+        limits,
+    };
+    run(&mut context)
+}
