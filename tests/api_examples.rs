@@ -193,9 +193,9 @@ fn events_end_with_the_final_status() {
 fn command_line_leaves_a_mesh_and_a_report() {
     let program = Program::start();
     program.run("sew.sh");
-    let report: Value = serde_json::from_slice(&program.file("top.report.json")).unwrap();
+    let report: Value = serde_json::from_slice(&program.file("skirt.report.json")).unwrap();
     assert_eq!(report["converged"], true, "{report}");
-    gltf::Gltf::from_slice(&program.file("top.glb")).unwrap();
+    gltf::Gltf::from_slice(&program.file("skirt.glb")).unwrap();
 }
 
 #[test]

@@ -8,11 +8,11 @@ use axum::extract::Request;
 use axum::http::{HeaderMap, HeaderValue, Method, Uri, header};
 use axum::middleware::{Next, from_fn};
 use axum::response::Response;
-use rust_embed::Embed;
+use rust_embed::{Embed, EmbeddedFile};
 use sha2::{Digest, Sha256};
 use utoipa_swagger_ui::{Config, SwaggerUi};
 
-/// Files of the page. Of its one dependency only what it loads.
+/// Files of the page itself. A star matches across folders.
 #[derive(Embed)]
 #[folder = "static/"]
 #[include = "*.html"]
@@ -20,14 +20,28 @@ use utoipa_swagger_ui::{Config, SwaggerUi};
 #[include = "*.css"]
 #[include = "*.svg"]
 #[include = "samples/*"]
-#[include = "node_modules/three/LICENSE"]
-#[include = "node_modules/three/build/three.module.min.js"]
-#[include = "node_modules/three/build/three.core.min.js"]
-#[include = "node_modules/three/examples/jsm/controls/OrbitControls.js"]
-#[include = "node_modules/three/examples/jsm/loaders/GLTFLoader.js"]
-#[include = "node_modules/three/examples/jsm/utils/BufferGeometryUtils.js"]
-#[include = "node_modules/three/examples/jsm/utils/SkeletonUtils.js"]
+#[exclude = "node_modules/*"]
 struct Files;
+
+/// The page's one dependency: only what it loads.
+#[derive(Embed)]
+#[folder = "static/node_modules/three/"]
+#[include = "LICENSE"]
+#[include = "build/three.module.min.js"]
+#[include = "build/three.core.min.js"]
+#[include = "examples/jsm/controls/OrbitControls.js"]
+#[include = "examples/jsm/loaders/GLTFLoader.js"]
+#[include = "examples/jsm/utils/BufferGeometryUtils.js"]
+#[include = "examples/jsm/utils/SkeletonUtils.js"]
+#[allow_missing = true]
+struct Three;
+
+fn embedded(path: &str) -> Option<EmbeddedFile> {
+    match path.strip_prefix("node_modules/three/") {
+        Some(path) => Three::get(path),
+        None => Files::get(path),
+    }
+}
 
 /// The page of the API at `/docs`. Swagger UI sets styles from its script.
 pub(super) fn docs() -> Router<App> {
@@ -55,7 +69,7 @@ pub(super) async fn file(
 ) -> Result<Response, Problem> {
     let path = uri.path().trim_start_matches('/');
     let path = if path.is_empty() { "index.html" } else { path };
-    let file = Files::get(path).ok_or_else(|| no_such_path(uri.path()))?;
+    let file = embedded(path).ok_or_else(|| no_such_path(uri.path()))?;
     if method != Method::GET && method != Method::HEAD {
         return Err(Problem::method_not_allowed(method.as_str(), uri.path()));
     }
@@ -146,11 +160,15 @@ mod tests {
 
     #[test]
     fn only_what_the_page_loads_is_embedded() {
-        let parts: Vec<_> = Files::iter()
-            .filter(|path| path.starts_with("node_modules/"))
-            .collect();
+        let parts: Vec<_> = Three::iter().collect();
         assert_eq!(parts.len(), 7, "{parts:?}");
-        assert!(Files::get("package.json").is_none());
+        for path in &parts {
+            assert!(embedded(&format!("node_modules/three/{path}")).is_some());
+        }
+        assert!(!Files::iter().any(|path| path.contains("node_modules")));
+        for path in ["package.json", "node_modules/three/src/utils.js"] {
+            assert!(embedded(path).is_none(), "{path}");
+        }
     }
 
     #[test]
