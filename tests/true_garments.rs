@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use uuid::Uuid;
 
-/// The body that GarmentCode drafts for where nothing else is said: its mean female (GarmentCodeData, `mean_all`).
+/// The body that GarmentCode drafts for where nothing else is said: its mean female (`mean_all` of its data set).
 const MEAN_FEMALE: DressForm = DressForm {
     height_m: 1.662,
     bust_m: 0.974,
