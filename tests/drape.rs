@@ -148,6 +148,21 @@ fn what_is_not_at_rest_is_not_called_so() {
 }
 
 #[test]
+fn a_garment_that_nothing_holds_is_seen_to_fall() {
+    let prepared = sample(
+        "skirt",
+        json!({"avatar": null, "simulate": {"edge_length_m": 0.04}}),
+    );
+    let report = with_context(&Limits::default(), &CancelToken::new(), quiet, |context| {
+        fit::run(&prepared, context)
+    })
+    .unwrap()
+    .report;
+    assert!(!report.converged && !report.worn.ok);
+    assert!(report.why.contains("fell off"), "{}", report.why);
+}
+
+#[test]
 fn a_step_above_the_stability_limit_is_refused_with_the_limit() {
     let simulate = json!({"edge_length_m": 0.04, "method": "symplectic_euler", "membrane": "springs", "step_s": 0.01});
     let prepared = sample("top", json!({"simulate": simulate}));

@@ -39,6 +39,8 @@ const DRAPING_MOTION: Motion = Motion {
     speed_limit: 5.0,
     step: None,
 };
+/// How far the middle of a garment sinks before it is plain that nothing will stop it \[m\].
+const FREE_FALL: f64 = 0.5;
 /// Residual up to which ‖H⁻¹ f‖ was measured to be the error.
 const ESTIMATE_HOLDS: f64 = 1e-2;
 
@@ -288,8 +290,10 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
         let bounds = self.bounds;
         let trace = &mut self.trace;
         let mut last = f64::NAN;
+        let (first_height, mut fell) = (mean_height(shape), false);
         let mut judge = |i: Iteration<'_>| {
             last = i.residual;
+            fell = first_height - mean_height(i.positions) > FREE_FALL;
             let gap = measure::seam_gap(stitches, &particles.spread(i.positions));
             let done =
                 (1.0 - (i.residual / tolerance).ln() / (10.0 / tolerance).ln()).clamp(0.0, 1.0);
@@ -302,7 +306,9 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
                 shape: Some(&spread),
             };
             let verdict = trace.look(&look);
-            if verdict == Verdict::Continue && i.residual <= tolerance {
+            if fell {
+                Verdict::Interrupt
+            } else if verdict == Verdict::Continue && i.residual <= tolerance {
                 Verdict::Reached
             } else {
                 verdict
@@ -310,6 +316,7 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
         };
         let (mut ended, newton) = run(system, shape, motion, bounds, &mut judge);
         ended.residual = last;
+        ended.fell = fell;
         (ended, newton)
     }
 

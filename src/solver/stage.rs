@@ -10,6 +10,8 @@ pub(super) struct Ended {
     pub(super) stop: Stop,
     pub(super) residual: f64,
     pub(super) rungs: Rungs,
+    /// Whether it was ended because the garment was falling.
+    pub(super) fell: bool,
     /// The step that explicit steps may not exceed, if a longer one was asked for \[s\].
     pub(super) too_long: Option<f64>,
 }
@@ -35,6 +37,7 @@ pub(super) fn run(
         stop,
         residual: f64::NAN,
         rungs: Rungs::default(),
+        fell: false,
         too_long: None,
     };
     if let Some(motion) = motion {
@@ -72,6 +75,9 @@ impl Ended {
             return format!(
                 "step_s is above the stability limit of {step:.2e} s: give a shorter one or leave it out"
             );
+        }
+        if self.fell {
+            return "it fell off the body: nothing holds it up".to_owned();
         }
         match self.stop {
             Stop::Reached => format!("at rest: r = {r:.1e}"),

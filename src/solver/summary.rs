@@ -75,7 +75,13 @@ pub(super) fn worn(scene: &Scene, report: &Report, sunk: f64) -> Worn {
     let (ok, because) = if scene.avatar.is_none() {
         (false, "there is no avatar".to_owned())
     } else if !report.converged {
-        (false, "it did not come to rest".to_owned())
+        (
+            false,
+            format!(
+                "it did not come to rest; its middle is {:.0} mm lower than it was sewn",
+                sunk * 1e3
+            ),
+        )
     } else if sunk > FALLEN {
         (
             false,
