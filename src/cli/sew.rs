@@ -91,7 +91,9 @@ fn prepared<'a>(asked: &'a SewAsked, limits: &Limits) -> Result<Prepared, Refuse
         faults::warn(file, &pattern.warnings);
         garment.pattern = Some(PatternAsked::Whole(Box::new(pattern)));
     }
-    fit::prepare(garment, &Shipped, limits).map_err(in_garment)
+    let prepared = fit::prepare(garment, &Shipped, limits).map_err(in_garment)?;
+    faults::warn(file, prepared.warnings());
+    Ok(prepared)
 }
 
 fn read_garment(file: &Path, limits: &Limits) -> Result<Garment, Faults> {

@@ -4,7 +4,7 @@ use super::Library;
 use super::availability::{self, escape};
 use super::garment::{AvatarAsked, Garment, PatternAsked, SCHEMA, SeamsAsked};
 use crate::config::Limits;
-use crate::fault::{Fault, Faults};
+use crate::fault::{Fault, Faults, Warning};
 use crate::pattern::{self, Pattern};
 use crate::scene::{self, Fabric, ToPlace};
 use crate::seam::{self, FaceAsked, SeamSet};
@@ -18,12 +18,18 @@ pub struct Prepared {
     pub(super) garment: Garment,
     pub(super) pattern: Arc<Pattern>,
     pub(super) seams: SeamSet,
+    warnings: Vec<Warning>,
 }
 
 impl Prepared {
     /// The garment, complete in itself: pattern, avatar and fabrics that it referred to are inside.
     pub fn garment(&self) -> &Garment {
         &self.garment
+    }
+
+    /// What a user should know about its seams.
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
     }
 }
 
@@ -63,13 +69,14 @@ pub fn prepare(
         .map_err(|found| faults.extend(found.0))
         .ok();
     match seams {
-        Some(seams) if faults.is_empty() => {
+        Some((seams, warnings)) if faults.is_empty() => {
             faults.extend(placement_faults(&garment, &pattern, &seams));
             garment.pattern = Some(PatternAsked::Whole(Box::new(Pattern::clone(&pattern))));
             Faults(faults).or(Prepared {
                 garment,
                 pattern,
                 seams,
+                warnings,
             })
         }
         _ => Err(Faults(faults)),
@@ -104,7 +111,11 @@ fn find_pattern(
     }
 }
 
-fn check_seams(garment: &Garment, pattern: &Pattern, limits: &Limits) -> Result<SeamSet, Faults> {
+fn check_seams(
+    garment: &Garment,
+    pattern: &Pattern,
+    limits: &Limits,
+) -> Result<(SeamSet, Vec<Warning>), Faults> {
     let SeamsAsked::Pairs(pairs) = &garment.seams else {
         return Err(Faults(Vec::new()));
     };
@@ -117,7 +128,9 @@ fn check_seams(garment: &Garment, pattern: &Pattern, limits: &Limits) -> Result<
         .simulate
         .edge_length_m
         .clamp(limits.edge_length_m[0], limits.edge_length_m[1]);
-    seam::check(pattern, pairs, &faces, edge_length, limits).1
+    let (check, seams) = seam::check(pattern, pairs, &faces, edge_length, limits);
+    let found = check.seams.into_iter().flat_map(|seam| seam.warnings);
+    Ok((seams?, check.warnings.into_iter().chain(found).collect()))
 }
 
 /// Puts the fabrics that are used into the garment, so that it is complete in itself; those that are not used stay.

@@ -81,6 +81,7 @@ fn assemble(prepared: &Prepared, mesh: ClothMesh) -> Result<Scene, Faults> {
         garment,
         pattern,
         seams,
+        ..
     } = prepared;
     let avatar = match &garment.avatar {
         Some(AvatarAsked::Form(asked)) => Some(Arc::new(

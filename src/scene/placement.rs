@@ -179,10 +179,14 @@ fn guess(panel: &Panel) -> Option<Anchor> {
     let words: Vec<&str> = name.split(|c: char| !c.is_alphabetic()).collect();
     let any = |list: &[&str]| words.iter().any(|word| list.contains(word));
     let within = |list: &[&str]| list.iter().any(|part| name.contains(part));
-    let back = any(&["back", "bk", "rear", "b"]) || within(&["back"]);
-    let front = any(&["front", "fr", "frt", "f"]) || within(&["front"]);
+    let back = any(&["back", "bk", "rear", "b"]) || within(&["back", "btorso"]);
+    let front = any(&["front", "fr", "frt", "f"]) || within(&["front", "ftorso"]);
     let band = any(&["wb", "band", "waistband"]) || within(&["waistband"]);
     let skirt = within(&["skirt"]);
+    // No key points for these yet; "sleeve_f" must not pass for a front.
+    if within(&["sleeve", "collar", "cuff", "hood"]) {
+        return None;
+    }
     Some(match (band, skirt, front, back) {
         (true, _, true, false) => Anchor::WaistFront,
         (true, _, false, true) => Anchor::WaistBack,
