@@ -1,7 +1,7 @@
 //! The service: routes, guards, problems as RFC 9457, events, `OpenAPI` and the page.
 //!
 //! One file a resource, each with its `router()`. Handlers extract, check, call the domain and wrap; all that a client sends is
-//! checked in the extractors ([`body`], [`fit_asked`], [`listing`]), so that a handler can only receive a valid value.
+//! checked in the extractors (`body`, `fit_asked`, `listing`), so that a handler can only receive a valid value.
 
 mod answer;
 mod avatars;
