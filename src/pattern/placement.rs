@@ -39,6 +39,8 @@ pub enum Anchor {
     WaistFront,
     /// Behind the waist (half a waistband).
     WaistBack,
+    /// The origin of space, between the feet: the panel's centre is put there, flat, facing +z, never mirrored.
+    Origin,
 }
 
 /// Whether a panel starts flat or rolled.

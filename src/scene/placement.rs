@@ -108,12 +108,31 @@ pub fn place(to_place: ToPlace<'_>, avatar: Option<&Avatar>) -> Result<Placed, F
         .or_else(|| guess(panel))
         .ok_or_else(|| unknown(panel))?;
     let body = avatar.map_or(NO_BODY, Body::of);
-    let bounds = bounds(panel);
-    let [[left, right], [bottom, top]] = bounds;
+    let [[left, right], [bottom, top]] = bounds(panel);
+    let [rx, ry, rz] = placement.rotate_deg.map(f64::to_radians);
+    let turn = |axis: Vector3<f64>, angle: f64| Rotation3::new(axis * angle);
+    let rotation = turn(Vector3::x(), rx) * turn(Vector3::y(), ry) * turn(Vector3::z(), rz);
+    let offset = Vector3::from(placement.offset_m);
+    if anchor == Anchor::Origin {
+        let centre_y = 0.5 * (bottom + top);
+        return Ok(Placed {
+            key: [0.5 * (left + right), centre_y],
+            centre_y,
+            sense: 1.0,
+            outward: 0.0,
+            height: 0.0,
+            centre: 0.0,
+            radius: 0.0,
+            wrap: Wrap::Flat,
+            rotation,
+            offset,
+        });
+    }
     let (height, key_y) = match anchor {
         Anchor::TorsoFront | Anchor::TorsoBack => (body.shoulder, top),
         Anchor::SkirtFront | Anchor::SkirtBack => (body.waist, top),
         Anchor::Waist | Anchor::WaistFront | Anchor::WaistBack => (body.waist, bottom),
+        Anchor::Origin => (0.0, 0.0),
     };
     let behind = matches!(
         anchor,
@@ -127,8 +146,6 @@ pub fn place(to_place: ToPlace<'_>, avatar: Option<&Avatar>) -> Result<Placed, F
         .wrap
         .unwrap_or(if around { Wrap::Cylinder } else { Wrap::Flat });
     let span = [height + bottom - key_y, height + top - key_y];
-    let [rx, ry, rz] = placement.rotate_deg.map(f64::to_radians);
-    let turn = |axis: Vector3<f64>, angle: f64| Rotation3::new(axis * angle);
     Ok(Placed {
         key: [0.5 * (left + right), key_y],
         centre_y: 0.5 * (bottom + top),
@@ -138,8 +155,8 @@ pub fn place(to_place: ToPlace<'_>, avatar: Option<&Avatar>) -> Result<Placed, F
         centre: body.centre,
         radius: radius(avatar, body.centre, span, wrap) + CLEARANCE,
         wrap,
-        rotation: turn(Vector3::x(), rx) * turn(Vector3::y(), ry) * turn(Vector3::z(), rz),
-        offset: Vector3::from(placement.offset_m),
+        rotation,
+        offset,
     })
 }
 
@@ -205,6 +222,6 @@ fn unknown(panel: &Panel) -> Faults {
         panel.id.replace('~', "~0").replace('/', "~1")
     );
     Fault::new("placement/unknown", pointer, format!("the name of panel {} does not say where on the body it goes", panel.id))
-        .fix("give \"at\": torso_front, torso_back, skirt_front, skirt_back, waist, waist_front or waist_back")
+        .fix("give \"at\": torso_front, torso_back, skirt_front, skirt_back, waist, waist_front, waist_back or origin")
         .into()
 }
