@@ -5,7 +5,7 @@ use super::listing::{Asking, Id, ListAsked};
 use super::problem::Problem;
 use super::state::App;
 use crate::job::{DocumentKind, Stored};
-use crate::pattern::{self, Format, ImportOptions, Pattern, Units};
+use crate::pattern::{self, Format, ImportOptions, Pattern, RotationOrder, Units};
 use axum::extract::State;
 use axum::http::{StatusCode, header};
 use axum::response::IntoResponse;
@@ -32,6 +32,9 @@ pub(super) struct ImportAsked {
     pub units: Option<Units>,
     /// Size to import from a graded file; the sample size if absent.
     pub size: Option<String>,
+    /// How the three angles of a `GarmentCode` panel make up its rotation: `xyz` (R = Rx Ry Rz, as it writes) if absent.
+    #[param(inline)]
+    pub rotation_order: Option<RotationOrder>,
 }
 
 impl ImportAsked {
@@ -41,6 +44,7 @@ impl ImportAsked {
             name,
             units: self.units,
             size: self.size,
+            rotation_order: self.rotation_order.unwrap_or_default(),
         }
     }
 }

@@ -14,6 +14,7 @@ mod routed;
 mod runs;
 mod twist;
 
+pub use crate::pattern::Face;
 pub use check::check;
 pub use finding::{SeamCheck, SeamFinding};
 
@@ -59,16 +60,6 @@ pub enum FaceAsked {
     /// The side that the drawing shows is out.
     Up,
     /// The side that the drawing shows is in.
-    Down,
-}
-
-/// Which side of a panel's cloth is out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Face {
-    /// The side that the drawing shows.
-    Up,
-    /// The other one.
     Down,
 }
 

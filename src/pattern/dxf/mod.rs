@@ -6,7 +6,6 @@
 mod binary;
 mod chain;
 mod clean;
-mod curve;
 mod encoding;
 mod entity;
 mod expand;
@@ -32,7 +31,7 @@ use self::findings::{Findings, at_line};
 use self::label::Labels;
 use self::piece::Piece;
 use super::outline::bounds;
-use super::{Allowance, Format, ImportOptions, Panel, Pattern, Source, ids};
+use super::{Allowance, Format, ImportOptions, Panel, Pattern, Source, curve, ids};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults};
 use std::collections::BTreeMap;
