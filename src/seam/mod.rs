@@ -12,6 +12,7 @@ mod parity;
 mod place;
 mod routed;
 mod runs;
+pub mod suggest;
 mod twist;
 
 pub use crate::pattern::Face;

@@ -1,0 +1,46 @@
+//! Darts: two edges of one panel that meet at a tip, sewn together whatever the garment is.
+
+use super::garment::{Garment, Saying};
+use super::piece::{Chain, Piece, Step};
+use crate::pattern::Pattern;
+
+/// Sews every dart.
+pub(super) fn sew(garment: &mut Garment, pattern: &Pattern) {
+    for piece in garment.pieces.clone() {
+        for (i, dart) in piece.shape.darts.iter().enumerate() {
+            if garment.is_sewn(piece.panel, dart.inward) {
+                continue;
+            }
+            let id = format!("dart-{}-{}", name(pattern, &piece), i + 1);
+            let saying = Saying {
+                id: &id,
+                because: "two edges of the panel that meet at a tip are a dart",
+                stage: 0,
+                gather: false,
+            };
+            let leg = |edge: usize, forward| -> Chain {
+                vec![Step {
+                    panel: piece.panel,
+                    edge,
+                    forward,
+                    length: piece.shape.edges[edge].length,
+                }]
+            };
+            garment.sew(
+                saying,
+                Some(leg(dart.inward, true)),
+                Some(leg(dart.outward, false)),
+            );
+        }
+    }
+}
+
+fn name(pattern: &Pattern, piece: &Piece) -> String {
+    let count = pattern.panels.len();
+    let id = &pattern.panels[piece.panel % count].id;
+    if piece.panel < count {
+        id.clone()
+    } else {
+        format!("{id}~mirror")
+    }
+}

@@ -1,0 +1,265 @@
+//! Finds the roles of a panel's edges: its outline is divided so that it looks most like what a tailor knows of such panels.
+//!
+//! A template is the cycle of roles round a panel, each with the length, the bend and the corner that it usually has. Every
+//! way to divide the outline into these roles is compared by dynamic programming, from every edge and in both directions,
+//! so that it does not matter how the panel is turned in its drawing.
+
+use super::piece::{Hand, Role, Segment};
+use super::shape::Shape;
+
+/// What an edge of one role usually looks like. Angles in degrees, positive where the outline is convex.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Look {
+    pub(super) role: Role,
+    /// Logarithm of its length over the size of the panel, and how much that varies.
+    pub(super) length: [f64; 2],
+    /// How much it turns on its way, and how much that varies.
+    pub(super) bend: [f64; 2],
+    /// The turn from it to the next role, and how much that varies.
+    pub(super) corner: [f64; 2],
+}
+
+/// The cycle of roles round a panel, in clockwise order where it lies hem down; those of half a panel with its side on the left.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Template {
+    pub(super) half: bool,
+    pub(super) looks: &'static [Look],
+}
+
+/// An outline divided.
+#[derive(Clone, Debug)]
+pub(super) struct Divided {
+    pub(super) segments: Vec<Segment>,
+    /// Mean misfit of a role.
+    pub(super) cost: f64,
+}
+
+/// Outlines of more edges than this have no usual look.
+const MOST_EDGES: usize = 60;
+/// No single feature may count for more than this.
+const MOST: f64 = 3.0;
+/// A corner inside a role costs nothing up to this turn, then grows in these steps \[degrees\].
+const SMOOTH: f64 = 20.0;
+const SHARP: f64 = 14.0;
+/// How much two sides of a panel usually differ, as a logarithm.
+const UNEVEN: f64 = 0.12;
+
+/// The divisions of `shape` into the roles of `template`, the best first: one for each edge to begin with and direction.
+pub(super) fn divide(shape: &Shape, template: &Template) -> Vec<Divided> {
+    let edges = shape.ring.len();
+    let roles = template.looks.len();
+    if edges < roles || edges > MOST_EDGES {
+        return vec![];
+    }
+    let readings: &[bool] = if template.half {
+        &[true, false]
+    } else {
+        &[true]
+    };
+    let ways = readings.iter().flat_map(|forward| {
+        (0..edges).map(move |start| Reading {
+            shape,
+            looks: template.looks,
+            forward: *forward,
+            start,
+        })
+    });
+    let mut found: Vec<Divided> = ways
+        .flat_map(|reading| reading.divided(template.half))
+        .collect();
+    found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    found
+}
+
+/// One way to read the outline: from an edge on, the roles in one direction.
+#[derive(Clone, Copy)]
+struct Reading<'a> {
+    shape: &'a Shape,
+    looks: &'static [Look],
+    forward: bool,
+    start: usize,
+}
+
+impl Reading<'_> {
+    /// The look of the `k`th role in order of numbers.
+    fn look(&self, k: usize) -> Look {
+        let count = self.looks.len();
+        if self.forward {
+            self.looks[k]
+        } else {
+            self.looks[count - 1 - k]
+        }
+    }
+
+    /// What the corner after the `k`th role usually is.
+    fn corner(&self, k: usize) -> [f64; 2] {
+        let count = self.looks.len();
+        if self.forward {
+            self.looks[k].corner
+        } else {
+            self.looks[(2 * count - 2 - k) % count].corner
+        }
+    }
+
+    fn ring(&self, place: usize) -> usize {
+        (self.start + place) % self.shape.ring.len()
+    }
+
+    /// The division of least misfit: the place after the last edge of each role.
+    fn best(&self) -> Option<Vec<usize>> {
+        let (edges, roles) = (self.shape.ring.len(), self.looks.len());
+        let mut table = vec![vec![(f64::INFINITY, 0usize); edges + 1]; roles + 1];
+        table[0][0].0 = 0.0;
+        for k in 0..roles {
+            for from in k..edges {
+                let so_far = table[k][from].0;
+                if !so_far.is_finite() {
+                    continue;
+                }
+                let mut run = Run::default();
+                for to in from + 1..=edges - (roles - 1 - k) {
+                    self.lengthen(&mut run, k, (from, to));
+                    let cost = so_far + self.role_cost(&run, k, to);
+                    if cost < table[k + 1][to].0 {
+                        table[k + 1][to] = (cost, from);
+                    }
+                }
+            }
+        }
+        let mut ends = vec![edges; roles];
+        for k in (1..roles).rev() {
+            ends[k - 1] = table[k + 1][ends[k]].1;
+        }
+        table[roles][edges].0.is_finite().then_some(ends)
+    }
+
+    /// The best division, and those in which one role ends an edge earlier or later.
+    fn divided(&self, half: bool) -> Vec<Divided> {
+        let Some(best) = self.best() else {
+            return vec![];
+        };
+        let mut all = vec![best.clone()];
+        for k in 0..best.len() - 1 {
+            for moved in [best[k] - 1, best[k] + 1] {
+                let before = if k == 0 { 0 } else { best[k - 1] };
+                if before < moved && moved < best[k + 1] {
+                    let mut ends = best.clone();
+                    ends[k] = moved;
+                    all.push(ends);
+                }
+            }
+        }
+        all.iter().map(|ends| self.with_cost(ends, half)).collect()
+    }
+
+    fn with_cost(&self, ends: &[usize], half: bool) -> Divided {
+        let mut from = 0;
+        let mut cost = 0.0;
+        for (k, &to) in ends.iter().enumerate() {
+            let mut run = Run::default();
+            for next in from + 1..=to {
+                self.lengthen(&mut run, k, (from, next));
+            }
+            cost += self.role_cost(&run, k, to);
+            from = to;
+        }
+        let segments = self.segments(ends, half);
+        if !half {
+            cost += unevenness(self.shape, &segments);
+        }
+        #[expect(clippy::cast_precision_loss, reason = "a handful of roles")]
+        let count = self.looks.len() as f64;
+        Divided {
+            segments,
+            cost: cost / count,
+        }
+    }
+
+    /// Takes the edge before `to` into a run of the `k`th role that begins at `from`.
+    fn lengthen(&self, run: &mut Run, k: usize, (from, to): (usize, usize)) {
+        let edge = self.shape.edges[self.shape.ring[self.ring(to - 1)]];
+        run.length += edge.length;
+        run.bend += edge.bend;
+        if to - 1 > from {
+            let joint = self.shape.joints[self.ring(to - 2)];
+            run.bend += joint;
+            let sharp = (joint.to_degrees().abs() - SMOOTH).max(0.0) / SHARP;
+            run.corners += (0.5 * sharp.powi(2)).min(corner_cost(self.look(k).role));
+        }
+    }
+
+    /// Misfit of a run that ends before `to` as the `k`th role, with the corner after it.
+    fn role_cost(&self, run: &Run, k: usize, to: usize) -> f64 {
+        let look = self.look(k);
+        let corner = self.shape.joints[self.ring(to - 1)].to_degrees();
+        let length = (run.length.max(1e-6) / self.shape.size.max(1e-6)).ln();
+        run.corners
+            + misfit(length, look.length)
+            + misfit(run.bend.to_degrees(), look.bend)
+            + misfit(corner, self.corner(k))
+    }
+
+    fn segments(&self, ends: &[usize], half: bool) -> Vec<Segment> {
+        let roles = ends.len();
+        let mut segments: Vec<Segment> = vec![];
+        let mut from = 0;
+        for (k, &to) in ends.iter().enumerate() {
+            let role = self.look(k).role;
+            let second = if half {
+                !self.forward
+            } else {
+                segments.iter().any(|s| s.role == role)
+            };
+            let hand = if second { Hand::Right } else { Hand::Left };
+            segments.push(Segment {
+                role,
+                hand: if self.shape.mirrored {
+                    hand.other()
+                } else {
+                    hand
+                },
+                edges: (from..to)
+                    .map(|place| self.shape.ring[self.ring(place)])
+                    .collect(),
+                before: self.look((k + roles - 1) % roles).role,
+                after: self.look((k + 1) % roles).role,
+            });
+            from = to;
+        }
+        segments
+    }
+}
+
+/// Edges that are to have one role.
+#[derive(Clone, Copy, Debug, Default)]
+struct Run {
+    length: f64,
+    bend: f64,
+    /// Misfit of the corners inside it.
+    corners: f64,
+}
+
+/// What a sharp corner inside a role costs at most: necks may be square and hems have slits, shoulders are straight.
+fn corner_cost(role: Role) -> f64 {
+    match role {
+        Role::Neck => 0.4 * MOST,
+        Role::Hem | Role::Waist => 0.7 * MOST,
+        _ => 2.0 * MOST,
+    }
+}
+
+fn misfit(value: f64, [mean, spread]: [f64; 2]) -> f64 {
+    (0.5 * ((value - mean) / spread).powi(2)).min(MOST)
+}
+
+/// How much two segments of one role differ in length.
+fn unevenness(shape: &Shape, segments: &[Segment]) -> f64 {
+    let mut cost = 0.0;
+    for (i, a) in segments.iter().enumerate() {
+        for b in segments[i + 1..].iter().filter(|b| b.role == a.role) {
+            let ratio = (shape.length(&a.edges) / shape.length(&b.edges)).ln();
+            cost += misfit(ratio, [0.0, UNEVEN]);
+        }
+    }
+    cost
+}

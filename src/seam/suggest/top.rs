@@ -1,0 +1,52 @@
+//! Tops: shoulders, sides and centres of a bodice, as every class of top has them.
+
+use super::garment::{Garment, Saying};
+use super::piece::{Kind, Lateral, Role, Which};
+
+/// Sews the bodice.
+pub(super) fn sew(garment: &mut Garment) {
+    for (lateral, side) in [(Lateral::Left, "left"), (Lateral::Right, "right")] {
+        let both = |garment: &Garment, role, from| {
+            [Which::Front, Which::Back]
+                .map(|which| garment.chain(Kind::Bodice, which, (role, lateral), from))
+        };
+        let [a, b] = both(garment, Role::Shoulder, Role::Neck);
+        let saying = Saying {
+            id: &format!("shoulder-{side}"),
+            because: "front and back meet at the shoulder",
+            stage: 0,
+            gather: false,
+        };
+        garment.sew(saying, a, b);
+        let [a, b] = both(garment, Role::Side, Role::Hem);
+        let saying = Saying {
+            id: &format!("side-{side}"),
+            because: "front and back meet at the side, hem to hem and armhole to armhole",
+            ..saying
+        };
+        garment.sew(saying, a, b);
+    }
+    centre(garment, Kind::Bodice, Which::Front);
+    centre(garment, Kind::Bodice, Which::Back);
+}
+
+/// Sews the two halves of a front or back together. A front with a placket stays open.
+pub(super) fn centre(garment: &mut Garment, kind: Kind, which: Which) {
+    if which == Which::Front && garment.has(Kind::Placket) {
+        return;
+    }
+    let halves = [Lateral::Left, Lateral::Right]
+        .map(|lateral| garment.chain(kind, which, (Role::Centre, lateral), Role::Hem));
+    let [a, b] = halves;
+    let id = match which {
+        Which::Front => "centre-front",
+        Which::Back => "centre-back",
+    };
+    let saying = Saying {
+        id,
+        because: "the left and the right half meet at the centre",
+        stage: 0,
+        gather: false,
+    };
+    garment.sew(saying, a, b);
+}

@@ -1,0 +1,340 @@
+//! What the name of a panel says of it: pattern makers' words in several languages, and the short codes of pattern CAD.
+
+use super::piece::{Kind, Lateral, Which};
+
+/// What a name says.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Said {
+    pub(super) kind: Option<Kind>,
+    /// What else it names: the sleeve or the leg of a cuff.
+    pub(super) of: Vec<Kind>,
+    /// The number it ends with, counted from 1; 0 where there is none.
+    pub(super) number: u32,
+    pub(super) which: Option<Which>,
+    pub(super) lateral: Option<Lateral>,
+}
+
+/// A kind with the parts of words that say it, and the whole words and codes that do.
+type Entry = (Kind, &'static [&'static str], &'static [&'static str]);
+
+/// In order: the first that fits counts, so that "collar interfacing" is no collar and "arm binding" no sleeve.
+const KINDS: [Entry; 16] = [
+    (
+        Kind::Layer,
+        &[
+            "interfac",
+            "facing",
+            "interlin",
+            "lining",
+            "fusible",
+            "einlage",
+            "futter",
+            "doublure",
+            "entretela",
+            "包条",
+        ],
+        &["iy", "ix"],
+    ),
+    (
+        Kind::Godet,
+        &["godet", "gusset", "insert", "zwickel"],
+        &["ins"],
+    ),
+    (
+        Kind::Pocket,
+        &[
+            "pocket",
+            "flap",
+            "tasche",
+            "poche",
+            "bolsillo",
+            "welt",
+            "карман",
+            "口袋",
+        ],
+        &["pkt", "pk"],
+    ),
+    (
+        Kind::Placket,
+        &[
+            "placket", "button", "zip", "fly", "loop", "belt", "strap", "tie", "blende", "patte",
+        ],
+        &[],
+    ),
+    (
+        Kind::ArmBand,
+        &[
+            "armbinding",
+            "armholebinding",
+            "armholeband",
+            "sleeveband",
+            "armband",
+            "armrib",
+        ],
+        &["bia"],
+    ),
+    (
+        Kind::NeckBand,
+        &[
+            "neckbinding",
+            "neckband",
+            "neckrib",
+            "neckline",
+            "ribcollar",
+            "罗纹领",
+            "领",
+        ],
+        &["bin", "nr", "nb", "rib"],
+    ),
+    (
+        Kind::Cuff,
+        &[
+            "cuff",
+            "manschette",
+            "poignet",
+            "puño",
+            "polsino",
+            "манжет",
+            "袖口",
+        ],
+        &["cu", "cuf"],
+    ),
+    (
+        Kind::Waistband,
+        &[
+            "waistband",
+            "bund",
+            "ceinture",
+            "pretina",
+            "cintura",
+            "пояс",
+            "腰",
+        ],
+        &["wb", "wa", "waist", "band"],
+    ),
+    (
+        Kind::Hood,
+        &[
+            "hood",
+            "kapuze",
+            "capuche",
+            "capucha",
+            "cappuccio",
+            "капюшон",
+            "帽",
+        ],
+        &["ho"],
+    ),
+    (
+        Kind::CollarStand,
+        &["collarstand", "collarbase", "collarband", "steg"],
+        &["stand"],
+    ),
+    (
+        Kind::Collar,
+        &[
+            "collar",
+            "kragen",
+            "cuello",
+            "colletto",
+            "воротник",
+            "turtle",
+            "lapel",
+        ],
+        &["co", "clr", "col"],
+    ),
+    (
+        Kind::Yoke,
+        &["yoke", "passe", "empiècement", "canesú", "sprone", "кокетк"],
+        &["yk", "yl", "yp"],
+    ),
+    (
+        Kind::Sleeve,
+        &[
+            "sleeve",
+            "ärmel",
+            "aermel",
+            "manche",
+            "manga",
+            "manica",
+            "рукав",
+            "袖",
+        ],
+        &["sl", "sls", "slv", "ss", "sa"],
+    ),
+    (
+        Kind::Trouser,
+        &["pant", "trouser", "legging", "jeans", "hose", "брюк", "裤"],
+        &["leg", "ll", "short", "shorts"],
+    ),
+    (
+        Kind::Skirt,
+        &["skirt", "jupe", "falda", "gonna", "юбк", "裙"],
+        &["rock"],
+    ),
+    (
+        Kind::Bodice,
+        &["torso", "bodice", "shirt", "corpiño", "лиф"],
+        &["body", "tank", "top"],
+    ),
+];
+
+const FRONT: (&[&str], &[&str]) = (
+    &[
+        "front",
+        "frnt",
+        "vorder",
+        "devant",
+        "delantero",
+        "davanti",
+        "перед",
+        "前",
+        "ftorso",
+    ],
+    &["fr", "frt", "f", "fa", "ft", "vt"],
+);
+const BACK: (&[&str], &[&str]) = (
+    &[
+        "back", "rücken", "rueck", "hinter", "dos", "espalda", "trasero", "dietro", "спин", "задн",
+        "后", "後", "btorso",
+    ],
+    &["bk", "bck", "b", "ba", "rear", "ht"],
+);
+const LEFT: (&[&str], &[&str]) = (
+    &["left", "links", "gauche", "izquierd", "sinistr", "左"],
+    &["l", "lft", "lh"],
+);
+const RIGHT: (&[&str], &[&str]) = (
+    &["right", "rechts", "droit", "derech", "destr", "右"],
+    &["r", "rgt", "rh"],
+);
+
+/// What `name` says; `code` is what is left of it without what all names of the pattern begin with.
+pub(super) fn said(name: &str, code: &str) -> Said {
+    let mut words = split(name);
+    words.extend(split(code));
+    let joined: String = split(name).concat();
+    let says = |(parts, codes): (&[&str], &[&str])| {
+        let part =
+            |p: &&str| words.iter().any(|w| w.contains(*p)) || p.len() > 6 && joined.contains(*p);
+        parts.iter().any(part) || words.iter().any(|w| codes.contains(&w.as_str()))
+    };
+    // A code grown together with a name before it: "RACERBK" after "RACE".
+    let ends = |codes: &[&str]| {
+        split(code)
+            .iter()
+            .any(|w| w.len() <= 4 && codes.iter().any(|c| w.ends_with(c)))
+    };
+    let (front, back) = (says(FRONT) || ends(&["fr"]), says(BACK) || ends(&["bk"]));
+    let (left, right) = (says(LEFT), says(RIGHT));
+    let mut kinds = KINDS
+        .iter()
+        .filter(|(_, parts, codes)| says((parts, codes)))
+        .map(|(kind, ..)| *kind);
+    Said {
+        kind: kinds
+            .next()
+            .or_else(|| ends(&["co"]).then_some(Kind::Collar)),
+        of: kinds.collect(),
+        number: number(name),
+        which: either(front, back, Which::Front, Which::Back),
+        lateral: either(left, right, Lateral::Left, Lateral::Right),
+    }
+}
+
+fn either<T>(first: bool, second: bool, a: T, b: T) -> Option<T> {
+    match (first, second) {
+        (true, false) => Some(a),
+        (false, true) => Some(b),
+        _ => None,
+    }
+}
+
+/// The number that a name ends with, and 1; 0 where it ends with none.
+fn number(name: &str) -> u32 {
+    let digits = name.len() - name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
+    name[name.len() - digits..]
+        .parse::<u32>()
+        .map_or(0, |n| n.saturating_add(1))
+}
+
+/// Words of a name: parted at what is no letter and where a capital follows a small letter.
+fn split(name: &str) -> Vec<String> {
+    let mut words = vec![String::new()];
+    let mut small = false;
+    for c in name.chars() {
+        let ends = !c.is_alphabetic() || small && c.is_uppercase();
+        if ends {
+            words.push(String::new());
+        }
+        if c.is_alphabetic() {
+            words
+                .last_mut()
+                .expect("begun with one")
+                .extend(c.to_lowercase());
+        }
+        small = c.is_lowercase();
+    }
+    words.retain(|word| !word.is_empty());
+    words
+}
+
+/// What all names begin with, in bytes: the style's code before the piece's.
+pub(super) fn common_start(names: &[&str]) -> usize {
+    let Some((first, rest)) = names.split_first().filter(|(_, rest)| !rest.is_empty()) else {
+        return 0;
+    };
+    let mut length = first.len();
+    for name in rest {
+        let same = first
+            .char_indices()
+            .zip(name.chars())
+            .take_while(|((_, a), b)| a == b);
+        length = length.min(same.last().map_or(0, |((at, c), _)| at + c.len_utf8()));
+    }
+    length
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_many_tools_are_understood() {
+        let all = |name: &str, code: &str| {
+            let s = said(name, code);
+            (s.kind, s.which, s.lateral)
+        };
+        assert_eq!(
+            all("right_sleeve_f", ""),
+            (Some(Kind::Sleeve), Some(Which::Front), Some(Lateral::Right))
+        );
+        assert_eq!(
+            all("aaron.armBinding", ""),
+            (Some(Kind::ArmBand), None, None)
+        );
+        assert_eq!(all("GMH1006FBK", "BK"), (None, Some(Which::Back), None));
+        assert_eq!(
+            all("COLLARTOPINTERFACE", ""),
+            (Some(Kind::Layer), None, None)
+        );
+        assert_eq!(
+            all("pant_b_l", ""),
+            (Some(Kind::Trouser), Some(Which::Back), Some(Lateral::Left))
+        );
+        assert_eq!(
+            all("wb_front", ""),
+            (Some(Kind::Waistband), Some(Which::Front), None)
+        );
+        assert_eq!(all("后片", ""), (None, Some(Which::Back), None));
+    }
+
+    #[test]
+    fn style_codes_are_what_names_have_in_common() {
+        assert_eq!(
+            common_start(&["GMH1006FBK", "GMH1006FFR"]),
+            "GMH1006F".len()
+        );
+        assert_eq!(common_start(&["front"]), 0);
+    }
+}
