@@ -28,7 +28,7 @@ impl Rim {
 }
 
 /// How much a corner that meets counts against ease and against the way a band is drawn.
-const EASE_WEIGHT: f64 = 20.0;
+const EASE_WEIGHT: f64 = 6.0;
 const DRAWN_WEIGHT: f64 = 0.4;
 
 /// An opening that something goes round, as the part in front and the part behind; all in the first where it is not
@@ -114,12 +114,23 @@ fn two(
 ) -> Option<Opening> {
     let a = lay(garment, &opening[0], bands[0], rim)?;
     let b = lay(garment, &opening[1], bands[1], rim)?;
-    for (name, part, laid) in [("front", &opening[0], &a), ("back", &opening[1], &b)] {
-        let part_saying = Saying {
-            id: &format!("{}-{name}", saying.id),
-            ..saying
-        };
-        garment.sew(part_saying, Some(part.clone()), Some(laid.chain.clone()));
+    let whole = (
+        opening.concat(),
+        [a.chain.clone(), b.chain.clone()].concat(),
+    );
+    let apart =
+        join::parted(&opening[0], &a.chain).len() + join::parted(&opening[1], &b.chain).len();
+    if join::parted_round(&whole.0, &whole.1).len() > apart {
+        // Their ends meet elsewhere than front and back of the opening do.
+        garment.sew_round(saying, Some(whole.0), Some(whole.1));
+    } else {
+        for (name, part, laid) in [("front", &opening[0], &a), ("back", &opening[1], &b)] {
+            let part_saying = Saying {
+                id: &format!("{}-{name}", saying.id),
+                ..saying
+            };
+            garment.sew(part_saying, Some(part.clone()), Some(laid.chain.clone()));
+        }
     }
     close(garment, saying, &a, &b);
     Some([a.free()?, b.free()?])

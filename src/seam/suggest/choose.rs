@@ -16,6 +16,7 @@ const MIRRORED: f64 = 0.03;
 /// and what that may cost at most.
 const GATHERED: f64 = 0.7;
 const JOINED: f64 = 0.12;
+const EASED: f64 = 0.3;
 const MOST_JOINED: f64 = 2.0;
 /// The edges of a band that may be sewn.
 const BAND_EDGES: [Role; 3] = [Role::Long, Role::Hem, Role::Waist];
@@ -167,7 +168,9 @@ impl Table {
 /// How little two panels fit each other.
 fn disagreement(a: &Piece, b: &Piece) -> f64 {
     if a.kind != b.kind {
-        return joined(a, b) + joined(b, a) + f64::from(is_misfit(a, b)) * MOST;
+        let mixed = !a.kind_said && !b.kind_said && a.named && b.named;
+        let misfits = f64::from(u8::from(is_misfit(a, b)) + u8::from(mixed));
+        return joined(a, b) + joined(b, a) + misfits * MOST;
     }
     if a.number != b.number {
         return 0.0;
@@ -219,7 +222,11 @@ fn joined(a: &Piece, b: &Piece) -> f64 {
             } else {
                 longer < 0.0
             };
-            let spread = if gathered { GATHERED } else { JOINED };
+            let spread = match (gathered, a.kind) {
+                (true, _) => GATHERED,
+                (false, Kind::Waistband) => EASED,
+                (false, _) => JOINED,
+            };
             (0.5 * (longer / spread).powi(2)).min(MOST_JOINED)
         });
     fits.fold(MOST_JOINED, f64::min)

@@ -27,6 +27,9 @@ const UNLIKELY: f64 = 3.0;
 const WIDE_WAIST: f64 = 1.1;
 /// Misfit added where a reading contradicts how such panels are made.
 const ABSURD: f64 = 1.5;
+/// An edge that turns less is straight, one that turns more curved \[rad\].
+const STRAIGHT: f64 = 0.15;
+const CURVED: f64 = 0.6;
 const ON_ITS_SIDE: f64 = 0.8;
 const UPSIDE_DOWN: f64 = 0.8;
 /// Misfit added for half a skirt panel that no name calls so.
@@ -77,7 +80,7 @@ fn candidates(panel: usize, shape: Shape, said: words::Said, upright: Option<boo
     let mut found: Vec<Piece> = vec![];
     for kind in kinds {
         for template in looks::of(kind) {
-            let unlikely = unlikely(kind, template.half, &said, symmetric);
+            let unlikely = template.rare + unlikely(kind, template.half, &said, symmetric);
             for divided in template::divide(&shape, &template).into_iter().take(KEPT) {
                 let mut piece = Piece {
                     panel,
@@ -93,6 +96,7 @@ fn candidates(panel: usize, shape: Shape, said: words::Said, upright: Option<boo
                     segments: divided.segments,
                     cost: divided.cost + unlikely,
                     named,
+                    kind_said: said.kind.is_some(),
                 };
                 piece.cost += unusual(&piece, upright);
                 found.push(piece);
@@ -110,7 +114,7 @@ fn unlikely(kind: Kind, half: bool, said: &words::Said, symmetric: bool) -> f64 
     let halved = match kind {
         Kind::Sleeve => Some(said.which.is_some()),
         Kind::Bodice | Kind::Skirt if said.lateral.is_some() => Some(true),
-        Kind::Bodice | Kind::Skirt => symmetric.then_some(false),
+        Kind::Bodice | Kind::Skirt | Kind::Trouser => symmetric.then_some(false),
         _ => None,
     };
     match halved {
@@ -157,7 +161,8 @@ fn unusual(piece: &Piece, upright: Option<bool>) -> f64 {
     cost
 }
 
-/// Whether a reading has what no such panel has: shoulders that rise towards the arm, an underarm longer than the sleeve.
+/// Whether a reading has what no such panel has: shoulders that rise towards the arm, an underarm longer than the sleeve,
+/// a cap that is straight, a hood whose opening is round.
 fn is_absurd(piece: &Piece) -> bool {
     let hem: Vec<usize> = piece
         .all(Role::Hem)
@@ -174,7 +179,11 @@ fn is_absurd(piece: &Piece) -> bool {
         }
     });
     let length = |role| -> f64 { piece.all(role).map(|s| piece.shape.length(&s.edges)).sum() };
-    rising || length(Role::Top) > 0.0 && length(Role::Underarm) > length(Role::Top)
+    let curl = |role| -> f64 { piece.all(role).map(|s| piece.shape.curl(&s.edges)).sum() };
+    let straight_cap = piece.segment(Role::Cap, None).is_some() && curl(Role::Cap) < STRAIGHT;
+    let curved_face = piece.kind == Kind::Hood && curl(Role::Hem) > CURVED;
+    let short_top = length(Role::Top) > 0.0 && length(Role::Underarm) > length(Role::Top);
+    rising || straight_cap || curved_face || short_top
 }
 
 /// Whether a panel stands or lies in its drawing, as far as its grain says.

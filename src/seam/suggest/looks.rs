@@ -141,11 +141,26 @@ const RAGLAN_SLEEVE: &[Look] = &[
 ];
 
 const fn whole(looks: &'static [Look]) -> Template {
-    Template { half: false, looks }
+    Template {
+        half: false,
+        looks,
+        rare: 0.0,
+    }
 }
 
 const fn half(looks: &'static [Look]) -> Template {
-    Template { half: true, looks }
+    Template {
+        half: true,
+        ..whole(looks)
+    }
+}
+
+/// A template to be taken only where no usual one fits.
+const fn rare(template: Template) -> Template {
+    Template {
+        rare: 0.7,
+        ..template
+    }
 }
 
 /// The templates of a kind.
@@ -154,9 +169,9 @@ pub(super) fn of(kind: Kind) -> Vec<Template> {
         Kind::Bodice => vec![
             whole(BODICE),
             half(BODICE_HALF),
-            whole(STRAPLESS),
-            half(STRAPLESS_HALF),
-            whole(RAGLAN),
+            rare(whole(STRAPLESS)),
+            rare(half(STRAPLESS_HALF)),
+            rare(whole(RAGLAN)),
         ],
         Kind::Skirt => vec![whole(SKIRT), half(SKIRT_HALF)],
         Kind::Trouser => vec![half(TROUSER)],

@@ -5,6 +5,7 @@
 //! [`trousers`], [`waist`] (dresses too), [`neck`], [`cuff`]. Where corners of both sides meet, a seam is parted there.
 
 mod band;
+mod cap;
 mod choose;
 mod classify;
 mod cuff;

@@ -126,6 +126,8 @@ pub(super) struct Piece {
     pub(super) cost: f64,
     /// Whether its kind was said by its name.
     pub(super) named: bool,
+    /// Whether its name says its kind, not only front or back.
+    pub(super) kind_said: bool,
 }
 
 /// One edge on the way along a seam, and whether it is gone in order of numbers.

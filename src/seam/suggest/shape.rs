@@ -6,7 +6,9 @@ use std::f64::consts::{PI, TAU};
 /// How far from a corner its direction is looked at \[m\]: above the noise of digitised outlines, below their curvature.
 const NEAR: f64 = 0.008;
 /// A dart is no wider at its tip than this \[rad\], and no wider at its mouth than this \[m\]; a slit for a godet may be.
-const DART: [f64; 2] = [PI / 3.0, 0.12];
+const DART: [f64; 2] = [PI / 2.4, 0.16];
+/// A wider one on the axis of a symmetric panel is a neck \[m\].
+const NECK: f64 = 0.1;
 const SLIT: [f64; 2] = [PI / 1.6, 0.5];
 /// The legs of a dart are straight up to this (deviation over chord), as long as each other up to this share, and no shorter than this \[m\].
 const DART_BULGE: f64 = 0.12;
@@ -24,6 +26,8 @@ pub(super) struct EdgeShape {
     pub(super) length: f64,
     /// How much the way turns between its ends, positive where the outline is convex \[rad\].
     pub(super) bend: f64,
+    /// How much it turns to either side, each turn counted \[rad\].
+    pub(super) curl: f64,
     /// Its mean height in the drawing \[m\].
     pub(super) height: f64,
     /// Where it begins and ends, in the order of numbers \[m\].
@@ -46,8 +50,12 @@ pub(super) struct Shape {
     pub(super) size: f64,
     /// Whether the order of numbers runs counter-clockwise (mirrored copies).
     pub(super) mirrored: bool,
+    /// The edges and places of its notches.
+    pub(super) notches: Vec<(usize, f64)>,
     /// Every edge of the outline.
     pub(super) edges: Vec<EdgeShape>,
+    /// The points of every edge \[m\].
+    pub(super) points: std::rc::Rc<Vec<Vec<[f64; 2]>>>,
     /// Its darts.
     pub(super) darts: Vec<Dart>,
     /// The edges that are left once the darts are sewn, in order.
@@ -71,6 +79,8 @@ impl Shape {
         Self {
             size: panel.area_m2.abs().sqrt(),
             mirrored,
+            points: std::rc::Rc::new(panel.edges.iter().map(|e| e.points.clone()).collect()),
+            notches: panel.notches.iter().map(|n| (n.edge, n.at)).collect(),
             edges,
             darts,
             ring,
@@ -118,6 +128,19 @@ impl Shape {
         if self.mirrored { across } else { -across }
     }
 
+    /// The points of a run of edges, in order \[m\].
+    pub(super) fn polyline(&self, edges: &[usize]) -> Vec<[f64; 2]> {
+        edges
+            .iter()
+            .flat_map(|e| self.points[*e].iter().copied())
+            .collect()
+    }
+
+    /// How much edges turn to either side, each turn counted \[rad\].
+    pub(super) fn curl(&self, edges: &[usize]) -> f64 {
+        edges.iter().map(|e| self.edges[*e].curl).sum()
+    }
+
     /// Mean height of edges in the drawing \[m\].
     pub(super) fn height(&self, edges: &[usize]) -> f64 {
         let all = || edges.iter().map(|e| &self.edges[*e]);
@@ -136,6 +159,11 @@ fn edge_shape(edge: &Edge, sense: f64) -> EdgeShape {
         .windows(3)
         .map(|p| sense * turn(sub(p[1], p[0]), sub(p[2], p[1])))
         .sum();
+    let curl: f64 = edge
+        .points
+        .windows(3)
+        .map(|p| turn(sub(p[1], p[0]), sub(p[2], p[1])).abs())
+        .sum();
     let lifted: f64 = edge
         .points
         .windows(2)
@@ -146,6 +174,7 @@ fn edge_shape(edge: &Edge, sense: f64) -> EdgeShape {
     EdgeShape {
         length: edge.length_m,
         bend,
+        curl,
         height: lifted / edge.length_m.max(1e-9),
         ends: [first, last],
     }
@@ -199,12 +228,26 @@ fn darts(edges: &[EdgeShape], turns: &[f64], [opening, mouth]: [f64; 2]) -> Vec<
             .iter()
             .any(|d| d.outward == dart.inward || d.inward == dart.outward);
         let [x, y] = sub(edges[dart.inward].ends[0], edges[tip].ends[1]);
-        let narrow = turns[tip] < opening - PI && x.hypot(y) <= mouth;
+        let wide = x.hypot(y);
+        let neck = wide > NECK && mouth < SLIT[1] && is_axis(edges, tip);
+        let narrow = turns[tip] < opening - PI && wide <= mouth && !neck;
         if !taken && narrow && are_legs(edges[dart.inward], edges[tip]) {
             darts.push(dart);
         }
     }
     darts
+}
+
+/// Whether the outline reads the same from a corner in both directions.
+fn is_axis(edges: &[EdgeShape], corner: usize) -> bool {
+    let count = edges.len();
+    (0..count / 2).all(|k| {
+        let (a, b) = (
+            edges[(corner + k) % count],
+            edges[(corner + count - 1 - k) % count],
+        );
+        (a.length - b.length).abs() <= TWIN * a.length.max(b.length) + 1e-3
+    })
 }
 
 fn are_legs(a: EdgeShape, b: EdgeShape) -> bool {

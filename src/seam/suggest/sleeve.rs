@@ -1,16 +1,36 @@
 //! Sleeves: closed under the arm, set into the armhole that front and back make.
 
+use super::cap;
 use super::garment::{Garment, Saying};
 use super::piece::{Chain, Hand, Kind, Lateral, Role, Which, reversed};
 
 /// Sews the sleeves and sets them in.
 pub(super) fn sew(garment: &mut Garment) {
+    tell_left_from_right(garment);
     for (lateral, side) in [(Lateral::Left, "left"), (Lateral::Right, "right")] {
         if garment.piece(Kind::Sleeve, Which::Front, lateral).is_some() {
             halves(garment, lateral, side);
         } else {
             whole(garment, lateral, side);
         }
+    }
+}
+
+/// Gives sleeves that are called neither left nor right the side that their front belongs to: a sleeve drawn hem down
+/// and face up is a left one if its front lies on the left.
+fn tell_left_from_right(garment: &mut Garment) {
+    for i in 0..garment.pieces.len() {
+        let piece = &garment.pieces[i];
+        if piece.kind != Kind::Sleeve || piece.half || piece.lateral_said || piece.lateral.is_none()
+        {
+            continue;
+        }
+        let lateral = match cap::front_hand(garment, piece) {
+            Some(Hand::Left) => Lateral::Left,
+            Some(Hand::Right) => Lateral::Right,
+            None => continue,
+        };
+        garment.pieces[i].lateral = Some(lateral);
     }
 }
 

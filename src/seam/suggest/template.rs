@@ -24,6 +24,8 @@ pub(super) struct Look {
 pub(super) struct Template {
     pub(super) half: bool,
     pub(super) looks: &'static [Look],
+    /// Misfit that any division into these roles has.
+    pub(super) rare: f64,
 }
 
 /// An outline divided.
