@@ -162,7 +162,7 @@ fn unusual(piece: &Piece, upright: Option<bool>) -> f64 {
 }
 
 /// Whether a reading has what no such panel has: shoulders that rise towards the arm, an underarm longer than the sleeve,
-/// a cap that is straight, a hood whose opening is round.
+/// a cap that is straight, a hood whose opening is round, slits for godets in the waist.
 fn is_absurd(piece: &Piece) -> bool {
     let hem: Vec<usize> = piece
         .all(Role::Hem)
@@ -183,7 +183,9 @@ fn is_absurd(piece: &Piece) -> bool {
     let straight_cap = piece.segment(Role::Cap, None).is_some() && curl(Role::Cap) < STRAIGHT;
     let curved_face = piece.kind == Kind::Hood && curl(Role::Hem) > CURVED;
     let short_top = length(Role::Top) > 0.0 && length(Role::Underarm) > length(Role::Top);
-    rising || straight_cap || curved_face || short_top
+    let count = |role| -> usize { piece.all(role).map(|s| s.edges.len()).sum() };
+    let slit_waist = piece.shape.slits && count(Role::Waist) > count(Role::Hem);
+    rising || slit_waist || straight_cap || curved_face || short_top
 }
 
 /// Whether a panel stands or lies in its drawing, as far as its grain says.

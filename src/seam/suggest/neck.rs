@@ -8,7 +8,9 @@ use super::raglan;
 /// What may be sewn to a neck, what is nearest to the body first.
 const ROUND_NECKS: [Kind; 3] = [Kind::NeckBand, Kind::CollarStand, Kind::Collar];
 /// A band may be shorter than the neck by this, to be stretched on.
-const MOST_EASE: f64 = 0.3;
+const MOST_EASE: f64 = 0.36;
+/// How much looking like no band counts against ease.
+const LOOK: f64 = 0.05;
 
 /// Sews what goes round the neck and round armholes without sleeves.
 pub(super) fn sew(garment: &mut Garment) {
@@ -54,7 +56,9 @@ fn neckband(garment: &mut Garment) {
             }
         }
     }
-    let one = found.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+    let one = found
+        .into_iter()
+        .min_by(|a, b| (a.0 + LOOK * a.1.cost).total_cmp(&(b.0 + LOOK * b.1.cost)));
     let bands = match one {
         Some((ease, piece)) if ease <= MOST_EASE => Some(Bands::One(piece.clone())),
         _ => ROUND_NECKS

@@ -50,6 +50,8 @@ pub(super) struct Shape {
     pub(super) size: f64,
     /// Whether the order of numbers runs counter-clockwise (mirrored copies).
     pub(super) mirrored: bool,
+    /// Whether slits for godets count as darts.
+    pub(super) slits: bool,
     /// The edges and places of its notches.
     pub(super) notches: Vec<(usize, f64)>,
     /// Every edge of the outline.
@@ -79,6 +81,7 @@ impl Shape {
         Self {
             size: panel.area_m2.abs().sqrt(),
             mirrored,
+            slits,
             points: std::rc::Rc::new(panel.edges.iter().map(|e| e.points.clone()).collect()),
             notches: panel.notches.iter().map(|n| (n.edge, n.at)).collect(),
             edges,

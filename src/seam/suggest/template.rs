@@ -45,6 +45,8 @@ const SMOOTH: f64 = 20.0;
 const SHARP: f64 = 14.0;
 /// How much two sides of a panel usually differ, as a logarithm.
 const UNEVEN: f64 = 0.12;
+/// How much more that counts for a symmetric panel.
+const SYMMETRIC: f64 = 4.0;
 
 /// The divisions of `shape` into the roles of `template`, the best first: one for each edge to begin with and direction.
 pub(super) fn divide(shape: &Shape, template: &Template) -> Vec<Divided> {
@@ -53,6 +55,7 @@ pub(super) fn divide(shape: &Shape, template: &Template) -> Vec<Divided> {
     if edges < roles || edges > MOST_EDGES {
         return vec![];
     }
+    let symmetric = shape.is_symmetric();
     let readings: &[bool] = if template.half {
         &[true, false]
     } else {
@@ -64,6 +67,7 @@ pub(super) fn divide(shape: &Shape, template: &Template) -> Vec<Divided> {
             looks: template.looks,
             forward: *forward,
             start,
+            symmetric,
         })
     });
     let mut found: Vec<Divided> = ways
@@ -80,6 +84,8 @@ struct Reading<'a> {
     looks: &'static [Look],
     forward: bool,
     start: usize,
+    /// Whether the panel is mirrored onto itself.
+    symmetric: bool,
 }
 
 impl Reading<'_> {
@@ -151,6 +157,9 @@ impl Reading<'_> {
                 }
             }
         }
+        if !half {
+            all.extend(evened(&best));
+        }
         all.iter().map(|ends| self.with_cost(ends, half)).collect()
     }
 
@@ -167,7 +176,8 @@ impl Reading<'_> {
         }
         let segments = self.segments(ends, half);
         if !half {
-            cost += unevenness(self.shape, &segments);
+            let weight = if self.symmetric { SYMMETRIC } else { 1.0 };
+            cost += weight * unevenness(self.shape, &segments);
         }
         #[expect(clippy::cast_precision_loss, reason = "a handful of roles")]
         let count = self.looks.len() as f64;
@@ -230,6 +240,38 @@ impl Reading<'_> {
         }
         segments
     }
+}
+
+/// The same division with as many edges in each role on the right as on the left, and the other way round.
+fn evened(ends: &[usize]) -> Vec<Vec<usize>> {
+    let roles = ends.len();
+    let size = |k: usize| ends[k] - if k == 0 { 0 } else { ends[k - 1] };
+    let total: usize = ends.last().copied().unwrap_or_default();
+    let even = |from_left: bool| -> Option<Vec<usize>> {
+        let mut sizes: Vec<usize> = (0..roles).map(size).collect();
+        for k in 1..roles.div_ceil(2) {
+            let (to, from) = if from_left {
+                (roles - k, k)
+            } else {
+                (k, roles - k)
+            };
+            sizes[to] = size(from);
+        }
+        let middle = roles / 2;
+        let others: usize = (0..roles).filter(|k| *k != middle).map(|k| sizes[k]).sum();
+        sizes[middle] = total.checked_sub(others).filter(|left| *left > 0)?;
+        let mut end = 0;
+        Some(
+            sizes
+                .iter()
+                .map(|size| {
+                    end += size;
+                    end
+                })
+                .collect(),
+        )
+    };
+    [even(true), even(false)].into_iter().flatten().collect()
 }
 
 /// Edges that are to have one role.

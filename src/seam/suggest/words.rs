@@ -225,8 +225,15 @@ pub(super) fn said(name: &str, code: &str) -> Said {
             .iter()
             .any(|w| w.len() <= 4 && codes.iter().any(|c| w.ends_with(c)))
     };
-    let (front, back) = (says(FRONT) || ends(&["fr"]), says(BACK) || ends(&["bk"]));
-    let (left, right) = (says(LEFT), says(RIGHT));
+    let before = letters_before(&words);
+    let (front, back) = (
+        says(FRONT) || ends(&["fr"]) || before.contains('f'),
+        says(BACK) || ends(&["bk"]) || before.contains('b'),
+    );
+    let (left, right) = (
+        says(LEFT) || before.contains('l'),
+        says(RIGHT) || before.contains('r'),
+    );
     let mut kinds = KINDS
         .iter()
         .filter(|(_, parts, codes)| says((parts, codes)))
@@ -240,6 +247,16 @@ pub(super) fn said(name: &str, code: &str) -> Said {
         which: either(front, back, Which::Front, Which::Back),
         lateral: either(left, right, Lateral::Left, Lateral::Right),
     }
+}
+
+/// One or two letters grown together with a kind that they stand before: `lf` in `lfsleeve`, `r` in `rhood`.
+fn letters_before(words: &[String]) -> &str {
+    let kinds = ["sleeve", "hood", "cuff", "collar", "pocket"];
+    words
+        .iter()
+        .filter_map(|word| kinds.iter().find_map(|kind| word.strip_suffix(kind)))
+        .find(|rest| (1..=2).contains(&rest.len()) && rest.chars().all(|c| "lrfb".contains(c)))
+        .unwrap_or_default()
 }
 
 fn either<T>(first: bool, second: bool, a: T, b: T) -> Option<T> {
