@@ -281,9 +281,33 @@ fn a_body_of_another_type_is_refused() {
             .send("POST", path, &[("content-type", "text/plain")], b"{}")
             .problem(415);
     }
-    server
-        .send("POST", "/v1/patterns", &[JSON], b"{}")
-        .problem(415);
+}
+
+#[test]
+fn a_specification_is_sent_as_json_or_in_a_form() {
+    let server = Server::start();
+    let answer = server.send("POST", "/v1/patterns", &[JSON], b"{}");
+    assert_eq!(answer.faults(422), ["pattern/not_garmentcode "]);
+    let spec = br#"{"pattern": {"panels": {"patch": {
+        "translation": [0, 100, 20], "rotation": [0, 0, 0],
+        "vertices": [[0, 0], [10, 0], [10, 10], [0, 10]],
+        "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}]
+    }}}, "properties": {"units_in_meter": 100}}"#;
+    let sent = [
+        server.send("POST", "/v1/patterns", &[JSON], spec),
+        server.send(
+            "POST",
+            "/v1/patterns?rotation_order=zyx",
+            &[FORM],
+            &form(&[("file", "patch_specification.json", spec)]),
+        ),
+    ];
+    for answer in sent {
+        assert_eq!(answer.status, 201);
+        let pattern = answer.json();
+        assert_eq!(pattern["source"]["format"], "garmentcode");
+        assert_eq!(pattern["placements"]["patch"]["at"], "origin");
+    }
 }
 
 #[test]
@@ -497,6 +521,55 @@ fn a_pattern_is_kept_until_it_is_removed() {
     assert_eq!(server.ask("DELETE", at, &[]).status, 204);
     server.ask("DELETE", at, &[]).problem(404);
     server.get(at).problem(404);
+}
+
+#[test]
+fn a_pattern_is_drawn() {
+    let server = Server::with(config(), 0);
+    let kept = server.send("POST", "/v1/patterns", &[], &sample("skirt.dxf"));
+    let at = format!("{}/drawing.svg", kept.header("location"));
+    let drawing = server.get(&at);
+    assert_eq!(drawing.status, 200);
+    assert_eq!(drawing.header("content-type"), "image/svg+xml");
+    assert_eq!(drawing.header("x-content-type-options"), "nosniff");
+    let policy = drawing.header("content-security-policy");
+    assert!(policy.contains("default-src 'none'"), "{policy}");
+    let svg = drawing.text();
+    assert!(svg.starts_with("<svg "), "{svg}");
+    for panel in kept.json()["panels"].as_array().unwrap() {
+        let name = panel["name"].as_str().unwrap();
+        assert!(svg.contains(&format!("<title>{name}</title>")), "{name}");
+    }
+    let etag = drawing.header("etag");
+    let again = server.ask("GET", &at, &[("if-none-match", etag)]);
+    assert_eq!((again.status, again.bytes.len()), (304, 0));
+    server.ask("POST", &at, &[]).problem(405);
+    server
+        .get(&format!("/v1/patterns/{NO_ID}/drawing.svg"))
+        .problem(404);
+}
+
+#[test]
+fn seams_are_checked_on_what_is_left_of_panels_given_as_cut() {
+    let server = Server::with(config(), 0);
+    let kept = server.send("POST", "/v1/patterns", &[], &sample("skirt.dxf"));
+    let pattern = kept.json();
+    let panel = pattern["panels"][0]["id"].as_str().unwrap();
+    let path = format!("{}/seams/check", kept.header("location"));
+    let seam = json!({"id": "s", "a": {"panel": panel, "from": 0, "to": 1}, "b": {"panel": panel, "from": 2, "to": 3}});
+    let length = |width: f64| {
+        let asked = json!({"seams": [seam], "panels": {panel: {"seam_allowance_m": width}}});
+        let answer = server.post_json(&path, &asked);
+        assert_eq!(answer.status, 200, "{}", answer.text());
+        answer.json()["seams"][0]["length_a_m"].as_f64().unwrap()
+    };
+    assert!(length(0.01) < length(0.0) - 0.01);
+    let asked = json!({"seams": [seam], "panels": {panel: {"seam_allowance_m": -0.01}}});
+    let pointer = format!("/panels/{panel}/seam_allowance_m");
+    assert_eq!(
+        server.post_json(&path, &asked).faults(422),
+        [format!("garment/number {pointer}")]
+    );
 }
 
 #[test]

@@ -1,16 +1,19 @@
 //! From the bytes of a pattern file to a [`Pattern`]: panels with outlines, corners, edges, notches and grain, in metres.
 
+mod allowance;
 mod assemble;
 mod check;
+mod copies;
 mod curve;
 mod dxf;
 mod garmentcode;
 mod ids;
-mod outline;
+pub(crate) mod outline;
 mod panel;
 mod placement;
 mod seam_pair;
 
+pub use copies::MIRROR;
 pub use panel::{Corner, Edge, Face, Grain, Hole, Notch, NotchKind, Panel, Quantity};
 pub use placement::{Anchor, Placement, Wrap};
 pub use seam_pair::{Direction, Match, Place, Run, SeamPair, Side};

@@ -29,7 +29,8 @@ pub struct Panel {
     /// Whether half of it was drawn and it was unfolded about its mirror line.
     #[serde(default)]
     pub unfolded: bool,
-    /// For a mirrored copy: the id of its source.
+    /// For a mirrored copy: the id of its source. Its outline is that one reflected x -> -x with the same numbers, so
+    /// it runs counter-clockwise in coordinates and its holes clockwise.
     #[serde(default)]
     pub copy_of: Option<String>,
     /// How many are cut, as the file says.

@@ -1,6 +1,6 @@
 //! An edge of a specification: straight, a Bézier curve or an arc, as a polyline.
 //!
-//! A relative control point (x, y) of an edge from `a` to `b` is a + x e + y (-e_y, e_x) with e = b - a. An arc is
+//! A relative control point (x, y) of an edge from `a` to `b` is `a + x e + y (-e_y, e_x)` with e = b - a. An arc is
 //! [radius, large, right] as in SVG: `right` where it lies to the right of the way from `a` to `b` (the smaller one).
 //! Source: `GarmentCode`, pygarment/garmentcode/edge.py and pygarment/pattern/utils.py.
 
