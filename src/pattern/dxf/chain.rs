@@ -17,6 +17,8 @@ pub(super) struct Chain {
     pub(super) points: Vec<P>,
     /// Whether the point is the end of a run that says something about corners, point by point.
     pub(super) run_end: Vec<bool>,
+    /// Whether the point was made for a curve and is none of the file's, point by point.
+    pub(super) made: Vec<bool>,
     /// Whether the last point runs on to the first.
     pub(super) closed: bool,
     /// The largest gap between runs that was closed \[m\], where it was above the rounding of CAD.
@@ -67,6 +69,8 @@ fn one(path: &Path, line: usize) -> Chain {
         points.pop();
     }
     let closed = path.closed || meets;
+    let mut made = path.made.clone();
+    made.resize(points.len(), false);
     let mut run_end = vec![false; points.len()];
     if let (false, Some(last)) = (closed, points.len().checked_sub(1)) {
         run_end[0] = true;
@@ -75,6 +79,7 @@ fn one(path: &Path, line: usize) -> Chain {
     Chain {
         points,
         run_end,
+        made,
         closed,
         repaired: None,
         line,
@@ -104,6 +109,7 @@ fn join(parts: Vec<Chain>, tolerance: f64) -> Vec<Chain> {
 fn reverse(chain: &mut Chain) {
     chain.points.reverse();
     chain.run_end.reverse();
+    chain.made.reverse();
 }
 
 /// Adds parts to the end of `chain` until it closes or nothing fits.
@@ -121,6 +127,7 @@ fn grow(chain: &mut Chain, parts: &[Chain], ends: &mut Ends, tolerance: f64) {
             chain.closed = true;
             note_gap(chain, closing);
             chain.points.pop();
+            chain.made.pop();
             if let (Some(end), Some(start)) = (chain.run_end.pop(), chain.run_end.first_mut()) {
                 *start |= end;
             }
@@ -140,6 +147,7 @@ fn grow(chain: &mut Chain, parts: &[Chain], ends: &mut Ends, tolerance: f64) {
         }
         chain.points.extend(&part.points[1..]);
         chain.run_end.extend(&part.run_end[1..]);
+        chain.made.extend(&part.made[1..]);
     }
 }
 
@@ -237,6 +245,7 @@ mod tests {
             points: points.to_vec(),
             closed: false,
             straight: false,
+            made: Vec::new(),
         }
     }
 

@@ -94,9 +94,10 @@ fn shape(
                 points: vec![xy(&l.p1), xy(&l.p2)],
                 closed: false,
                 straight: true,
+                made: Vec::new(),
             })
         }
-        EntityType::ModelPoint(p) => Shape::Point(xy(&p.location)),
+        EntityType::ModelPoint(p) => Shape::Point(xy(&p.location), p.location.z),
         EntityType::Text(t) => Shape::Text(xy(&t.location), t.value.clone()),
         EntityType::MText(t) => Shape::Text(
             xy(&t.insertion_point),
@@ -195,6 +196,7 @@ fn radius(radius: f64, line: usize, findings: &mut Findings) -> Result<Option<f6
 
 fn smooth(points: Vec<P>) -> Path {
     Path {
+        made: vec![true; points.len()],
         points,
         closed: false,
         straight: false,
@@ -239,7 +241,10 @@ fn bulged(vertices: &[(P, f64)], closed: bool, line: usize) -> Result<Path, Faul
         .fix("draw this arc anew"));
     }
     let mut points = Vec::with_capacity(vertices.len());
+    let mut made = Vec::new();
     for (i, (a, bulge)) in vertices.iter().enumerate() {
+        made.resize(points.len(), true);
+        made.push(false);
         match vertices
             .get(i + 1)
             .or_else(|| vertices.first().filter(|_| closed))
@@ -248,10 +253,12 @@ fn bulged(vertices: &[(P, f64)], closed: bool, line: usize) -> Result<Path, Faul
             None => points.push(*a),
         }
     }
+    made.resize(points.len(), true);
     Ok(Path {
         points,
         closed,
         straight: false,
+        made,
     })
 }
 
@@ -286,6 +293,7 @@ fn spline(s: &dxf::entities::Spline, line: usize) -> Result<Path, Fault> {
                 points: fit,
                 closed: false,
                 straight: true,
+                made: Vec::new(),
             })
         } else {
             Err(refuse("the spline has fit points only"))

@@ -49,6 +49,11 @@ impl Loop {
         }
     }
 
+    /// What it encloses \[m²\].
+    pub(super) fn area(&self) -> f64 {
+        self.area
+    }
+
     /// Whether a point is in its box, or at most `margin` outside.
     pub(super) fn boxes(&self, p: P, margin: f64) -> bool {
         let [low, high] = self.bounds;
@@ -167,6 +172,7 @@ mod tests {
         let points = vec![[x, y], [x + w, y], [x + w, y + h], [x, y + h]];
         Loop::new(Chain {
             run_end: vec![false; 4],
+            made: vec![false; 4],
             points,
             closed: true,
             repaired: None,

@@ -2,19 +2,15 @@
 
 use super::chain::Chain;
 use super::fold::Fold;
+use super::notch;
 use super::piece::Piece;
 use super::ring::Ring;
 use super::{Findings, at_line};
 use crate::config::Limits;
 use crate::fault::Fault;
-use crate::pattern::assemble::{self, Outline};
-use crate::pattern::outline::{
-    P, bounds, cross, crossing, distance, nearest, segments, signed_area, sub,
-};
-use crate::pattern::{Grain, Hole, NotchKind, Panel};
-
-/// A notch belongs to an outline that is at most this far away (sew lines lie inside the notched cut line) \[m\].
-const NOTCH_REACH: f64 = 0.03;
+use crate::pattern::assemble;
+use crate::pattern::outline::{P, bounds, cross, crossing, distance, segments, signed_area, sub};
+use crate::pattern::{Grain, Hole, Panel};
 
 /// Makes a panel of a piece. What keeps it from being one becomes a fault at its line.
 pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> Option<Panel> {
@@ -52,7 +48,7 @@ pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> 
         unfolded: fold.is_some(),
         copy_of: None,
         quantity: piece.labels.quantity(),
-        notches: notches(piece, &outline, fold, findings),
+        notches: notch::notches(piece, &outline, fold, findings),
         corners: outline.corners,
         edges: outline.edges,
         holes,
@@ -283,37 +279,4 @@ fn internal_lines(piece: &Piece, sewn: bool, fold: Option<Fold>) -> Vec<Vec<P>> 
         lines.extend(images);
     }
     lines
-}
-
-/// At most this many notches of a piece are read.
-const NOTCHES: usize = 1000;
-
-/// Notches put on the nearest edge; those with no edge in reach are warned about.
-fn notches(
-    piece: &Piece,
-    outline: &Outline,
-    fold: Option<Fold>,
-    findings: &mut Findings,
-) -> Vec<crate::pattern::Notch> {
-    let ring = assemble::ring(&outline.edges);
-    let mut marks: Vec<(P, NotchKind)> = Vec::new();
-    for (at, kind) in piece.marks.notches.iter().take(NOTCHES) {
-        marks.extend(doubled(vec![*at], fold).into_iter().map(|p| (p, *kind)));
-    }
-    let mut notches = Vec::new();
-    for (at, kind) in marks {
-        let foot = nearest(segments(&ring), at).filter(|foot| foot.distance <= NOTCH_REACH);
-        match foot {
-            Some(foot) => notches.push(assemble::notch(&outline.edges, foot, kind, notches.len())),
-            None => findings.warn(
-                "pattern/notch_ignored",
-                piece.line,
-                format!(
-                    "a notch of {:?} lies on no edge and is left out",
-                    piece.name
-                ),
-            ),
-        }
-    }
-    notches
 }

@@ -41,7 +41,8 @@ pub(crate) fn table(data: &Path) -> Table {
 
 fn row(folder: &Path, entry: &Value) -> (Row, Vec<String>) {
     let name = entry["file"].as_str().expect("a file name").to_owned();
-    let read = |name: &str| std::fs::read(folder.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let read =
+        |name: &str| std::fs::read(folder.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"));
     let found = import(&read(&name), &ImportOptions::default(), &Limits::default());
     let pattern = match found {
         Ok(pattern) => pattern,
@@ -52,7 +53,9 @@ fn row(folder: &Path, entry: &Value) -> (Row, Vec<String>) {
         "binary_ezdxf_ORILEGWB_AAMA.dxf" => "gerber_ORILEGWB_AAMA.DXF",
         other => other,
     };
-    let truth = entry["truth_file"].as_str().map(|file| json(&folder.join(file)));
+    let truth = entry["truth_file"]
+        .as_str()
+        .map(|file| json(&folder.join(file)));
     let file = File {
         scale: entry["scale_used_to_mm"].as_f64().expect("a scale"),
         drawing: raw::read(&read(text_of)),
@@ -61,12 +64,23 @@ fn row(folder: &Path, entry: &Value) -> (Row, Vec<String>) {
         pattern,
     };
     let notes = corners::unknowable(&file);
-    (Row { cells: file.cells(), name }, notes)
+    (
+        Row {
+            cells: file.cells(),
+            name,
+        },
+        notes,
+    )
 }
 
 fn refused(name: String, faults: &Faults) -> Row {
-    let cells = COLUMNS.iter().map(|_| Cell::Wrong(format!("refused: {faults}")));
-    Row { name, cells: cells.collect() }
+    let cells = COLUMNS
+        .iter()
+        .map(|_| Cell::Wrong(format!("refused: {faults}")));
+    Row {
+        name,
+        cells: cells.collect(),
+    }
 }
 
 /// A file with all that is known of it.
@@ -89,10 +103,15 @@ struct Pair<'a> {
 impl File<'_> {
     fn cells(&self) -> Vec<Cell> {
         let pieces = self.pieces();
-        let count = self.entry["pieces_in_sample_size"].as_u64().or(self.entry["piece_count"].as_u64());
+        let count = self.entry["pieces_in_sample_size"]
+            .as_u64()
+            .or(self.entry["piece_count"].as_u64());
         let (found, wanted) = (self.pattern.panels.len(), count.unwrap_or(0));
         if found as u64 != wanted || pieces.len() != found {
-            let what = format!("{found}, the truth has {wanted} ({} described)", pieces.len());
+            let what = format!(
+                "{found}, the truth has {wanted} ({} described)",
+                pieces.len()
+            );
             return COLUMNS.iter().map(|_| Cell::Wrong(what.clone())).collect();
         }
         let pairs = self.pairs(&pieces);
@@ -118,7 +137,9 @@ impl File<'_> {
     fn pieces(&self) -> Vec<&Value> {
         let graded = !self.entry["pieces_in_sample_size"].is_null();
         let pieces = self.entry["pieces"].as_array().expect("a list of pieces");
-        let kept = pieces.iter().filter(|p| !graded || p["size"] == self.entry["sample_size"]);
+        let kept = pieces
+            .iter()
+            .filter(|p| !graded || p["size"] == self.entry["sample_size"]);
         kept.collect()
     }
 
@@ -133,10 +154,20 @@ impl File<'_> {
             };
             let best = (0..free.len()).min_by(|a, b| cost(free[*a]).total_cmp(&cost(free[*b])));
             let piece = free.remove(best.expect("as many pieces as panels"));
-            let index = piece["index"].as_u64().and_then(|i| usize::try_from(i).ok());
+            let index = piece["index"]
+                .as_u64()
+                .and_then(|i| usize::try_from(i).ok());
             let block = index.and_then(|i| self.drawing.blocks.get(i));
-            let block = block.filter(|b| piece["block"].as_str().is_some_and(|n| n.is_ascii() && n == b.name || !n.is_ascii()));
-            Pair { panel, piece, block }
+            let block = block.filter(|b| {
+                piece["block"]
+                    .as_str()
+                    .is_some_and(|n| n.is_ascii() && n == b.name || !n.is_ascii())
+            });
+            Pair {
+                panel,
+                piece,
+                block,
+            }
         };
         self.pattern.panels.iter().map(pair).collect()
     }
@@ -148,7 +179,9 @@ fn name(piece: &Value) -> Option<&str> {
 }
 
 fn area(piece: &Value) -> f64 {
-    let area = piece["outline"]["area_mm2"].as_f64().or(piece["area_mm2"].as_f64());
+    let area = piece["outline"]["area_mm2"]
+        .as_f64()
+        .or(piece["area_mm2"].as_f64());
     area.expect("an area")
 }
 
@@ -168,14 +201,21 @@ impl Pair<'_> {
 
     /// The fold that the manifest knows [mm].
     fn mirror(&self) -> Option<[[f64; 2]; 2]> {
-        let line: Vec<f64> = list(self.piece["mirror_line"].get(0)?).iter().filter_map(Value::as_f64).collect();
+        let line: Vec<f64> = list(self.piece["mirror_line"].get(0)?)
+            .iter()
+            .filter_map(Value::as_f64)
+            .collect();
         let at = |i: usize| [line[i], line[i + 1]];
         (line.len() >= 4).then(|| [at(0), at(line.len() - 2)])
     }
 
     /// The outline [mm].
     fn ring(&self) -> Vec<[f64; 2]> {
-        let points = self.panel.edges.iter().flat_map(|e| &e.points[..e.points.len() - 1]);
+        let points = self
+            .panel
+            .edges
+            .iter()
+            .flat_map(|e| &e.points[..e.points.len() - 1]);
         points.map(|p| [1000.0 * p[0], 1000.0 * p[1]]).collect()
     }
 
@@ -184,6 +224,10 @@ impl Pair<'_> {
         if self.panel.cut_line.is_empty() {
             return self.ring();
         }
-        self.panel.cut_line.iter().map(|p| [1000.0 * p[0], 1000.0 * p[1]]).collect()
+        self.panel
+            .cut_line
+            .iter()
+            .map(|p| [1000.0 * p[0], 1000.0 * p[1]])
+            .collect()
     }
 }

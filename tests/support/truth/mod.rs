@@ -87,7 +87,10 @@ impl Table {
         let widths: Vec<usize> = (0..self.columns.len()).map(width).collect();
         let line = |name: &str, cells: Vec<String>| {
             let cells = cells.iter().zip(&widths).map(|(c, w)| format!("{c:>w$}"));
-            println!("{name:name_width$}  {}", cells.collect::<Vec<_>>().join("  "));
+            println!(
+                "{name:name_width$}  {}",
+                cells.collect::<Vec<_>>().join("  ")
+            );
         };
         line("", self.columns.iter().map(|c| (*c).to_owned()).collect());
         for row in &self.rows {
@@ -98,7 +101,10 @@ impl Table {
         }
         let rows = self.rows.len();
         let right = |row: &&Row| !row.cells.iter().any(|c| matches!(c, Cell::Wrong(_)));
-        println!("   {} of {rows} right in every column", self.rows.iter().filter(right).count());
+        println!(
+            "   {} of {rows} right in every column",
+            self.rows.iter().filter(right).count()
+        );
     }
 }
 

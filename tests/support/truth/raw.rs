@@ -35,7 +35,9 @@ pub(crate) struct Drawing {
 
 /// Reads a text DXF; what is not understood is left out.
 pub(crate) fn read(bytes: &[u8]) -> Drawing {
-    let text = String::from_utf8_lossy(bytes).replace("\r\n", "\n").replace('\r', "\n");
+    let text = String::from_utf8_lossy(bytes)
+        .replace("\r\n", "\n")
+        .replace('\r', "\n");
     let lines: Vec<&str> = text.split('\n').map(str::trim).collect();
     let tags: Vec<(i32, &str)> = lines
         .chunks_exact(2)
@@ -54,7 +56,10 @@ pub(crate) fn read(bytes: &[u8]) -> Drawing {
             "BLOCK" => {
                 in_block = true;
                 let name = value(2).to_owned();
-                drawing.blocks.push(Block { name, entities: Vec::new() });
+                drawing.blocks.push(Block {
+                    name,
+                    entities: Vec::new(),
+                });
             }
             "ENDBLK" => in_block = false,
             "SEQEND" | "ENDSEC" | "EOF" => {}
@@ -66,7 +71,8 @@ pub(crate) fn read(bytes: &[u8]) -> Drawing {
             _ => {}
         }
     }
-    let is_space = |name: &str| name.starts_with(['*', '$']) && name.to_lowercase().contains("_space");
+    let is_space =
+        |name: &str| name.starts_with(['*', '$']) && name.to_lowercase().contains("_space");
     drawing.blocks.retain(|block| !is_space(&block.name));
     drawing
 }
@@ -76,7 +82,11 @@ fn add(entities: &mut Vec<Entity>, kind: &str, own: &[(i32, &str)]) {
         let found = own.iter().filter(|tag| tag.0 == code);
         found.filter_map(|tag| tag.1.parse().ok()).collect()
     };
-    let mut points: Vec<P> = numbers(10).into_iter().zip(numbers(20)).map(|(x, y)| [x, y]).collect();
+    let mut points: Vec<P> = numbers(10)
+        .into_iter()
+        .zip(numbers(20))
+        .map(|(x, y)| [x, y])
+        .collect();
     if kind == "VERTEX" {
         if let Some(polyline) = entities.last_mut() {
             polyline.points.extend(points);
@@ -85,7 +95,12 @@ fn add(entities: &mut Vec<Entity>, kind: &str, own: &[(i32, &str)]) {
     }
     match kind {
         "POLYLINE" => points.clear(),
-        "LINE" => points.extend(numbers(11).into_iter().zip(numbers(21)).map(|(x, y)| [x, y])),
+        "LINE" => points.extend(
+            numbers(11)
+                .into_iter()
+                .zip(numbers(21))
+                .map(|(x, y)| [x, y]),
+        ),
         _ => {}
     }
     let layer = own.iter().find(|tag| tag.0 == 8).map_or("", |tag| tag.1);

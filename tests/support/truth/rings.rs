@@ -47,5 +47,8 @@ pub(crate) fn sharp(points: &[P], same: f64) -> Vec<P> {
         let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - b[0], c[1] - b[1]]);
         (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1])
     };
-    (0..n).filter(|i| turn(*i).abs().to_degrees() >= 20.0).map(|i| ring[i]).collect()
+    (0..n)
+        .filter(|i| turn(*i).abs().to_degrees() >= 20.0)
+        .map(|i| ring[i])
+        .collect()
 }

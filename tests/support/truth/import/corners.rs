@@ -27,27 +27,56 @@ fn is_flat(file: &File<'_>) -> bool {
 fn edges<'a>(file: &'a File<'_>, pair: &Pair<'_>) -> Option<&'a [Value]> {
     let truth = file.truth.as_ref()?;
     let name = pair.panel.name.as_str();
-    let panel = truth["panels"].get(name).or_else(|| truth["parts"].get(name));
+    let panel = truth["panels"]
+        .get(name)
+        .or_else(|| truth["parts"].get(name));
     panel.map(|panel| list(&panel["edges"]))
 }
 
-/// Whether a true edge lies on the fold, which generated files have at x = 0.
-pub(super) fn is_on_fold(edge: &Value) -> bool {
-    let end = |key: &str| edge[key][0].as_f64();
-    let on = |x: Option<f64>| x.is_some_and(|x| x.abs() < 1e-3);
-    edge["kind"] == "line" && on(end("a_mm")) && on(end("b_mm"))
+/// The true edges on the fold: straight lines at the left end, where generated files have it.
+pub(super) fn on_fold(edges: &[Value]) -> Vec<bool> {
+    let x = |edge: &Value, key: &str| edge[key][0].as_f64().unwrap_or(f64::INFINITY);
+    let left = edges
+        .iter()
+        .map(|e| x(e, "a_mm"))
+        .fold(f64::INFINITY, f64::min);
+    let on = |e: &Value| {
+        [x(e, "a_mm"), x(e, "b_mm")]
+            .iter()
+            .all(|x| (x - left).abs() < 1e-3)
+    };
+    edges.iter().map(|e| e["kind"] == "line" && on(e)).collect()
 }
 
 /// The edges have the true lengths, in this order or the other way round.
 fn of_edges(pair: &Pair<'_>, edges: &[Value], _flat: bool) -> Option<String> {
     let wanted = wanted_lengths(pair, edges);
-    let found: Vec<f64> = pair.panel.edges.iter().map(|e| 1000.0 * e.length_m).collect();
+    let found: Vec<f64> = pair
+        .panel
+        .edges
+        .iter()
+        .map(|e| 1000.0 * e.length_m)
+        .collect();
     if wanted.iter().any(|w| cyclic(&found, w)) {
         return None;
     }
-    let shown = |l: &[f64]| l.iter().map(|x| format!("{x:.1}")).collect::<Vec<_>>().join(" ");
-    let shortest = wanted.iter().min_by_key(|w| w.len()).expect("at least one way");
-    Some(format!("{} edges ({}) for {} ({})", found.len(), shown(&found), shortest.len(), shown(shortest)))
+    let shown = |l: &[f64]| {
+        l.iter()
+            .map(|x| format!("{x:.1}"))
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    let shortest = wanted
+        .iter()
+        .min_by_key(|w| w.len())
+        .expect("at least one way");
+    Some(format!(
+        "{} edges ({}) for {} ({})",
+        found.len(),
+        shown(&found),
+        shortest.len(),
+        shown(shortest)
+    ))
 }
 
 /// The lengths of all edges; of a half piece those off the fold and their images, joined or not where they meet there.
@@ -57,11 +86,14 @@ fn wanted_lengths(pair: &Pair<'_>, edges: &[Value]) -> Vec<Vec<f64>> {
         return vec![edges.iter().map(long).collect()];
     }
     let n = edges.len();
-    let first = (0..n).find(|i| !is_on_fold(&edges[*i]) && is_on_fold(&edges[(*i + n - 1) % n]));
-    let off: Vec<f64> = (0..n)
-        .map(|k| &edges[(first.unwrap_or(0) + k) % n])
-        .filter(|e| !is_on_fold(e))
-        .map(long)
+    let fold = on_fold(edges);
+    let first = (0..n)
+        .find(|i| !fold[*i] && fold[(*i + n - 1) % n])
+        .unwrap_or(0);
+    let around = (0..n).map(|k| (first + k) % n);
+    let off: Vec<f64> = around
+        .filter(|i| !fold[*i])
+        .map(|i| long(&edges[i]))
         .collect();
     let mut ways = Vec::new();
     for (start_joined, end_joined) in [(true, true), (true, false), (false, true), (false, false)] {
@@ -87,7 +119,11 @@ fn cyclic(found: &[f64], wanted: &[f64]) -> bool {
     let same = |a: f64, b: f64| (a - b).abs() <= 0.1 + 2e-3 * b;
     let runs = |from: usize, back: bool| {
         (0..n).all(|k| {
-            let i = if back { (from + n - k) % n } else { (from + k) % n };
+            let i = if back {
+                (from + n - k) % n
+            } else {
+                (from + k) % n
+            };
             same(found[i], wanted[k])
         })
     };
@@ -112,14 +148,31 @@ fn of_marks(file: &File<'_>, pair: &Pair<'_>) -> Option<String> {
     let wanted: Vec<P> = match (runs.len(), turns.is_empty()) {
         (1, true) => sharp.clone(),
         (1, false) => turns.clone(),
-        _ => ends.iter().copied().chain(turns.iter().filter(|t| near(t, &sharp)).copied()).collect(),
+        _ => ends
+            .iter()
+            .copied()
+            .chain(turns.iter().filter(|t| near(t, &sharp)).copied())
+            .collect(),
     };
     let fold = pair.mirror().filter(|_| pair.panel.unfolded);
     let on_fold = |p: &P| fold.is_some_and(|[a, b]| apart(*p, &[a, b], false) < 0.3);
-    let found: Vec<P> = pair.panel.corners.iter().map(|c| [1000.0 * c.x, 1000.0 * c.y]).collect();
-    let lost = wanted.iter().filter(|p| !near(p, &found) && !on_fold(p)).count();
+    let found: Vec<P> = pair
+        .panel
+        .corners
+        .iter()
+        .map(|c| [1000.0 * c.x, 1000.0 * c.y])
+        .collect();
+    let lost = wanted
+        .iter()
+        .filter(|p| !near(p, &found) && !on_fold(p))
+        .count();
     let image = |p: &P| fold.map_or(*p, |[a, b]| mirrored(*p, a, b));
-    let allowed = |p: &P| [&wanted, &turns, &sharp].iter().any(|l| near(p, l) || near(&image(p), l)) || on_fold(p);
+    let allowed = |p: &P| {
+        [&wanted, &turns, &sharp]
+            .iter()
+            .any(|l| near(p, l) || near(&image(p), l))
+            || on_fold(p)
+    };
     let extra = found.iter().filter(|p| !allowed(p)).count();
     (lost + extra > 0).then(|| format!("{lost} of {} corners lost, {extra} added", wanted.len()))
 }
@@ -127,23 +180,52 @@ fn of_marks(file: &File<'_>, pair: &Pair<'_>) -> Option<String> {
 fn mirrored(p: P, a: P, b: P) -> P {
     let u = [b[0] - a[0], b[1] - a[1]];
     let t = ((p[0] - a[0]) * u[0] + (p[1] - a[1]) * u[1]) / (u[0] * u[0] + u[1] * u[1]);
-    [2.0 * (a[0] + t * u[0]) - p[0], 2.0 * (a[1] + t * u[1]) - p[1]]
+    [
+        2.0 * (a[0] + t * u[0]) - p[0],
+        2.0 * (a[1] + t * u[1]) - p[1],
+    ]
 }
 
 /// The runs and turn points that the panel's outline was drawn with [mm].
 fn drawn(file: &File<'_>, pair: &Pair<'_>) -> (Vec<Vec<P>>, Vec<P>) {
     let entities = pair.block.map_or(&file.drawing.model, |b| &b.entities);
-    let scaled = |points: &[P]| points.iter().map(|p| [file.scale * p[0], file.scale * p[1]]).collect::<Vec<P>>();
+    let scaled = |points: &[P]| {
+        points
+            .iter()
+            .map(|p| [file.scale * p[0], file.scale * p[1]])
+            .collect::<Vec<P>>()
+    };
     let is_line = |e: &&Entity| e.kind.ends_with("POLYLINE") && e.points.len() > 1;
-    let turns = entities.iter().filter(|e| e.layer == "2" && e.kind == "POINT");
+    let turns = entities
+        .iter()
+        .filter(|e| e.layer == "2" && e.kind == "POINT");
     let turns = turns.flat_map(|e| scaled(&e.points)).collect();
-    let on = |layer: &str| entities.iter().filter(|e| e.layer == layer).filter(is_line).map(|e| scaled(&e.points)).collect::<Vec<_>>();
+    let on = |layer: &str| {
+        entities
+            .iter()
+            .filter(|e| e.layer == layer)
+            .filter(is_line)
+            .map(|e| scaled(&e.points))
+            .collect::<Vec<_>>()
+    };
     // Several open runs, or the one closed line that is as long as the outline.
-    let runs = on(if pair.panel.cut_line.is_empty() { "1" } else { "14" });
+    let runs = on(if pair.panel.cut_line.is_empty() {
+        "1"
+    } else {
+        "14"
+    });
     let long = length(&pair.ring(), true);
-    let closed = entities.iter().filter(is_line).filter(|e| e.closed).map(|e| scaled(&e.points));
+    let closed = entities
+        .iter()
+        .filter(is_line)
+        .filter(|e| e.closed)
+        .map(|e| scaled(&e.points));
     let whole = closed.filter(|p| off(length(p, true), long) < 1e-3);
-    let nearest = |p: &Vec<P>| p.iter().map(|q| apart(*q, &pair.ring(), true)).fold(0.0, f64::max);
+    let nearest = |p: &Vec<P>| {
+        p.iter()
+            .map(|q| apart(*q, &pair.ring(), true))
+            .fold(0.0, f64::max)
+    };
     match whole.min_by(|a, b| nearest(a).total_cmp(&nearest(b))) {
         Some(ring) if pair.block.is_none() || runs.len() <= 1 => (vec![ring], turns),
         _ => (runs, turns),

@@ -20,8 +20,14 @@ pub(super) fn perimeters(file: &File<'_>, pairs: &[Pair<'_>]) -> Cell {
     let mut wrong = Vec::new();
     for pair in pairs {
         let own = pair.piece["perimeter_mm"].as_f64();
-        let wanted = own.or(pair.piece["outline"]["perimeter_mm"].as_f64()).expect("a perimeter");
-        let ring = if own.is_some() { pair.ring() } else { pair.cut() };
+        let wanted = own
+            .or(pair.piece["outline"]["perimeter_mm"].as_f64())
+            .expect("a perimeter");
+        let ring = if own.is_some() {
+            pair.ring()
+        } else {
+            pair.cut()
+        };
         let whole = length(&ring, true);
         let found = if pair.panel.unfolded {
             whole / 2.0 + fold_length(file, pair, &ring)
@@ -42,14 +48,24 @@ fn fold_length(file: &File<'_>, pair: &Pair<'_>, ring: &[P]) -> f64 {
         let (u, l) = ([b[0] - a[0], b[1] - a[1]], distance(a, b));
         let side = |p: &P| ((p[0] - a[0]) * u[1] - (p[1] - a[1]) * u[0]) / l;
         let along = |p: &P| ((p[0] - a[0]) * u[0] + (p[1] - a[1]) * u[1]) / l;
-        let on: Vec<f64> = ring.iter().filter(|p| side(p).abs() < 0.3).map(along).collect();
+        let on: Vec<f64> = ring
+            .iter()
+            .filter(|p| side(p).abs() < 0.3)
+            .map(along)
+            .collect();
         let least = on.iter().copied().fold(f64::INFINITY, f64::min);
         return on.iter().copied().fold(f64::NEG_INFINITY, f64::max) - least;
     }
-    let part = file.truth.as_ref().map(|t| &t["parts"][pair.panel.name.as_str()]["edges"]);
+    let part = file
+        .truth
+        .as_ref()
+        .map(|t| &t["parts"][pair.panel.name.as_str()]["edges"]);
     let edges = part.map_or(&[][..], list);
-    let on_fold = edges.iter().filter(|e| super::corners::is_on_fold(e));
-    on_fold.filter_map(|e| e["length_mm"].as_f64()).sum()
+    let on_fold = edges.iter().zip(super::corners::on_fold(edges));
+    on_fold
+        .filter(|(_, on)| *on)
+        .filter_map(|(e, _)| e["length_mm"].as_f64())
+        .sum()
 }
 
 /// Internal lines: their length, all together. What became the sew line is none.
@@ -59,22 +75,40 @@ pub(super) fn lines(file: &File<'_>, pairs: &[Pair<'_>]) -> Cell {
     for pair in pairs {
         let Some(block) = pair.block else { continue };
         compared = true;
-        let drawn = block.entities.iter().filter(|e| e.layer == "8" && e.points.len() > 1);
+        let drawn = block
+            .entities
+            .iter()
+            .filter(|e| e.layer == "8" && e.points.len() > 1);
         let seam = length(&pair.ring(), true);
         let is_sewn = |e: &Entity| {
-            !pair.panel.cut_line.is_empty() && e.closed && off(file.scale * length(&e.points, true), seam) < SAME
+            !pair.panel.cut_line.is_empty()
+                && e.closed
+                && off(file.scale * length(&e.points, true), seam) < SAME
         };
         let wanted: f64 = drawn
             .filter(|e| !is_sewn(e))
             .map(|e| file.scale * length(&e.points, e.closed))
             .sum();
-        let found: f64 = pair.panel.internal_lines.iter().map(|l| 1000.0 * length(l, false)).sum();
-        let found = if pair.panel.unfolded { found / 2.0 } else { found };
+        let found: f64 = pair
+            .panel
+            .internal_lines
+            .iter()
+            .map(|l| 1000.0 * length(l, false))
+            .sum();
+        let found = if pair.panel.unfolded {
+            found / 2.0
+        } else {
+            found
+        };
         if (found - wanted).abs() > SAME * wanted.max(1.0) {
             wrong.push(pair.says(format!("{found:.1} for {wanted:.1} mm of lines")));
         }
     }
-    if compared { Cell::of(&wrong) } else { Cell::Unsaid }
+    if compared {
+        Cell::of(&wrong)
+    } else {
+        Cell::Unsaid
+    }
 }
 
 /// Sew lines became the outline: layer 14, a line inside a flat outline, or the seam of a general drawing.
@@ -87,7 +121,11 @@ pub(super) fn sew(file: &File<'_>, pairs: &[Pair<'_>]) -> Cell {
             compared = true;
             let long = sew["perimeter_mm"].as_f64().expect("a length");
             let whole = length(&pair.ring(), true);
-            let half = if pair.panel.unfolded { whole / 2.0 } else { whole };
+            let half = if pair.panel.unfolded {
+                whole / 2.0
+            } else {
+                whole
+            };
             if off(half, long) > SAME || pair.panel.cut_line.is_empty() {
                 wrong.push(pair.says(format!("outline of {half:.1}, sew line of {long:.1} mm")));
             }
@@ -106,17 +144,28 @@ pub(super) fn sew(file: &File<'_>, pairs: &[Pair<'_>]) -> Cell {
             compared = true;
             let own: Vec<P> = pair.ring();
             let scaled = |p: &P| [file.scale * p[0], file.scale * p[1]];
-            if inner.points.iter().any(|p| apart(scaled(p), &own, true) > 0.02) {
+            if inner
+                .points
+                .iter()
+                .any(|p| apart(scaled(p), &own, true) > 0.02)
+            {
                 wrong.push(pair.says("a closed line on layer 8 is not the outline"));
             }
         }
     }
-    if compared { Cell::of(&wrong) } else { Cell::Unsaid }
+    if compared {
+        Cell::of(&wrong)
+    } else {
+        Cell::Unsaid
+    }
 }
 
 /// The closed line on layer 8 of a block without a sew line: where Valentina puts it.
 fn closed_line(block: &super::raw::Block) -> Option<&Entity> {
-    let mut closed = block.entities.iter().filter(|e| e.layer == "8" && e.closed && e.kind.ends_with("POLYLINE"));
+    let mut closed = block
+        .entities
+        .iter()
+        .filter(|e| e.layer == "8" && e.closed && e.kind.ends_with("POLYLINE"));
     let found = closed.next().filter(|_| closed.next().is_none());
     found.filter(|_| !block.entities.iter().any(|e| e.layer == "2"))
 }

@@ -9,7 +9,12 @@ use std::collections::BTreeSet;
 
 /// The warp runs as the longest grain line does, within a tenth of a degree; none where none is drawn.
 pub(super) fn grain(file: &File<'_>, pairs: &[Pair<'_>]) -> Cell {
-    let drawn = file.drawing.model.iter().filter(|e| e.layer == "GRAIN").count();
+    let drawn = file
+        .drawing
+        .model
+        .iter()
+        .filter(|e| e.layer == "GRAIN")
+        .count();
     if file.truth.is_some() && drawn > 0 && file.drawing.blocks.is_empty() {
         let found = pairs.iter().filter(|p| p.panel.grain.is_some()).count();
         let lost = (found != drawn).then(|| format!("{found} of {drawn} grain lines"));
@@ -42,7 +47,11 @@ fn longest(piece: &Value) -> Option<f64> {
     });
     let long = |c: &[f64; 4]| (c[2] - c[0]).hypot(c[3] - c[1]);
     let found = lines.max_by(|a, b| long(a).total_cmp(&long(b)))?;
-    Some((found[3] - found[1]).atan2(found[2] - found[0]).to_degrees())
+    Some(
+        (found[3] - found[1])
+            .atan2(found[2] - found[0])
+            .to_degrees(),
+    )
 }
 
 /// Half pieces are unfolded, whole ones are not.
@@ -58,8 +67,13 @@ pub(super) fn fold(pairs: &[Pair<'_>]) -> Cell {
 pub(super) fn drawn_notches(file: &File<'_>, pair: &Pair<'_>) -> Vec<P> {
     let layers = ["4", "80", "81", "82", "83"];
     let block = pair.block.map_or(&[][..], |b| &b.entities);
-    let marks = block.iter().filter(|e| e.kind == "POINT" && layers.contains(&e.layer.as_str()));
-    marks.flat_map(|e| &e.points).map(|p| [file.scale * p[0], file.scale * p[1]]).collect()
+    let marks = block
+        .iter()
+        .filter(|e| e.kind == "POINT" && layers.contains(&e.layer.as_str()));
+    marks
+        .flat_map(|e| &e.points)
+        .map(|p| [file.scale * p[0], file.scale * p[1]])
+        .collect()
 }
 
 /// Where a notch of a panel lies [mm].
@@ -88,33 +102,70 @@ pub(super) fn notches(file: &File<'_>, pairs: &[Pair<'_>]) -> Cell {
         let found = places(pair.panel);
         all += found.len();
         let sewn = !pair.panel.cut_line.is_empty();
-        let on = |p: &&P| apart(**p, &pair.cut(), true) < 0.1;
-        let drawn = drawn_notches(file, pair);
-        let drawn: Vec<&P> = drawn.iter().filter(on).collect();
+        let fold = pair.mirror().filter(|_| pair.panel.unfolded);
+        let on_cut = |p: &P| apart(*p, &pair.cut(), true) < 0.1;
+        let along = |p: &P| fold.is_some_and(|fold| apart(*p, &fold, false) < 0.1);
+        let all_drawn = drawn_notches(file, pair);
         let stated = pair.piece["notches_on_boundary"].as_u64();
-        if stated.is_some_and(|count| count != drawn.len() as u64) {
-            wrong.push(pair.says(format!("{stated:?} on the outline, {} read", drawn.len())));
+        let counted = all_drawn.iter().filter(|p| on_cut(p) || along(p)).count();
+        if stated.is_some_and(|count| count != counted as u64) {
+            wrong.push(pair.says(format!("{stated:?} on the outline, {counted} read")));
         }
-        let reach = |p: &P| if sewn { apart(*p, &pair.ring(), true) + 2.0 } else { 0.1 };
-        let lost = drawn.iter().filter(|p| !found.iter().any(|f| distance(*f, ***p) <= reach(p)));
+        // Inside the cloth once it is unfolded, a notch on the fold is on no edge.
+        let drawn: Vec<&P> = all_drawn.iter().filter(|p| on_cut(p)).collect();
+        let reach = |p: &P| {
+            if sewn {
+                apart(*p, &pair.ring(), true) + 2.0
+            } else {
+                0.1
+            }
+        };
+        let lost = drawn
+            .iter()
+            .filter(|p| !found.iter().any(|f| distance(*f, ***p) <= reach(p)));
         wrong.extend(lost.map(|p| pair.says(format!("no notch at ({:.1}, {:.1})", p[0], p[1]))));
         if let Some(stated) = stated.filter(|_| !sewn) {
-            let fold = pair.mirror().filter(|_| pair.panel.unfolded);
-            let single = fold.map_or(0, |fold| drawn.iter().filter(|p| beside(fold, ***p)).count());
-            let wanted = if fold.is_some() { 2 * drawn.len() - single } else { drawn.len() };
+            let single = fold.map_or(0, |fold| {
+                drawn.iter().filter(|p| beside(fold, ***p)).count()
+            });
+            let wanted = if fold.is_some() {
+                2 * drawn.len() - single
+            } else {
+                drawn.len()
+            };
             if found.len() != wanted {
-                wrong.push(pair.says(format!("{} of {wanted} notches ({stated} drawn)", found.len())));
+                wrong.push(pair.says(format!(
+                    "{} of {wanted} notches ({stated} drawn)",
+                    found.len()
+                )));
             }
         }
     }
     if let Some(truth) = &file.truth {
         let parts = truth["parts"].as_object();
-        let stated: u64 = parts.into_iter().flatten().filter_map(|(_, p)| p["notches"].as_u64()).sum();
-        let ignored = file.pattern.warnings.iter().filter(|w| w.code == "pattern/notch_ignored").count();
-        let held = pairs.iter().map(|p| if p.panel.unfolded { folded(p) } else { p.panel.notches.len() });
+        let stated: u64 = parts
+            .into_iter()
+            .flatten()
+            .filter_map(|(_, p)| p["notches"].as_u64())
+            .sum();
+        let ignored = file
+            .pattern
+            .warnings
+            .iter()
+            .filter(|w| w.code == "pattern/notch_ignored")
+            .count();
+        let held = pairs.iter().map(|p| {
+            if p.panel.unfolded {
+                folded(p)
+            } else {
+                p.panel.notches.len()
+            }
+        });
         let held: usize = held.sum();
         if (held + ignored) as u64 != stated {
-            wrong.push(format!("{held} held and {ignored} warned about of {stated} notches"));
+            wrong.push(format!(
+                "{held} held and {ignored} warned about of {stated} notches"
+            ));
         }
     }
     if wrong.is_empty() {
@@ -128,7 +179,10 @@ fn folded(pair: &Pair<'_>) -> usize {
     let ring = pair.ring();
     let middle = ring.iter().map(|p| p[0]).fold(f64::INFINITY, f64::min)
         + ring.iter().map(|p| p[0]).fold(f64::NEG_INFINITY, f64::max);
-    let on_fold = places(pair.panel).iter().filter(|p| (p[0] - middle / 2.0).abs() < 0.3).count();
+    let on_fold = places(pair.panel)
+        .iter()
+        .filter(|p| (p[0] - middle / 2.0).abs() < 0.3)
+        .count();
     (pair.panel.notches.len() - on_fold) / 2 + on_fold
 }
 
@@ -144,7 +198,11 @@ pub(super) fn drills(pairs: &[Pair<'_>]) -> Cell {
         let stated = pair.piece["drill_holes"].as_u64().unwrap_or(0);
         let found = pair.panel.drill_holes.len();
         all += found;
-        let wanted = if pair.panel.unfolded { 2 * stated } else { stated };
+        let wanted = if pair.panel.unfolded {
+            2 * stated
+        } else {
+            stated
+        };
         if found as u64 != wanted {
             wrong.push(pair.says(format!("{found} of {wanted}")));
         }
@@ -165,17 +223,23 @@ pub(super) fn sizes(file: &File<'_>) -> Cell {
     let found: BTreeSet<&str> = source.sizes.iter().map(String::as_str).collect();
     let sample = file.entry["sample_size"].as_str();
     if found != wanted || source.sample_size.as_deref() != sample {
-        return Cell::Wrong(format!("{:?} of {found:?}, {sample:?} of {wanted:?}", source.sample_size));
+        return Cell::Wrong(format!(
+            "{:?} of {found:?}, {sample:?} of {wanted:?}",
+            source.sample_size
+        ));
     }
     Cell::Right(found.len().to_string())
 }
 
 /// Panels are called what the file calls them; names of a byte or two misread by the manifest's reader are not compared.
 pub(super) fn names(pairs: &[Pair<'_>]) -> Cell {
-    let known = |piece: &Value| name(piece).is_some_and(|n| !n.chars().any(|c| ('\u{180}'..='\u{2af}').contains(&c)));
+    let known = |piece: &Value| {
+        name(piece).is_some_and(|n| !n.chars().any(|c| ('\u{180}'..='\u{2af}').contains(&c)))
+    };
     let wrong = pairs.iter().filter_map(|pair| {
         let wanted = name(pair.piece).filter(|_| known(pair.piece))?;
-        (wanted != pair.panel.name).then(|| pair.says(format!("{:?} for {wanted:?}", pair.panel.name)))
+        (wanted != pair.panel.name)
+            .then(|| pair.says(format!("{:?} for {wanted:?}", pair.panel.name)))
     });
     let wrong: Vec<String> = wrong.collect();
     let ids: BTreeSet<&str> = pairs.iter().map(|p| p.panel.id.as_str()).collect();
@@ -191,14 +255,22 @@ pub(super) fn quantities(pairs: &[Pair<'_>]) -> Cell {
     let mut wrong = Vec::new();
     let mut compared = false;
     for pair in pairs {
-        let Some(stated) = pair.piece["quantity"].as_str() else { continue };
+        let Some(stated) = pair.piece["quantity"].as_str() else {
+            continue;
+        };
         compared = true;
-        let mut parts = stated.split(',').map(|n| n.trim().parse::<u32>().expect("a number"));
+        let mut parts = stated
+            .split(',')
+            .map(|n| n.trim().parse::<u32>().expect("a number"));
         let wanted = (parts.next().unwrap_or(0), parts.next().unwrap_or(0));
         let found = pair.panel.quantity.map(|q| (q.left, q.right));
         if found != Some(wanted) {
             wrong.push(pair.says(format!("{found:?} for {wanted:?}")));
         }
     }
-    if compared { Cell::of(&wrong) } else { Cell::Unsaid }
+    if compared {
+        Cell::of(&wrong)
+    } else {
+        Cell::Unsaid
+    }
 }

@@ -7,9 +7,14 @@ pub(super) fn cell(file: &File<'_>, pairs: &[Pair<'_>]) -> Cell {
     let unsaid = entry["insunits"].is_null() && entry["units_text"].is_null() && !says_units(file);
     let has_sew = |p: &Pair<'_>| !p.panel.cut_line.is_empty() || p.piece["has_cut_line"] == true;
     let sewn = pairs.iter().filter(|p| has_sew(p)).count();
-    let off_fold = |p: &Pair<'_>| !list(&p.piece["mirror_line"]).is_empty() && p.piece["mirror_on_boundary"] != true;
+    let off_fold = |p: &Pair<'_>| {
+        !list(&p.piece["mirror_line"]).is_empty() && p.piece["mirror_on_boundary"] != true
+    };
     let notch_off = |p: &Pair<'_>| {
-        let (all, on) = (p.piece["notches"].as_u64(), p.piece["notches_on_boundary"].as_u64());
+        let (all, on) = (
+            p.piece["notches"].as_u64(),
+            p.piece["notches_on_boundary"].as_u64(),
+        );
         all > on || p.piece["has_cut_line"] == true
     };
     let mut wrong = Vec::new();
@@ -23,7 +28,10 @@ pub(super) fn cell(file: &File<'_>, pairs: &[Pair<'_>]) -> Cell {
             _ => false,
         };
         if !right {
-            wrong.push(format!("{} at {}: {}", warning.code, warning.pointer, warning.detail));
+            wrong.push(format!(
+                "{} at {}: {}",
+                warning.code, warning.pointer, warning.detail
+            ));
         }
     }
     let warned = |code: &str| file.pattern.warnings.iter().any(|w| w.code == code);
@@ -38,5 +46,11 @@ pub(super) fn cell(file: &File<'_>, pairs: &[Pair<'_>]) -> Cell {
 
 /// Generated files in blocks have the units as text or in the header.
 fn says_units(file: &File<'_>) -> bool {
-    file.entry["units_text"].is_null() && file.truth.is_some() && file.drawing.model.iter().any(|e| e.kind == "TEXT" && e.layer == "1")
+    file.entry["units_text"].is_null()
+        && file.truth.is_some()
+        && file
+            .drawing
+            .model
+            .iter()
+            .any(|e| e.kind == "TEXT" && e.layer == "1")
 }
