@@ -84,12 +84,13 @@ impl Loop {
             > sample.len()
     }
 
-    /// Whether `inner` is its sew line, from its course.
+    /// Whether `inner` is its sew line, from its course: all of it runs beside the outline, or all of the outline
+    /// beside it (a sew line turns inwards at darts, and the cut line runs straight over them).
     pub(super) fn is_sewn_on(&self, inner: &Self) -> bool {
         let large = inner.area >= SEW_SHARE * self.area && inner.area < self.area;
-        inner.chain.closed
-            && large
-            && sample(&inner.chain.points, 200).all(|at| self.beside(*at, ALLOWANCE))
+        let follows =
+            |a: &Self, b: &Self| sample(&a.chain.points, 200).all(|at| b.beside(*at, ALLOWANCE));
+        inner.chain.closed && large && (follows(inner, self) || follows(self, inner))
     }
 
     /// Whether an open line runs about it at the distance of a seam allowance.

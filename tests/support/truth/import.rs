@@ -63,7 +63,7 @@ fn row(folder: &Path, entry: &Value) -> (Row, Vec<String>) {
         truth,
         pattern,
     };
-    let notes = corners::unknowable(&file);
+    let notes = corners::notes(&file);
     (
         Row {
             cells: file.cells(),
