@@ -3,6 +3,7 @@
 use super::clean::{Cleaned, Expected};
 use super::curve;
 use super::entity::{Entity, Insert, P, Path, Shape};
+use super::spline;
 use super::{Findings, at_line};
 use crate::fault::Fault;
 use dxf::entities::EntityType;
@@ -143,13 +144,13 @@ fn shape(
             ];
             Shape::Path(smooth(curve::ellipse(xy(&e.center), major, minor, range)))
         }
-        EntityType::Spline(s) => Shape::Path(spline(s, line)?),
+        EntityType::Spline(s) => Shape::Path(spline::path(s, line)?),
         EntityType::Insert(i) => Shape::Insert(insert(i, line)?),
         _ => return Ok(None),
     }))
 }
 
-fn xy(p: &Point) -> P {
+pub(super) fn xy(p: &Point) -> P {
     [p.x, p.y]
 }
 
@@ -194,7 +195,8 @@ fn radius(radius: f64, line: usize, findings: &mut Findings) -> Result<Option<f6
     Ok(Some(radius))
 }
 
-fn smooth(points: Vec<P>) -> Path {
+/// A curve as a path: all its points were made.
+pub(super) fn smooth(points: Vec<P>) -> Path {
     Path {
         made: vec![true; points.len()],
         points,
@@ -272,58 +274,6 @@ impl Path {
         }
         self
     }
-}
-
-fn spline(s: &dxf::entities::Spline, line: usize) -> Result<Path, Fault> {
-    let refuse = |what: &str| {
-        Fault::new("pattern/spline", at_line(line), what.to_owned())
-            .fix("export curves as polylines, or draw this one anew")
-    };
-    let degree = usize::try_from(s.degree_of_curve)
-        .map_err(|_| refuse("the spline's degree is negative"))?;
-    let controls: Vec<P> = s.control_points.iter().map(xy).collect();
-    if controls.is_empty() {
-        let fit: Vec<P> = s.fit_points.iter().map(xy).collect();
-        return if fit.len() < 2 {
-            Err(refuse(
-                "the spline has neither control points nor fit points",
-            ))
-        } else if fit.len() == 2 {
-            Ok(Path {
-                points: fit,
-                closed: false,
-                straight: true,
-                made: Vec::new(),
-            })
-        } else {
-            Err(refuse("the spline has fit points only"))
-        };
-    }
-    if degree == 0 || controls.len() <= degree || s.knot_values.len() != controls.len() + degree + 1
-    {
-        return Err(refuse(
-            "the spline's degree, knots and control points do not go together",
-        ));
-    }
-    if s.knot_values.windows(2).any(|w| w[1] < w[0])
-        || s.knot_values[degree] >= s.knot_values[controls.len()]
-    {
-        return Err(refuse("the spline's knots fall"));
-    }
-    if !s.weight_values.is_empty() && s.weight_values.len() != controls.len()
-        || s.weight_values.iter().any(|w| *w <= 0.0)
-    {
-        return Err(refuse(
-            "the spline's weights are not positive, one to a control point",
-        ));
-    }
-    let curve = curve::Spline {
-        degree,
-        knots: &s.knot_values,
-        controls: &controls,
-        weights: &s.weight_values,
-    };
-    Ok(smooth(curve.points()))
 }
 
 fn insert(i: &dxf::entities::Insert, line: usize) -> Result<Insert, Fault> {

@@ -26,6 +26,7 @@ mod ring;
 mod size;
 mod sniff;
 mod sort;
+mod spline;
 mod structure;
 mod tags;
 mod units;
