@@ -25,6 +25,8 @@ pub(super) struct Chain {
     pub(super) repaired: Option<f64>,
     /// The line its first run begins at.
     pub(super) line: usize,
+    /// How many entities it was joined of.
+    pub(super) runs: usize,
 }
 
 impl Chain {
@@ -37,8 +39,9 @@ impl Chain {
     }
 }
 
-/// Joins paths to as few chains as their ends allow, in the order of the file where several would fit.
-pub(super) fn chains(paths: &[(&Path, usize)]) -> Vec<Chain> {
+/// Joins paths to as few chains as their ends allow, in the order of the file where several would fit. `repair`: small
+/// gaps are closed too, as outlines need it.
+pub(super) fn chains(paths: &[(&Path, usize)], repair: bool) -> Vec<Chain> {
     let exploded = paths.iter().all(|(path, _)| path.straight);
     let whole: Vec<Chain> = paths
         .iter()
@@ -46,7 +49,7 @@ pub(super) fn chains(paths: &[(&Path, usize)]) -> Vec<Chain> {
         .map(|(path, line)| one(path, *line))
         .collect();
     let mut joined = join(whole, JOINED);
-    if joined.iter().any(|chain| !chain.closed) {
+    if repair && joined.iter().any(|chain| !chain.closed) {
         joined = join(joined, REPAIRED);
     }
     for chain in &mut joined {
@@ -83,6 +86,7 @@ fn one(path: &Path, line: usize) -> Chain {
         closed,
         repaired: None,
         line,
+        runs: 1,
     }
 }
 
@@ -141,6 +145,7 @@ fn grow(chain: &mut Chain, parts: &[Chain], ends: &mut Ends, tolerance: f64) {
         if !at_head {
             reverse(&mut part);
         }
+        chain.runs += part.runs;
         note_gap(chain, gap);
         if let Some(inner) = part.repaired {
             note_gap(chain, inner);
@@ -250,7 +255,7 @@ mod tests {
     }
 
     fn joined(paths: &[Path]) -> Vec<Chain> {
-        chains(&paths.iter().map(|p| (p, 1)).collect::<Vec<_>>())
+        chains(&paths.iter().map(|p| (p, 1)).collect::<Vec<_>>(), true)
     }
 
     #[test]

@@ -118,7 +118,7 @@ impl Cleaned {
         match kind {
             "LWPOLYLINE" => check_lwpolyline(record, findings)?,
             "SPLINE" => check_spline(record)?,
-            _ => {}
+            _ => check_coordinates(kind, record)?,
         }
         self.pair(0, kind);
         if kind == "POLYLINE" {
@@ -191,6 +191,26 @@ fn bad_number(line: usize, value: &str, wanted: &str) -> Fault {
         format!("{:?} stands where {wanted} must", shown(value)),
     )
     .fix(fix)
+}
+
+/// What is drawn by points has each coordinate once: the crate would take a missing one for 0, and where two records
+/// ran into one, the last.
+fn check_coordinates(kind: &str, record: &Record<'_, '_>) -> Result<(), Fault> {
+    let needed: &[i32] = match kind {
+        "LINE" | "ELLIPSE" => &[10, 20, 11, 21],
+        "POINT" | "VERTEX" | "ARC" | "CIRCLE" => &[10, 20],
+        _ => &[],
+    };
+    for code in needed {
+        let what = match count(record, *code) {
+            1 => continue,
+            0 => "is missing",
+            _ => "is given twice",
+        };
+        let what = format!("a coordinate (group code {code}) {what}");
+        return Err(malformed(record.line, kind, &what));
+    }
+    Ok(())
 }
 
 fn check_lwpolyline(record: &Record<'_, '_>, findings: &mut Findings) -> Result<(), Fault> {
@@ -296,7 +316,7 @@ mod tests {
 
     #[test]
     fn number_that_is_none_names_its_line() {
-        let (_, findings) = cleaned("0\nLINE\n10\n1\n20\nabc\n");
+        let (_, findings) = cleaned("0\nPOINT\n10\n1\n20\nabc\n");
         assert_eq!(findings.faults[0].pointer, "line 10");
         assert_eq!(findings.faults[0].code, "pattern/bad_number");
     }

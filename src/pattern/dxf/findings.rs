@@ -39,13 +39,18 @@ impl Findings {
 
     /// Notes an entity that is not read.
     pub(super) fn left_out(&mut self, kind: &str, line: usize) {
+        self.left_out_many(kind, line, 1);
+    }
+
+    /// Notes several entities of a kind that are not read.
+    pub(super) fn left_out_many(&mut self, kind: &str, line: usize, count: usize) {
         let kind = super::tags::shown(kind);
         let kind = if self.left_out.len() < MOST || self.left_out.contains_key(&kind) {
             kind
         } else {
             "other kinds".to_owned()
         };
-        self.left_out.entry(kind).or_insert((0, line)).0 += 1;
+        self.left_out.entry(kind).or_insert((0, line)).0 += count;
     }
 
     /// Notes an entity whose z is not 0.

@@ -107,6 +107,10 @@ fn shape(
         EntityType::Polyline(p) => return polyline(p, line, findings),
         EntityType::LwPolyline(p) => {
             let flipped = flipped(&p.extrusion_direction, line)?;
+            if p.vertices.is_empty() {
+                findings.left_out("LWPOLYLINE without vertices", line);
+                return Ok(None);
+            }
             let vertices: Vec<(P, f64)> =
                 p.vertices.iter().map(|v| ([v.x, v.y], v.bulge)).collect();
             Shape::Path(bulged(&vertices, p.is_closed(), line)?.mirrored(flipped))
@@ -225,6 +229,10 @@ fn polyline(
         line,
         findings,
     );
+    if kept.is_empty() {
+        findings.left_out("POLYLINE without vertices", line);
+        return Ok(None);
+    }
     let vertices: Vec<(P, f64)> = kept.iter().map(|v| (xy(&v.location), v.bulge)).collect();
     let path = bulged(&vertices, p.is_closed(), line)?;
     Ok(Some(Shape::Path(path.mirrored(flipped(&p.normal, line)?))))

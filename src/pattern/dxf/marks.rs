@@ -45,7 +45,7 @@ pub(super) fn assign(
         };
         match owner(outlines(pieces), line[0], alone) {
             Some(at) => pieces[at].marks.folds.push(line),
-            None => findings.left_out("fold line outside the pieces", chain.line),
+            None => findings.left_out_many("fold line outside the pieces", chain.line, chain.runs),
         }
     }
     notches(sheet, pieces, alone, findings);
@@ -101,7 +101,7 @@ fn notches(sheet: &Sheet, pieces: &mut [Piece], alone: bool, findings: &mut Find
         }
     }
     if let Some(kind) = line_kind {
-        marks.extend(chains(&drawn).into_iter().map(|chain| NotchMark {
+        marks.extend(chains(&drawn, false).into_iter().map(|chain| NotchMark {
             points: chain.points,
             kind,
             depth: None,

@@ -178,6 +178,7 @@ mod tests {
             closed: true,
             repaired: None,
             line: 1,
+            runs: 1,
         })
     }
 

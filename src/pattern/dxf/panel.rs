@@ -58,7 +58,7 @@ pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> 
             drawn_cut_line(piece, fold)
         },
         drill_holes: doubled(piece.marks.drills.clone(), fold),
-        grain: grain(&piece.marks.grains),
+        grain: grain(piece, findings),
         internal_lines: internal_lines(piece, sew.is_some(), fold),
     })
 }
@@ -220,10 +220,29 @@ fn drawn_cut_line(piece: &Piece, fold: Option<Fold>) -> Vec<P> {
     line
 }
 
-fn grain(lines: &[[P; 2]]) -> Option<Grain> {
-    let [a, b] = *lines
-        .iter()
-        .max_by(|a, b| distance(a[0], a[1]).total_cmp(&distance(b[0], b[1])))?;
+/// The direction of the longest grain line; another that is half as long or longer (no arrow head) and runs otherwise
+/// is warned about.
+fn grain(piece: &Piece, findings: &mut Findings) -> Option<Grain> {
+    let lines = &piece.marks.grains;
+    let long = |line: &[P; 2]| distance(line[0], line[1]);
+    let longest = lines.iter().max_by(|a, b| long(a).total_cmp(&long(b)))?;
+    let [a, b] = *longest;
+    let along = sub(b, a);
+    let differs = |line: &&[P; 2]| {
+        let way = sub(line[1], line[0]);
+        long(line) >= 0.5 * long(longest)
+            && cross(along, way).abs() > 0.02 * long(line) * long(longest)
+    };
+    if lines.iter().any(|line| differs(&line)) {
+        findings.warn(
+            "pattern/grain_ignored",
+            piece.line,
+            format!(
+                "{:?} has grain lines in several directions; the longest was taken",
+                piece.name
+            ),
+        );
+    }
     let angle_deg = (b[1] - a[1])
         .atan2(b[0] - a[0])
         .to_degrees()
@@ -263,8 +282,9 @@ fn holes(piece: &Piece, fold: Option<Fold>, limits: &Limits, findings: &mut Find
 
 fn internal_lines(piece: &Piece, sewn: bool, fold: Option<Fold>) -> Vec<Vec<P>> {
     let unused_sew = piece.sew.iter().filter(|_| !sewn);
+    let second_cut = piece.cut.iter().filter(|_| sewn);
     let mut lines: Vec<Vec<P>> = Vec::new();
-    for chain in piece.internal.iter().chain(unused_sew) {
+    for chain in piece.internal.iter().chain(unused_sew).chain(second_cut) {
         let mut line = chain.points.clone();
         line.extend(chain.points.first().filter(|_| chain.closed));
         if line.len() > 1 {

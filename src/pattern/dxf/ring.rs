@@ -169,6 +169,7 @@ mod tests {
             closed: true,
             repaired: None,
             line: 1,
+            runs: 1,
         }
     }
 

@@ -80,7 +80,7 @@ impl Lines {
                     }
                 })
                 .collect();
-            chains(&paths)
+            chains(&paths, wanted != Role::Internal)
         };
         Self {
             outlines: BTreeSet::new(),
@@ -169,7 +169,10 @@ impl Lines {
                 .iter()
                 .position(|p| may_cut && is_free(p) && p.outline.is_cut_along(chain));
             match cut {
-                Some(at) => pieces[at].cut = Some((*chain).clone()),
+                Some(at) => {
+                    said_gap(chain, findings);
+                    pieces[at].cut = Some((*chain).clone());
+                }
                 None => give(pieces, chain, Some(Inner::Line), alone, findings),
             }
         }
@@ -195,16 +198,31 @@ fn give(
 ) {
     let middle = chain.points.get(chain.points.len() / 2).copied();
     let Some(at) = middle.and_then(|at| owner(outlines(pieces), at, alone)) else {
-        findings.left_out("line outside the pieces", chain.line);
+        findings.left_out_many("line outside the pieces", chain.line, chain.runs);
         return;
     };
+    if chain.points.len() < 2 {
+        findings.left_out("line of a single point", chain.line);
+        return;
+    }
     let piece = &mut pieces[at];
     let kind = kind.unwrap_or_else(|| {
         let asked = chain.closed && piece.sew.is_none() && !piece.sewn;
         let sewn = asked && piece.outline.is_sewn_on(&Loop::new(chain.clone()));
         if sewn { Inner::Sew } else { Inner::Line }
     });
+    if kind == Inner::Line {
+        said_gap(chain, findings);
+    }
     piece.adopt(chain.clone(), kind);
+}
+
+/// Warns of a gap in a line that no outline is made of; those of outlines are told with their panel.
+fn said_gap(chain: &Chain, findings: &mut Findings) {
+    if let Some(gap) = chain.repaired {
+        let detail = format!("a gap of {:.3} mm in a line was closed", 1000.0 * gap);
+        findings.warn("pattern/gap_closed", chain.line, detail);
+    }
 }
 
 fn loops(chains: &[Chain]) -> Vec<Loop> {

@@ -2,7 +2,9 @@
 //! `truth_table` prints it, the tests assert the same rows. The data is found by `SEAMSTER_TEST_DATA`.
 
 pub(crate) mod import;
+#[path = "../raw.rs"]
 mod raw;
+#[path = "../rings.rs"]
 mod rings;
 
 use serde_json::Value;
