@@ -118,7 +118,7 @@ impl Cleaned {
         match kind {
             "LWPOLYLINE" => check_lwpolyline(record, findings)?,
             "SPLINE" => check_spline(record)?,
-            _ => check_coordinates(kind, record)?,
+            _ => check_place(kind, record)?,
         }
         self.pair(0, kind);
         if kind == "POLYLINE" {
@@ -193,24 +193,27 @@ fn bad_number(line: usize, value: &str, wanted: &str) -> Fault {
     .fix(fix)
 }
 
-/// What is drawn by points has each coordinate once: the crate would take a missing one for 0, and where two records
-/// ran into one, the last.
-fn check_coordinates(kind: &str, record: &Record<'_, '_>) -> Result<(), Fault> {
+/// What has a place has it once: the crate would take a missing coordinate for 0, and of two records that ran into one,
+/// the last of each value.
+fn check_place(kind: &str, record: &Record<'_, '_>) -> Result<(), Fault> {
     let needed: &[i32] = match kind {
         "LINE" | "ELLIPSE" => &[10, 20, 11, 21],
         "POINT" | "VERTEX" | "ARC" | "CIRCLE" => &[10, 20],
         _ => &[],
     };
-    for code in needed {
-        let what = match count(record, *code) {
-            1 => continue,
-            0 => "is missing",
-            _ => "is given twice",
-        };
-        let what = format!("a coordinate (group code {code}) {what}");
-        return Err(malformed(record.line, kind, &what));
+    let refuse = |code: i32, what: &str| {
+        let what = format!("group code {code} {what}");
+        Err(malformed(record.line, kind, &what))
+    };
+    if let Some(code) = needed.iter().find(|code| count(record, **code) == 0) {
+        return refuse(*code, "is missing");
     }
-    Ok(())
+    let once = [2, 10, 20, 11, 21].into_iter();
+    let mut once = once.filter(|code| *code != 2 || kind == "INSERT");
+    match once.find(|code| count(record, *code) > 1) {
+        Some(code) => refuse(code, "is given twice"),
+        None => Ok(()),
+    }
 }
 
 fn check_lwpolyline(record: &Record<'_, '_>, findings: &mut Findings) -> Result<(), Fault> {
