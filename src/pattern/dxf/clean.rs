@@ -46,7 +46,7 @@ const KINDS: [(&str, &[i32]); 12] = [
     (
         "SPLINE",
         &[
-            70, 71, 40, 41, 10, 20, 30, 11, 21, 31, 12, 22, 32, 13, 23, 33, 210, 220, 230,
+            70, 71, 40, 41, 10, 20, 11, 21, 12, 22, 32, 13, 23, 33, 210, 220, 230,
         ],
     ),
     (
@@ -54,6 +54,26 @@ const KINDS: [(&str, &[i32]); 12] = [
         &[2, 10, 20, 30, 41, 42, 43, 44, 45, 50, 70, 71, 210, 220, 230],
     ),
 ];
+
+/// The crate takes about 800 bytes for an entity: it is given this many at a time.
+const PART: usize = 1000;
+
+/// Parts of a list of records, polylines whole.
+pub(super) fn parts<'r, 'a, 't>(
+    mut records: &'r [Record<'a, 't>],
+) -> impl Iterator<Item = &'r [Record<'a, 't>]> {
+    let goes_on =
+        |kind: &str| kind.eq_ignore_ascii_case("POLYLINE") || kind.eq_ignore_ascii_case("VERTEX");
+    std::iter::from_fn(move || {
+        let ends = |i: &usize| *i == records.len() || !goes_on(records[*i - 1].kind);
+        let end = (PART.min(records.len())..=records.len())
+            .find(|i| *i == 0 || ends(i))
+            .unwrap_or(0);
+        let (part, rest) = records.split_at(end);
+        records = rest;
+        (!part.is_empty()).then_some(part)
+    })
+}
 
 /// Writes `records` for the crate. Kinds that hold no pattern geometry are left out with one warning a kind.
 pub(super) fn clean(records: &[Record<'_, '_>], findings: &mut Findings) -> Cleaned {
@@ -128,6 +148,10 @@ impl Cleaned {
             if tag.code == 8 || codes.contains(&tag.code) {
                 check_value(tag)?;
                 self.pair(tag.code, tag.value);
+                // The crate makes points of a spline only where they have a z.
+                if kind == "SPLINE" && matches!(tag.code, 20 | 21) {
+                    self.pair(tag.code + 10, "0");
+                }
             }
         }
         match (kind, self.expected.last_mut()) {

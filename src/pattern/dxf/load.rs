@@ -9,10 +9,14 @@ use crate::fault::Fault;
 use dxf::entities::EntityType;
 use dxf::{Drawing, Point, Vector};
 
-/// Reads the entities of one block.
+/// Reads entities. Their points are taken from `points_left`; where those do not suffice, the rest is not made.
 ///
 /// A difference between what the file holds and what the crate gives back is a fault at the first entity concerned.
-pub(super) fn load(cleaned: &Cleaned, findings: &mut Findings) -> Vec<Entity> {
+pub(super) fn load(
+    cleaned: &Cleaned,
+    points_left: &mut usize,
+    findings: &mut Findings,
+) -> Vec<Entity> {
     if cleaned.expected.is_empty() {
         return Vec::new();
     }
@@ -37,11 +41,23 @@ pub(super) fn load(cleaned: &Cleaned, findings: &mut Findings) -> Vec<Entity> {
             return entities;
         };
         match shape(&entity.specific, expected.line, findings) {
-            Ok(Some(shape)) => entities.push(Entity {
-                layer: entity.common.layer.clone(),
-                line: expected.line,
-                shape,
-            }),
+            Ok(Some(shape)) => {
+                let count = if let Shape::Path(path) = &shape {
+                    path.points.len()
+                } else {
+                    1
+                };
+                let Some(left) = points_left.checked_sub(count) else {
+                    findings.faults.push(too_many_points(expected.line));
+                    return Vec::new();
+                };
+                *points_left = left;
+                entities.push(Entity {
+                    layer: entity.common.layer.clone(),
+                    line: expected.line,
+                    shape,
+                });
+            }
             Ok(None) => {}
             Err(fault) => findings.faults.push(fault),
         }
@@ -68,6 +84,15 @@ fn came_back(expected: &Expected, found: &EntityType) -> bool {
         EntityType::Insert(_) => expected.kind == "INSERT",
         _ => false,
     }
+}
+
+fn too_many_points(line: usize) -> Fault {
+    Fault::new(
+        "pattern/too_large",
+        at_line(line),
+        "up to here the drawing has more points, with those that its curves are drawn with, than are read",
+    )
+    .fix("export fewer pieces or sizes, or fewer curves")
 }
 
 fn lost(expected: &Expected) -> Fault {
