@@ -7,7 +7,7 @@ pub struct Limits {
     pub dxf_bytes: usize,
     /// Entities of one DXF file, those inside blocks included.
     pub dxf_entities: usize,
-    /// Vertices of one DXF file, all polylines together.
+    /// Vertices of one DXF file, all polylines together, those that curves are drawn with included.
     pub dxf_vertices: usize,
     /// Depth to which blocks may insert blocks.
     pub dxf_nesting: usize,

@@ -1,5 +1,5 @@
-//! Curves as polylines. Arcs and ellipses are cut every degree, splines so that their control polygon turns by
-//! about one degree a step: the chord error stays below 4e-5 of the radius, the length error below 1.3e-5 of the length.
+//! Arcs and ellipses as polylines, cut every degree: the chord error stays below 4e-5 of the (larger) radius, the length
+//! error below 1.3e-5 of the length.
 
 use super::outline::P;
 use std::f64::consts::{PI, TAU};
@@ -51,66 +51,6 @@ pub(super) fn sweep(start: f64, end: f64) -> f64 {
     if turn < 1e-12 { TAU } else { turn }
 }
 
-/// A B-spline, rational where it has weights.
-pub(super) struct Spline<'a> {
-    /// Its degree, at least 1.
-    pub(super) degree: usize,
-    /// `controls.len() + degree + 1` knots that never fall.
-    pub(super) knots: &'a [f64],
-    /// Control points.
-    pub(super) controls: &'a [P],
-    /// As many weights as control points, or none.
-    pub(super) weights: &'a [f64],
-}
-
-impl Spline<'_> {
-    /// Its points, both ends included.
-    pub(super) fn points(&self) -> Vec<P> {
-        let spans = self.degree..self.controls.len();
-        let per_span = steps(turning(self.controls), 4, 180);
-        let mut points = Vec::new();
-        for span in spans.filter(|i| self.knots[*i + 1] > self.knots[*i]) {
-            let (a, b) = (self.knots[span], self.knots[span + 1]);
-            let first = usize::from(!points.is_empty());
-            points.extend(
-                (first..=per_span).map(|i| self.at(span, a + (b - a) * fraction(i, per_span))),
-            );
-        }
-        points
-    }
-
-    /// De Boor's algorithm in homogeneous coordinates, `t` within the knot span `span`.
-    fn at(&self, span: usize, t: f64) -> P {
-        let p = self.degree;
-        let mut d: Vec<[f64; 3]> = (span - p..=span)
-            .map(|i| {
-                let w = self.weights.get(i).copied().unwrap_or(1.0);
-                [w * self.controls[i][0], w * self.controls[i][1], w]
-            })
-            .collect();
-        for r in 1..=p {
-            for j in (r..=p).rev() {
-                let i = span - p + j;
-                let a = (t - self.knots[i]) / (self.knots[i + p + 1 - r] - self.knots[i]);
-                d[j] = std::array::from_fn(|k| (1.0 - a) * d[j - 1][k] + a * d[j][k]);
-            }
-        }
-        [d[p][0] / d[p][2], d[p][1] / d[p][2]]
-    }
-}
-
-/// Sum of the turns of a polyline \[radians\].
-fn turning(points: &[P]) -> f64 {
-    let way = |a: P, b: P| (b[1] - a[1]).atan2(b[0] - a[0]);
-    points
-        .windows(3)
-        .map(|w| {
-            let turn = (way(w[1], w[2]) - way(w[0], w[1])).rem_euclid(TAU);
-            turn.min(TAU - turn)
-        })
-        .sum()
-}
-
 /// How many steps of at most [`STEP`] make up `angle`, within bounds.
 #[expect(
     clippy::cast_possible_truncation,
@@ -147,27 +87,5 @@ mod tests {
             let middle = points[points.len() / 2];
             assert!((middle[1] - side).abs() < 1e-9, "{middle:?}");
         }
-    }
-
-    #[test]
-    fn cubic_bezier_as_spline_matches_its_polynomial() {
-        let controls = [[0.0, 0.0], [0.0, 1.0], [2.0, 1.0], [2.0, 0.0]];
-        let knots = [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
-        let spline = Spline {
-            degree: 3,
-            knots: &knots,
-            controls: &controls,
-            weights: &[],
-        };
-        let points = spline.points();
-        assert_eq!(
-            (points[0], *points.last().expect("points")),
-            (controls[0], controls[3])
-        );
-        let middle = points[points.len() / 2];
-        assert!(
-            (middle[0] - 1.0).abs() < 1e-12 && (middle[1] - 0.75).abs() < 1e-12,
-            "{middle:?}"
-        );
     }
 }

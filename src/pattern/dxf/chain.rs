@@ -2,7 +2,7 @@
 
 use super::entity::{P, Path};
 use crate::pattern::outline::distance;
-use std::collections::BTreeMap;
+use std::cmp::Ordering::Less;
 
 /// Ends closer than this are one point: CAD rounds coordinates to 1e-4 mm or 1e-4 inch (3 um) \[m\].
 const JOINED: f64 = 3e-6;
@@ -17,12 +17,16 @@ pub(super) struct Chain {
     pub(super) points: Vec<P>,
     /// Whether the point is the end of a run that says something about corners, point by point.
     pub(super) run_end: Vec<bool>,
+    /// Whether the point was made for a curve and is none of the file's, point by point.
+    pub(super) made: Vec<bool>,
     /// Whether the last point runs on to the first.
     pub(super) closed: bool,
     /// The largest gap between runs that was closed \[m\], where it was above the rounding of CAD.
     pub(super) repaired: Option<f64>,
     /// The line its first run begins at.
     pub(super) line: usize,
+    /// How many entities it was joined of.
+    pub(super) runs: usize,
 }
 
 impl Chain {
@@ -35,8 +39,9 @@ impl Chain {
     }
 }
 
-/// Joins paths to as few chains as their ends allow, in the order of the file where several would fit.
-pub(super) fn chains(paths: &[(&Path, usize)]) -> Vec<Chain> {
+/// Joins paths to as few chains as their ends allow, in the order of the file where several would fit. `repair`: small
+/// gaps are closed too, as outlines need it.
+pub(super) fn chains(paths: &[(&Path, usize)], repair: bool) -> Vec<Chain> {
     let exploded = paths.iter().all(|(path, _)| path.straight);
     let whole: Vec<Chain> = paths
         .iter()
@@ -44,7 +49,7 @@ pub(super) fn chains(paths: &[(&Path, usize)]) -> Vec<Chain> {
         .map(|(path, line)| one(path, *line))
         .collect();
     let mut joined = join(whole, JOINED);
-    if joined.iter().any(|chain| !chain.closed) {
+    if repair && joined.iter().any(|chain| !chain.closed) {
         joined = join(joined, REPAIRED);
     }
     for chain in &mut joined {
@@ -67,6 +72,8 @@ fn one(path: &Path, line: usize) -> Chain {
         points.pop();
     }
     let closed = path.closed || meets;
+    let mut made = path.made.clone();
+    made.resize(points.len(), false);
     let mut run_end = vec![false; points.len()];
     if let (false, Some(last)) = (closed, points.len().checked_sub(1)) {
         run_end[0] = true;
@@ -75,9 +82,11 @@ fn one(path: &Path, line: usize) -> Chain {
     Chain {
         points,
         run_end,
+        made,
         closed,
         repaired: None,
         line,
+        runs: 1,
     }
 }
 
@@ -104,6 +113,7 @@ fn join(parts: Vec<Chain>, tolerance: f64) -> Vec<Chain> {
 fn reverse(chain: &mut Chain) {
     chain.points.reverse();
     chain.run_end.reverse();
+    chain.made.reverse();
 }
 
 /// Adds parts to the end of `chain` until it closes or nothing fits.
@@ -121,6 +131,7 @@ fn grow(chain: &mut Chain, parts: &[Chain], ends: &mut Ends, tolerance: f64) {
             chain.closed = true;
             note_gap(chain, closing);
             chain.points.pop();
+            chain.made.pop();
             if let (Some(end), Some(start)) = (chain.run_end.pop(), chain.run_end.first_mut()) {
                 *start |= end;
             }
@@ -134,12 +145,14 @@ fn grow(chain: &mut Chain, parts: &[Chain], ends: &mut Ends, tolerance: f64) {
         if !at_head {
             reverse(&mut part);
         }
+        chain.runs += part.runs;
         note_gap(chain, gap);
         if let Some(inner) = part.repaired {
             note_gap(chain, inner);
         }
         chain.points.extend(&part.points[1..]);
         chain.run_end.extend(&part.run_end[1..]);
+        chain.made.extend(&part.made[1..]);
     }
 }
 
@@ -149,46 +162,37 @@ fn note_gap(chain: &mut Chain, gap: f64) {
     }
 }
 
-/// The free ends of open parts, by cells of a grid.
+/// At most this many free ends of one cell are compared, and this many passed over that are taken: a drawing with more
+/// ends in half a millimetre has no right choice among them.
+const COMPARED: usize = 50;
+const PASSED: usize = 500;
+
+/// The free ends of open parts, sorted by the cell of a grid that they lie in.
 struct Ends {
     cell: f64,
     free: Vec<bool>,
-    cells: BTreeMap<(i64, i64), Vec<(usize, bool)>>,
+    /// Cell, part, and whether it is its head.
+    ends: Vec<((i64, i64), usize, bool)>,
+    /// Where in `ends` the first may be that is not taken, for the first of each cell.
+    first_free: Vec<usize>,
 }
 
 impl Ends {
     fn new(parts: &[Chain], tolerance: f64) -> Self {
-        let mut ends = Self {
+        let mut ends = Vec::new();
+        for (i, part) in parts.iter().enumerate().filter(|(_, part)| !part.closed) {
+            let both = [(part.points.first(), true), (part.points.last(), false)];
+            let both = both.into_iter().filter_map(|(p, head)| Some((*p?, head)));
+            ends.extend(both.map(|(p, head)| (key(p, tolerance), i, head)));
+        }
+        // Stable, so that the ends of a cell stay in the order of the file.
+        ends.sort_by_key(|end| end.0);
+        Self {
             cell: tolerance,
             free: parts.iter().map(|p| !p.closed).collect(),
-            cells: BTreeMap::new(),
-        };
-        for (i, part) in parts.iter().enumerate().filter(|(_, part)| !part.closed) {
-            for (point, head) in part
-                .points
-                .first()
-                .map(|p| (p, true))
-                .into_iter()
-                .chain(part.points.last().map(|p| (p, false)))
-            {
-                ends.cells
-                    .entry(ends.key(*point))
-                    .or_default()
-                    .push((i, head));
-            }
+            first_free: (0..ends.len()).collect(),
+            ends,
         }
-        ends
-    }
-
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "a saturated cell only makes the search slower"
-    )]
-    fn key(&self, p: P) -> (i64, i64) {
-        (
-            (p[0] / self.cell).floor() as i64,
-            (p[1] / self.cell).floor() as i64,
-        )
     }
 
     /// Takes a part out; false where it was taken before.
@@ -198,29 +202,56 @@ impl Ends {
 
     /// The free part with an end nearest to `p` within the tolerance: its index, whether that end is its head, and
     /// the distance. Of several equally near ones, the first in file order.
-    fn near(&self, p: P, parts: &[Chain]) -> Option<(usize, bool, f64)> {
-        let (x, y) = self.key(p);
-        let cells = (-1..=1)
-            .flat_map(|dx| (-1..=1).map(move |dy| (x.saturating_add(dx), y.saturating_add(dy))));
-        cells
-            .filter_map(|key| self.cells.get(&key))
-            .flatten()
-            .filter(|(i, _)| self.free[*i])
-            .filter_map(|(i, head)| {
-                let end = if *head {
-                    parts[*i].points.first()
-                } else {
-                    parts[*i].points.last()
+    fn near(&mut self, p: P, parts: &[Chain]) -> Option<(usize, bool, f64)> {
+        let (x, y) = key(p, self.cell);
+        let mut best: Option<(usize, bool, f64)> = None;
+        for (dx, dy) in (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (dx, dy))) {
+            for end in self.in_cell((x.saturating_add(dx), y.saturating_add(dy))) {
+                let (index, head) = end;
+                let points = &parts[index].points;
+                let at = if head { points.first() } else { points.last() };
+                let found = at.map(|at| (index, head, distance(p, *at)));
+                let found = found.filter(|(.., gap)| *gap <= self.cell);
+                let nearer = |f: &(usize, bool, f64)| {
+                    best.is_none_or(|b| near_order(f).partial_cmp(&near_order(&b)) == Some(Less))
                 };
-                let gap = distance(p, *end?);
-                (gap <= self.cell).then_some((*i, *head, gap))
-            })
-            .min_by(|a, b| {
-                near_order(a)
-                    .partial_cmp(&near_order(b))
-                    .unwrap_or(std::cmp::Ordering::Equal)
-            })
+                if let Some(found) = found.filter(nearer) {
+                    best = Some(found);
+                }
+            }
+        }
+        best
     }
+
+    /// The first free ends of a cell.
+    fn in_cell(&mut self, cell: (i64, i64)) -> Vec<(usize, bool)> {
+        let start = self.ends.partition_point(|end| end.0 < cell);
+        let is_here = |i: usize| self.ends.get(i).is_some_and(|end| end.0 == cell);
+        if !is_here(start) {
+            return Vec::new();
+        }
+        let mut from = self.first_free[start];
+        while is_here(from) && !self.free[self.ends[from].1] {
+            from += 1;
+        }
+        let found = (from..from + PASSED)
+            .take_while(|i| is_here(*i))
+            .map(|i| (self.ends[i].1, self.ends[i].2))
+            .filter(|(part, _)| self.free[*part])
+            .take(COMPARED)
+            .collect();
+        self.first_free[start] = from;
+        found
+    }
+}
+
+/// The cell of a grid that a point lies in.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "a saturated cell only makes the search slower"
+)]
+fn key(p: P, cell: f64) -> (i64, i64) {
+    ((p[0] / cell).floor() as i64, (p[1] / cell).floor() as i64)
 }
 
 /// Nearest first (ends that CAD rounded apart count as equally near), then file order, then head before tail.
@@ -237,11 +268,12 @@ mod tests {
             points: points.to_vec(),
             closed: false,
             straight: false,
+            made: Vec::new(),
         }
     }
 
     fn joined(paths: &[Path]) -> Vec<Chain> {
-        chains(&paths.iter().map(|p| (p, 1)).collect::<Vec<_>>())
+        chains(&paths.iter().map(|p| (p, 1)).collect::<Vec<_>>(), true)
     }
 
     #[test]

@@ -45,13 +45,35 @@ const KINDS: [(&str, &[i32]); 12] = [
     ),
     (
         "SPLINE",
-        &[70, 71, 40, 41, 10, 20, 30, 11, 21, 31, 210, 220, 230],
+        &[
+            70, 71, 40, 41, 10, 20, 11, 21, 12, 22, 32, 13, 23, 33, 210, 220, 230,
+        ],
     ),
     (
         "INSERT",
         &[2, 10, 20, 30, 41, 42, 43, 44, 45, 50, 70, 71, 210, 220, 230],
     ),
 ];
+
+/// The crate takes about 800 bytes for an entity: it is given this many at a time.
+const PART: usize = 1000;
+
+/// Parts of a list of records, polylines whole.
+pub(super) fn parts<'r, 'a, 't>(
+    mut records: &'r [Record<'a, 't>],
+) -> impl Iterator<Item = &'r [Record<'a, 't>]> {
+    let goes_on =
+        |kind: &str| kind.eq_ignore_ascii_case("POLYLINE") || kind.eq_ignore_ascii_case("VERTEX");
+    std::iter::from_fn(move || {
+        let ends = |i: &usize| *i == records.len() || !goes_on(records[*i - 1].kind);
+        let end = (PART.min(records.len())..=records.len())
+            .find(|i| *i == 0 || ends(i))
+            .unwrap_or(0);
+        let (part, rest) = records.split_at(end);
+        records = rest;
+        (!part.is_empty()).then_some(part)
+    })
+}
 
 /// Writes `records` for the crate. Kinds that hold no pattern geometry are left out with one warning a kind.
 pub(super) fn clean(records: &[Record<'_, '_>], findings: &mut Findings) -> Cleaned {
@@ -116,7 +138,7 @@ impl Cleaned {
         match kind {
             "LWPOLYLINE" => check_lwpolyline(record, findings)?,
             "SPLINE" => check_spline(record)?,
-            _ => {}
+            _ => check_place(kind, record)?,
         }
         self.pair(0, kind);
         if kind == "POLYLINE" {
@@ -126,6 +148,10 @@ impl Cleaned {
             if tag.code == 8 || codes.contains(&tag.code) {
                 check_value(tag)?;
                 self.pair(tag.code, tag.value);
+                // The crate makes points of a spline only where they have a z.
+                if kind == "SPLINE" && matches!(tag.code, 20 | 21) {
+                    self.pair(tag.code + 10, "0");
+                }
             }
         }
         match (kind, self.expected.last_mut()) {
@@ -189,6 +215,29 @@ fn bad_number(line: usize, value: &str, wanted: &str) -> Fault {
         format!("{:?} stands where {wanted} must", shown(value)),
     )
     .fix(fix)
+}
+
+/// What has a place has it once: the crate would take a missing coordinate for 0, and of two records that ran into one,
+/// the last of each value.
+fn check_place(kind: &str, record: &Record<'_, '_>) -> Result<(), Fault> {
+    let needed: &[i32] = match kind {
+        "LINE" | "ELLIPSE" => &[10, 20, 11, 21],
+        "POINT" | "VERTEX" | "ARC" | "CIRCLE" => &[10, 20],
+        _ => &[],
+    };
+    let refuse = |code: i32, what: &str| {
+        let what = format!("group code {code} {what}");
+        Err(malformed(record.line, kind, &what))
+    };
+    if let Some(code) = needed.iter().find(|code| count(record, **code) == 0) {
+        return refuse(*code, "is missing");
+    }
+    let once = [2, 10, 20, 11, 21].into_iter();
+    let mut once = once.filter(|code| *code != 2 || kind == "INSERT");
+    match once.find(|code| count(record, *code) > 1) {
+        Some(code) => refuse(code, "is given twice"),
+        None => Ok(()),
+    }
 }
 
 fn check_lwpolyline(record: &Record<'_, '_>, findings: &mut Findings) -> Result<(), Fault> {
@@ -294,7 +343,7 @@ mod tests {
 
     #[test]
     fn number_that_is_none_names_its_line() {
-        let (_, findings) = cleaned("0\nLINE\n10\n1\n20\nabc\n");
+        let (_, findings) = cleaned("0\nPOINT\n10\n1\n20\nabc\n");
         assert_eq!(findings.faults[0].pointer, "line 10");
         assert_eq!(findings.faults[0].code, "pattern/bad_number");
     }

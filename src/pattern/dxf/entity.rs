@@ -17,8 +17,8 @@ pub(super) struct Entity {
 /// What an entity is.
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
-    /// A mark.
-    Point(P),
+    /// A mark, with its z: how deep a notch is cut.
+    Point(P, f64),
     /// A text with the point it is put at.
     Text(P, String),
     /// A stretch of line.
@@ -36,6 +36,8 @@ pub(super) struct Path {
     pub(super) closed: bool,
     /// Whether it is a single straight line.
     pub(super) straight: bool,
+    /// Which points are not of the file but made for a curve, point by point; empty where all are of the file.
+    pub(super) made: Vec<bool>,
 }
 
 /// A block put in, once or as an array.
@@ -107,13 +109,21 @@ impl Map {
         ]
     }
 
+    /// By how much lengths grow, on average over all directions.
+    fn stretch(&self) -> f64 {
+        (self.m[0][0] * self.m[1][1] - self.m[0][1] * self.m[1][0])
+            .abs()
+            .sqrt()
+    }
+
     /// The image of an entity that is no insert.
     pub(super) fn entity(&self, entity: &Entity) -> Entity {
         let shape = match &entity.shape {
-            Shape::Point(p) => Shape::Point(self.apply(*p)),
+            Shape::Point(p, z) => Shape::Point(self.apply(*p), z * self.stretch()),
             Shape::Text(p, text) => Shape::Text(self.apply(*p), text.clone()),
             Shape::Path(path) => Shape::Path(Path {
                 points: path.points.iter().map(|p| self.apply(*p)).collect(),
+                made: path.made.clone(),
                 ..*path
             }),
             Shape::Insert(insert) => Shape::Insert(insert.clone()),

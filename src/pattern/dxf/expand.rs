@@ -77,7 +77,15 @@ pub(super) fn sheets(
             .entities
             .iter()
             .any(|e| matches!(e.shape, Shape::Path(_)) && role(&e.layer) == Role::Boundary);
-        if !is_piece || used.contains(&index) || nested.contains(&block.name.to_lowercase()) {
+        if used.contains(&index) || nested.contains(&block.name.to_lowercase()) {
+            continue;
+        }
+        if !is_piece {
+            if seen.contains_key(&block.name.to_lowercase()) {
+                let what = "entity of a block that has the name of another";
+                let count = block.entities.len();
+                expander.findings.left_out_many(what, block.line, count);
+            }
             continue;
         }
         expander.findings.warn(

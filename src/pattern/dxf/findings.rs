@@ -18,6 +18,8 @@ pub(super) struct Findings {
     pub(super) faults: Vec<Fault>,
     /// What the user should know.
     pub(super) warnings: Vec<Warning>,
+    /// How many warnings there are beyond those.
+    more: usize,
     /// How many entities of a kind were left out, and the line of the first.
     left_out: BTreeMap<String, (usize, usize)>,
     /// How many entities were not flat, and the line of the first.
@@ -27,16 +29,28 @@ pub(super) struct Findings {
 impl Findings {
     /// Notes something that the user should know.
     pub(super) fn warn(&mut self, code: &str, line: usize, detail: impl Into<String>) {
-        self.warnings
-            .push(Warning::new(code, at_line(line), detail));
+        if self.warnings.len() < MOST {
+            self.warnings
+                .push(Warning::new(code, at_line(line), detail));
+        } else {
+            self.more += 1;
+        }
     }
 
     /// Notes an entity that is not read.
     pub(super) fn left_out(&mut self, kind: &str, line: usize) {
-        self.left_out
-            .entry(super::tags::shown(kind))
-            .or_insert((0, line))
-            .0 += 1;
+        self.left_out_many(kind, line, 1);
+    }
+
+    /// Notes several entities of a kind that are not read.
+    pub(super) fn left_out_many(&mut self, kind: &str, line: usize, count: usize) {
+        let kind = super::tags::shown(kind);
+        let kind = if self.left_out.len() < MOST || self.left_out.contains_key(&kind) {
+            kind
+        } else {
+            "other kinds".to_owned()
+        };
+        self.left_out.entry(kind).or_insert((0, line)).0 += count;
     }
 
     /// Notes an entity whose z is not 0.
@@ -51,25 +65,24 @@ impl Findings {
 
     /// All warnings, those with counts too.
     pub(super) fn take_warnings(&mut self) -> Vec<Warning> {
+        let mut warnings = std::mem::take(&mut self.warnings);
         for (kind, (count, line)) in std::mem::take(&mut self.left_out) {
-            self.warn(
+            let detail = format!("{count} of {kind} left out, the first here");
+            warnings.push(Warning::new(
                 "pattern/entity_ignored",
-                line,
-                format!("{count} of {kind} left out, the first here"),
-            );
+                at_line(line),
+                detail,
+            ));
         }
         if let Some((count, line)) = self.projected.take() {
-            self.warn("pattern/not_flat", line, format!("{count} entities with z other than 0 were taken as seen from above, the first here"));
+            let detail = format!(
+                "{count} entities with z other than 0 were taken as seen from above, the first here"
+            );
+            warnings.push(Warning::new("pattern/not_flat", at_line(line), detail));
         }
-        let mut warnings = std::mem::take(&mut self.warnings);
-        let more = warnings.len().saturating_sub(MOST);
-        warnings.truncate(MOST);
-        if more > 0 {
-            warnings.push(Warning::new(
-                "pattern/more",
-                "line 1",
-                format!("and {more} more warnings"),
-            ));
+        if self.more > 0 {
+            let detail = format!("and {} more warnings", self.more);
+            warnings.push(Warning::new("pattern/more", "line 1", detail));
         }
         warnings
     }

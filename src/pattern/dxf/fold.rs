@@ -47,6 +47,12 @@ impl Fold {
         self.side(p).abs() <= ON
     }
 
+    /// The mirror image of a mark; `None` where it lies on the fold.
+    pub(super) fn image(&self, points: &[P]) -> Option<Vec<P>> {
+        let away = points.iter().any(|p| !self.on(*p));
+        away.then(|| points.iter().map(|p| self.mirror(*p)).collect())
+    }
+
     /// Mirrors marks and adds the images to them; what lies on the fold stays single.
     pub(super) fn double(&self, points: &mut Vec<P>) {
         let images: Vec<P> = points

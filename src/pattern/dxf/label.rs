@@ -1,25 +1,30 @@
 //! Texts of the form `Key: Value`, by which AAMA and ASTM files say names, sizes, quantities and units.
 
 use super::entity::{Entity, Shape};
+use super::quantity;
 use crate::pattern::Quantity;
 
-/// The labels of a piece or of a file, with the line of each.
+/// At most this many notes of a piece are looked through for a quantity.
+const NOTES: usize = 200;
+
+/// The labels of a piece or of a file, with the line of each, and its texts that are none.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Labels(Vec<(String, String, usize)>);
+pub(super) struct Labels(Vec<(String, String, usize)>, Vec<String>);
 
 impl Labels {
     /// The labels among these entities.
     pub(super) fn of<'a>(entities: impl Iterator<Item = &'a Entity>) -> Self {
-        Self(
-            entities
-                .filter_map(|entity| match &entity.shape {
-                    Shape::Text(_, text) => {
-                        split(text).map(|(key, value)| (key, value, entity.line))
-                    }
-                    _ => None,
-                })
-                .collect(),
-        )
+        let mut labels = Self::default();
+        for entity in entities {
+            if let Shape::Text(_, text) = &entity.shape {
+                match split(text) {
+                    Some((key, value)) => labels.0.push((key, value, entity.line)),
+                    None if labels.1.len() < NOTES => labels.1.push(text.trim().to_owned()),
+                    None => {}
+                }
+            }
+        }
+        labels
     }
 
     /// The first value of `key` (lower case) that is not empty.
@@ -38,21 +43,24 @@ impl Labels {
         self.0.iter().any(|(key, ..)| key.starts_with(start))
     }
 
-    /// `Quantity: 2` (as drawn) or `Quantity: 1,1` (as drawn, mirrored).
+    /// How many are cut, by a label (`Quantity: 2`, `Quantity: 1,1`) or a note (`Cut 2`, `x2`, `1 pair`, `L1 R1`).
     pub(super) fn quantity(&self) -> Option<Quantity> {
-        let mut parts = self.get("quantity")?.split(',').map(|part| {
-            let digits: String = part
-                .trim()
-                .chars()
-                .take_while(char::is_ascii_digit)
-                .collect();
-            digits.parse::<u32>().ok()
-        });
-        Some(Quantity {
-            left: parts.next()??,
-            right: parts.next().flatten().unwrap_or(0),
-        })
+        const KEYS: [&str; 5] = ["quantity", "qty", "cut", "pieces", "number of pieces"];
+        let labelled = KEYS
+            .iter()
+            .find_map(|key| quantity::of_value(self.get(key)?));
+        labelled.or_else(|| self.1.iter().find_map(|note| quantity::of_note(note)))
     }
+}
+
+/// Whether a text is a label, of a piece or of the whole file.
+pub(super) fn is_label(text: &str) -> bool {
+    split(text).is_some()
+}
+
+/// Whether a text may be the name of a piece: neither a label nor a quantity.
+pub(super) fn is_name(text: &str) -> bool {
+    !text.trim().is_empty() && !is_label(text) && quantity::of_note(text).is_none()
 }
 
 /// `Key: Value` as (lower-case key, value); `None` for other text.

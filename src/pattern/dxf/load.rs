@@ -3,15 +3,20 @@
 use super::clean::{Cleaned, Expected};
 use super::curve;
 use super::entity::{Entity, Insert, P, Path, Shape};
+use super::spline;
 use super::{Findings, at_line};
 use crate::fault::Fault;
 use dxf::entities::EntityType;
 use dxf::{Drawing, Point, Vector};
 
-/// Reads the entities of one block.
+/// Reads entities. Their points are taken from `points_left`; where those do not suffice, the rest is not made.
 ///
 /// A difference between what the file holds and what the crate gives back is a fault at the first entity concerned.
-pub(super) fn load(cleaned: &Cleaned, findings: &mut Findings) -> Vec<Entity> {
+pub(super) fn load(
+    cleaned: &Cleaned,
+    points_left: &mut usize,
+    findings: &mut Findings,
+) -> Vec<Entity> {
     if cleaned.expected.is_empty() {
         return Vec::new();
     }
@@ -36,11 +41,23 @@ pub(super) fn load(cleaned: &Cleaned, findings: &mut Findings) -> Vec<Entity> {
             return entities;
         };
         match shape(&entity.specific, expected.line, findings) {
-            Ok(Some(shape)) => entities.push(Entity {
-                layer: entity.common.layer.clone(),
-                line: expected.line,
-                shape,
-            }),
+            Ok(Some(shape)) => {
+                let count = if let Shape::Path(path) = &shape {
+                    path.points.len()
+                } else {
+                    1
+                };
+                let Some(left) = points_left.checked_sub(count) else {
+                    findings.faults.push(too_many_points(expected.line));
+                    return Vec::new();
+                };
+                *points_left = left;
+                entities.push(Entity {
+                    layer: entity.common.layer.clone(),
+                    line: expected.line,
+                    shape,
+                });
+            }
             Ok(None) => {}
             Err(fault) => findings.faults.push(fault),
         }
@@ -69,6 +86,15 @@ fn came_back(expected: &Expected, found: &EntityType) -> bool {
     }
 }
 
+fn too_many_points(line: usize) -> Fault {
+    Fault::new(
+        "pattern/too_large",
+        at_line(line),
+        "up to here the drawing has more points, with those that its curves are drawn with, than are read",
+    )
+    .fix("export fewer pieces or sizes, or fewer curves")
+}
+
 fn lost(expected: &Expected) -> Fault {
     Fault::new(
         "pattern/lost_entity",
@@ -94,9 +120,10 @@ fn shape(
                 points: vec![xy(&l.p1), xy(&l.p2)],
                 closed: false,
                 straight: true,
+                made: Vec::new(),
             })
         }
-        EntityType::ModelPoint(p) => Shape::Point(xy(&p.location)),
+        EntityType::ModelPoint(p) => Shape::Point(xy(&p.location), p.location.z),
         EntityType::Text(t) => Shape::Text(xy(&t.location), t.value.clone()),
         EntityType::MText(t) => Shape::Text(
             xy(&t.insertion_point),
@@ -105,6 +132,10 @@ fn shape(
         EntityType::Polyline(p) => return polyline(p, line, findings),
         EntityType::LwPolyline(p) => {
             let flipped = flipped(&p.extrusion_direction, line)?;
+            if p.vertices.is_empty() {
+                findings.left_out("LWPOLYLINE without vertices", line);
+                return Ok(None);
+            }
             let vertices: Vec<(P, f64)> =
                 p.vertices.iter().map(|v| ([v.x, v.y], v.bulge)).collect();
             Shape::Path(bulged(&vertices, p.is_closed(), line)?.mirrored(flipped))
@@ -142,13 +173,13 @@ fn shape(
             ];
             Shape::Path(smooth(curve::ellipse(xy(&e.center), major, minor, range)))
         }
-        EntityType::Spline(s) => Shape::Path(spline(s, line)?),
+        EntityType::Spline(s) => Shape::Path(spline::path(s, line)?),
         EntityType::Insert(i) => Shape::Insert(insert(i, line)?),
         _ => return Ok(None),
     }))
 }
 
-fn xy(p: &Point) -> P {
+pub(super) fn xy(p: &Point) -> P {
     [p.x, p.y]
 }
 
@@ -193,8 +224,10 @@ fn radius(radius: f64, line: usize, findings: &mut Findings) -> Result<Option<f6
     Ok(Some(radius))
 }
 
-fn smooth(points: Vec<P>) -> Path {
+/// A curve as a path: all its points were made.
+pub(super) fn smooth(points: Vec<P>) -> Path {
     Path {
+        made: vec![true; points.len()],
         points,
         closed: false,
         straight: false,
@@ -221,6 +254,10 @@ fn polyline(
         line,
         findings,
     );
+    if kept.is_empty() {
+        findings.left_out("POLYLINE without vertices", line);
+        return Ok(None);
+    }
     let vertices: Vec<(P, f64)> = kept.iter().map(|v| (xy(&v.location), v.bulge)).collect();
     let path = bulged(&vertices, p.is_closed(), line)?;
     Ok(Some(Shape::Path(path.mirrored(flipped(&p.normal, line)?))))
@@ -239,7 +276,10 @@ fn bulged(vertices: &[(P, f64)], closed: bool, line: usize) -> Result<Path, Faul
         .fix("draw this arc anew"));
     }
     let mut points = Vec::with_capacity(vertices.len());
+    let mut made = Vec::new();
     for (i, (a, bulge)) in vertices.iter().enumerate() {
+        made.resize(points.len(), true);
+        made.push(false);
         match vertices
             .get(i + 1)
             .or_else(|| vertices.first().filter(|_| closed))
@@ -248,10 +288,12 @@ fn bulged(vertices: &[(P, f64)], closed: bool, line: usize) -> Result<Path, Faul
             None => points.push(*a),
         }
     }
+    made.resize(points.len(), true);
     Ok(Path {
         points,
         closed,
         straight: false,
+        made,
     })
 }
 
@@ -265,57 +307,6 @@ impl Path {
         }
         self
     }
-}
-
-fn spline(s: &dxf::entities::Spline, line: usize) -> Result<Path, Fault> {
-    let refuse = |what: &str| {
-        Fault::new("pattern/spline", at_line(line), what.to_owned())
-            .fix("export curves as polylines, or draw this one anew")
-    };
-    let degree = usize::try_from(s.degree_of_curve)
-        .map_err(|_| refuse("the spline's degree is negative"))?;
-    let controls: Vec<P> = s.control_points.iter().map(xy).collect();
-    if controls.is_empty() {
-        let fit: Vec<P> = s.fit_points.iter().map(xy).collect();
-        return if fit.len() < 2 {
-            Err(refuse(
-                "the spline has neither control points nor fit points",
-            ))
-        } else if fit.len() == 2 {
-            Ok(Path {
-                points: fit,
-                closed: false,
-                straight: true,
-            })
-        } else {
-            Err(refuse("the spline has fit points only"))
-        };
-    }
-    if degree == 0 || controls.len() <= degree || s.knot_values.len() != controls.len() + degree + 1
-    {
-        return Err(refuse(
-            "the spline's degree, knots and control points do not go together",
-        ));
-    }
-    if s.knot_values.windows(2).any(|w| w[1] < w[0])
-        || s.knot_values[degree] >= s.knot_values[controls.len()]
-    {
-        return Err(refuse("the spline's knots fall"));
-    }
-    if !s.weight_values.is_empty() && s.weight_values.len() != controls.len()
-        || s.weight_values.iter().any(|w| *w <= 0.0)
-    {
-        return Err(refuse(
-            "the spline's weights are not positive, one to a control point",
-        ));
-    }
-    let curve = curve::Spline {
-        degree,
-        knots: &s.knot_values,
-        controls: &controls,
-        weights: &s.weight_values,
-    };
-    Ok(smooth(curve.points()))
 }
 
 fn insert(i: &dxf::entities::Insert, line: usize) -> Result<Insert, Fault> {

@@ -1,6 +1,6 @@
 //! DXF bytes to a pattern. The way through: bytes are told from other files ([`sniff`]), decoded ([`encoding`]), split
 //! into tags ([`tags`]), sorted into blocks and entities ([`structure`]), cleaned ([`clean`]), read by the `dxf` crate
-//! one block at a time ([`load`]), put in place ([`expand`]), joined to outlines ([`chain`]), told apart ([`sort`],
+//! a thousand at a time ([`load`]), put in place ([`expand`]), joined to outlines ([`chain`]), told apart ([`sort`],
 //! [`nest`]), chosen by size ([`size`]) and made into panels ([`panel`]).
 
 mod binary;
@@ -11,16 +11,21 @@ mod entity;
 mod expand;
 mod findings;
 mod fold;
+mod joint;
 mod label;
 mod layer;
 mod load;
+mod marks;
 mod nest;
+mod notch;
 mod panel;
 mod piece;
+mod quantity;
 mod ring;
 mod size;
 mod sniff;
 mod sort;
+mod spline;
 mod structure;
 mod tags;
 mod units;
@@ -155,13 +160,16 @@ impl Drawing {
     fn read(text: &str, limits: &Limits, findings: &mut Findings) -> Result<Self, Fault> {
         let tags = tags::read(text, limits)?;
         let structure = structure::read(&tags, limits, findings)?;
+        let mut points_left = limits.dxf_vertices;
         let mut entities = |records: &[structure::Record<'_, '_>]| {
-            let cleaned = clean::clean(records, findings);
-            if findings.refused() {
-                Vec::new()
-            } else {
-                load::load(&cleaned, findings)
+            let mut found = Vec::new();
+            for part in clean::parts(records) {
+                let cleaned = clean::clean(part, findings);
+                if !findings.refused() {
+                    found.extend(load::load(&cleaned, &mut points_left, findings));
+                }
             }
+            found
         };
         let mut blocks = Vec::with_capacity(structure.blocks.len());
         for block in &structure.blocks {

@@ -49,6 +49,11 @@ impl Loop {
         }
     }
 
+    /// What it encloses \[m²\].
+    pub(super) fn area(&self) -> f64 {
+        self.area
+    }
+
     /// Whether a point is in its box, or at most `margin` outside.
     pub(super) fn boxes(&self, p: P, margin: f64) -> bool {
         let [low, high] = self.bounds;
@@ -79,12 +84,13 @@ impl Loop {
             > sample.len()
     }
 
-    /// Whether `inner` is its sew line, from its course.
+    /// Whether `inner` is its sew line, from its course: all of it runs beside the outline, or all of the outline
+    /// beside it (a sew line turns inwards at darts, and the cut line runs straight over them).
     pub(super) fn is_sewn_on(&self, inner: &Self) -> bool {
         let large = inner.area >= SEW_SHARE * self.area && inner.area < self.area;
-        inner.chain.closed
-            && large
-            && sample(&inner.chain.points, 200).all(|at| self.beside(*at, ALLOWANCE))
+        let follows =
+            |a: &Self, b: &Self| sample(&a.chain.points, 200).all(|at| b.beside(*at, ALLOWANCE));
+        inner.chain.closed && large && (follows(inner, self) || follows(self, inner))
     }
 
     /// Whether an open line runs about it at the distance of a seam allowance.
@@ -167,10 +173,12 @@ mod tests {
         let points = vec![[x, y], [x + w, y], [x + w, y + h], [x, y + h]];
         Loop::new(Chain {
             run_end: vec![false; 4],
+            made: vec![false; 4],
             points,
             closed: true,
             repaired: None,
             line: 1,
+            runs: 1,
         })
     }
 

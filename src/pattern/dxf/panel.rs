@@ -2,19 +2,15 @@
 
 use super::chain::Chain;
 use super::fold::Fold;
+use super::notch;
 use super::piece::Piece;
 use super::ring::Ring;
 use super::{Findings, at_line};
 use crate::config::Limits;
 use crate::fault::Fault;
-use crate::pattern::assemble::{self, Outline};
-use crate::pattern::outline::{
-    P, bounds, cross, crossing, distance, nearest, segments, signed_area, sub,
-};
-use crate::pattern::{Grain, Hole, NotchKind, Panel};
-
-/// A notch belongs to an outline that is at most this far away (sew lines lie inside the notched cut line) \[m\].
-const NOTCH_REACH: f64 = 0.03;
+use crate::pattern::assemble;
+use crate::pattern::outline::{P, bounds, cross, crossing, distance, segments, signed_area, sub};
+use crate::pattern::{Grain, Hole, Panel};
 
 /// Makes a panel of a piece. What keeps it from being one becomes a fault at its line.
 pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> Option<Panel> {
@@ -54,7 +50,7 @@ pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> 
         unfolded: fold.is_some(),
         copy_of: None,
         quantity: piece.labels.quantity(),
-        notches: notches(piece, &outline, fold, findings),
+        notches: notch::notches(piece, &outline, fold, findings),
         corners: outline.corners,
         edges: outline.edges,
         holes,
@@ -64,7 +60,7 @@ pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> 
             drawn_cut_line(piece, fold)
         },
         drill_holes: doubled(piece.marks.drills.clone(), fold),
-        grain: grain(&piece.marks.grains),
+        grain: grain(piece, findings),
         internal_lines: internal_lines(piece, sew.is_some(), fold),
     })
 }
@@ -226,10 +222,29 @@ fn drawn_cut_line(piece: &Piece, fold: Option<Fold>) -> Vec<P> {
     line
 }
 
-fn grain(lines: &[[P; 2]]) -> Option<Grain> {
-    let [a, b] = *lines
-        .iter()
-        .max_by(|a, b| distance(a[0], a[1]).total_cmp(&distance(b[0], b[1])))?;
+/// The direction of the longest grain line; another that is half as long or longer (no arrow head) and runs otherwise
+/// is warned about.
+fn grain(piece: &Piece, findings: &mut Findings) -> Option<Grain> {
+    let lines = &piece.marks.grains;
+    let long = |line: &[P; 2]| distance(line[0], line[1]);
+    let longest = lines.iter().max_by(|a, b| long(a).total_cmp(&long(b)))?;
+    let [a, b] = *longest;
+    let along = sub(b, a);
+    let differs = |line: &&[P; 2]| {
+        let way = sub(line[1], line[0]);
+        long(line) >= 0.5 * long(longest)
+            && cross(along, way).abs() > 0.02 * long(line) * long(longest)
+    };
+    if lines.iter().any(|line| differs(&line)) {
+        findings.warn(
+            "pattern/grain_ignored",
+            piece.line,
+            format!(
+                "{:?} has grain lines in several directions; the longest was taken",
+                piece.name
+            ),
+        );
+    }
     let angle_deg = (b[1] - a[1])
         .atan2(b[0] - a[0])
         .to_degrees()
@@ -269,8 +284,9 @@ fn holes(piece: &Piece, fold: Option<Fold>, limits: &Limits, findings: &mut Find
 
 fn internal_lines(piece: &Piece, sewn: bool, fold: Option<Fold>) -> Vec<Vec<P>> {
     let unused_sew = piece.sew.iter().filter(|_| !sewn);
+    let second_cut = piece.cut.iter().filter(|_| sewn);
     let mut lines: Vec<Vec<P>> = Vec::new();
-    for chain in piece.internal.iter().chain(unused_sew) {
+    for chain in piece.internal.iter().chain(unused_sew).chain(second_cut) {
         let mut line = chain.points.clone();
         line.extend(chain.points.first().filter(|_| chain.closed));
         if line.len() > 1 {
@@ -285,37 +301,4 @@ fn internal_lines(piece: &Piece, sewn: bool, fold: Option<Fold>) -> Vec<Vec<P>> 
         lines.extend(images);
     }
     lines
-}
-
-/// At most this many notches of a piece are read.
-const NOTCHES: usize = 1000;
-
-/// Notches put on the nearest edge; those with no edge in reach are warned about.
-fn notches(
-    piece: &Piece,
-    outline: &Outline,
-    fold: Option<Fold>,
-    findings: &mut Findings,
-) -> Vec<crate::pattern::Notch> {
-    let ring = assemble::ring(&outline.edges);
-    let mut marks: Vec<(P, NotchKind)> = Vec::new();
-    for (at, kind) in piece.marks.notches.iter().take(NOTCHES) {
-        marks.extend(doubled(vec![*at], fold).into_iter().map(|p| (p, *kind)));
-    }
-    let mut notches = Vec::new();
-    for (at, kind) in marks {
-        let foot = nearest(segments(&ring), at).filter(|foot| foot.distance <= NOTCH_REACH);
-        match foot {
-            Some(foot) => notches.push(assemble::notch(&outline.edges, foot, kind, notches.len())),
-            None => findings.warn(
-                "pattern/notch_ignored",
-                piece.line,
-                format!(
-                    "a notch of {:?} lies on no edge and is left out",
-                    piece.name
-                ),
-            ),
-        }
-    }
-    notches
 }

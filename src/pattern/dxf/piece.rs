@@ -3,7 +3,7 @@
 use super::chain::Chain;
 use super::entity::{Entity, P, Shape};
 use super::expand::Sheet;
-use super::label::Labels;
+use super::label::{self, Labels};
 use super::nest::{Inner, Loop};
 use crate::pattern::NotchKind;
 
@@ -37,7 +37,7 @@ pub(super) struct Marks {
     /// Where the outline has corners.
     pub(super) turns: Vec<P>,
     /// Notches.
-    pub(super) notches: Vec<(P, NotchKind)>,
+    pub(super) notches: Vec<NotchMark>,
     /// Drill holes.
     pub(super) drills: Vec<P>,
     /// Fold lines, from end to end.
@@ -46,22 +46,29 @@ pub(super) struct Marks {
     pub(super) grains: Vec<[P; 2]>,
 }
 
+/// A notch as drawn: a point, or the lines of its shape.
+#[derive(Clone, Debug)]
+pub(super) struct NotchMark {
+    /// The point, or the points of the line.
+    pub(super) points: Vec<P>,
+    /// Its shape.
+    pub(super) kind: NotchKind,
+    /// How deep it is cut, where the file says \[m\].
+    pub(super) depth: Option<f64>,
+    /// The line it begins at.
+    pub(super) line: usize,
+}
+
 impl Piece {
-    /// The piece with this outline. `alone`: every text of the sheet is its own, else those inside it.
+    /// The piece with this outline and the texts that are its own. `alone`: it is all that its sheet holds.
     ///
-    /// It is called by its `Piece Name:`, else by its block, else by the first text without a key inside it.
-    pub(super) fn new(sheet: &Sheet, outline: Loop, alone: bool) -> Self {
-        let is_own = |e: &&Entity| match &e.shape {
-            Shape::Text(at, _) => alone || outline.holds(*at),
-            _ => false,
-        };
-        let own: Vec<&Entity> = sheet.entities.iter().filter(is_own).collect();
+    /// It is called by its `Piece Name:`, else by its block, else by the first text that is neither a label nor a
+    /// quantity.
+    pub(super) fn new(sheet: &Sheet, outline: Loop, own: &[&Entity], alone: bool) -> Self {
         let labels = Labels::of(own.iter().copied());
         let free_text = || {
             own.iter().find_map(|e| match &e.shape {
-                Shape::Text(_, text) if !text.contains(':') && !text.trim().is_empty() => {
-                    Some(text.trim().to_owned())
-                }
+                Shape::Text(_, text) if label::is_name(text) => Some(text.trim().to_owned()),
                 _ => None,
             })
         };
@@ -98,17 +105,35 @@ impl Piece {
     }
 }
 
-/// Which piece a place lies in: the only one, the first that holds it, or the first that it lies beside.
-pub(super) fn owner(pieces: &[Piece], at: P, alone: bool) -> Option<usize> {
+/// Which piece a place lies in: the only one, the first that holds it, the first that it lies beside, or the smallest
+/// whose box holds it (the middle of a piece that is bent like a skirt lies outside its outline).
+pub(super) fn owner<'a>(
+    outlines: impl Iterator<Item = &'a Loop> + Clone,
+    at: P,
+    alone: bool,
+) -> Option<usize> {
     /// A mark this far outside an outline is still on it \[m\].
     const BESIDE: f64 = 0.002;
     if alone {
-        return (!pieces.is_empty()).then_some(0);
+        return outlines.clone().next().map(|_| 0);
     }
-    let held = pieces.iter().position(|piece| piece.outline.holds(at));
-    held.or_else(|| {
-        pieces
-            .iter()
-            .position(|piece| piece.outline.beside(at, BESIDE))
-    })
+    let held = outlines.clone().position(|outline| outline.holds(at));
+    let beside = || {
+        outlines
+            .clone()
+            .position(|outline| outline.beside(at, BESIDE))
+    };
+    let boxed = || {
+        let boxes = outlines.clone().enumerate();
+        let around = boxes.filter(|(_, outline)| outline.boxes(at, 0.0));
+        around
+            .min_by(|a, b| a.1.area().total_cmp(&b.1.area()))
+            .map(|(i, _)| i)
+    };
+    held.or_else(beside).or_else(boxed)
+}
+
+/// The outlines of pieces.
+pub(super) fn outlines(pieces: &[Piece]) -> impl Iterator<Item = &Loop> + Clone {
+    pieces.iter().map(|piece| &piece.outline)
 }

@@ -1,6 +1,7 @@
 //! A closed outline on its way to a panel: points with the ones marked that are corners.
 
 use super::chain::Chain;
+use super::joint;
 use crate::pattern::outline::{P, distance, signed_area, turn};
 use std::collections::BTreeSet;
 
@@ -23,13 +24,14 @@ impl Ring {
     /// A chain without its duplicate points, with corners chosen.
     ///
     /// Several runs: where runs end, and at turn points that turn. One run with turn points: at each of them. Else
-    /// where it turns by 20 degrees or more.
+    /// where it turns by 20 degrees or more, or the polyline gives a shallower corner away.
     pub(super) fn new(chain: &Chain, turns: &[P]) -> Self {
         let mut ring = Self {
             points: Vec::with_capacity(chain.points.len()),
             corner: Vec::new(),
         };
-        for (point, end) in chain.points.iter().zip(&chain.run_end) {
+        let mut made: Vec<bool> = Vec::new();
+        for (i, (point, end)) in chain.points.iter().zip(&chain.run_end).enumerate() {
             match ring.points.last() {
                 Some(last) if distance(*last, *point) <= SAME => {
                     if let Some(corner) = ring.corner.last_mut() {
@@ -39,6 +41,7 @@ impl Ring {
                 _ => {
                     ring.points.push(*point);
                     ring.corner.push(*end);
+                    made.push(chain.made[i]);
                 }
             }
         }
@@ -48,16 +51,22 @@ impl Ring {
             ring.points.pop();
             ring.corner[0] |= ring.corner.pop().unwrap_or_default();
         }
-        ring.choose_corners(turns);
+        made.truncate(ring.points.len());
+        ring.choose_corners(turns, &made);
         ring
     }
 
-    fn choose_corners(&mut self, turns: &[P]) {
+    fn choose_corners(&mut self, turns: &[P], made: &[bool]) {
         let runs = self.corner.iter().any(|end| *end);
         let turn_point = marked(&self.points, turns);
         let any_turn_point = turn_point.iter().any(|t| *t);
+        let joints = if runs {
+            vec![false; self.points.len()]
+        } else {
+            joint::joints(&self.points, made, CORNER)
+        };
         for (i, marked) in turn_point.into_iter().enumerate() {
-            let sharp = self.turn_at(i).abs() >= CORNER;
+            let sharp = self.turn_at(i).abs() >= CORNER || joints[i];
             self.corner[i] |= match (runs, any_turn_point) {
                 (true, true) => marked && sharp,
                 (false, true) => marked,
@@ -156,9 +165,11 @@ mod tests {
         Chain {
             points: points.to_vec(),
             run_end: vec![false; points.len()],
+            made: vec![false; points.len()],
             closed: true,
             repaired: None,
             line: 1,
+            runs: 1,
         }
     }
 

@@ -1,22 +1,25 @@
 //! Sheets to pieces: what is an outline, and which lines and marks lie in which.
 
 use super::chain::{Chain, chains};
-use super::entity::{P, Path, Shape};
+use super::entity::{Path, Shape};
 use super::expand::Sheet;
 use super::label::Labels;
 use super::layer::{Role, is_named, role};
+use super::marks;
 use super::nest::{self, Inner, Loop};
-use super::piece::{Piece, owner};
+use super::piece::{Piece, outlines, owner};
 use super::{Findings, at_line};
 use crate::fault::Fault;
+use std::collections::BTreeSet;
 
 /// At most this many lines are compared with the outlines about them; more are taken as drawn lines.
 const COMPARED: usize = 1000;
 
 /// The pieces of a sheet; outlines that do not close become faults.
 pub(super) fn pieces(sheet: &Sheet, panel_limit: usize, findings: &mut Findings) -> Vec<Piece> {
-    let lines = Lines::of(sheet);
+    let mut lines = Lines::of(sheet);
     let outlines = lines.outlines(sheet, findings);
+    lines.outlines = outlines.iter().map(|outline| key(&outline.chain)).collect();
     // Sizes and letters drawn as outlines make more outlines than panels, but not without end.
     if outlines.len() > 4 * panel_limit {
         findings
@@ -26,9 +29,11 @@ pub(super) fn pieces(sheet: &Sheet, panel_limit: usize, findings: &mut Findings)
     }
     let (outer, inner) = nest::nest(nest::drop_duplicates(outlines, findings));
     let alone = outer.len() == 1 && sheet.block.is_some();
+    let texts = marks::texts(sheet, &outer, alone, findings);
     let mut pieces: Vec<Piece> = outer
         .into_iter()
-        .map(|outline| Piece::new(sheet, outline, alone))
+        .zip(&texts)
+        .map(|(outline, own)| Piece::new(sheet, outline, own, alone))
         .collect();
     for piece in &mut pieces {
         piece.sewn = lines
@@ -41,7 +46,7 @@ pub(super) fn pieces(sheet: &Sheet, panel_limit: usize, findings: &mut Findings)
         pieces[owner].adopt(inner.chain, if sewn { Inner::Sew } else { Inner::Line });
     }
     lines.assign(&mut pieces, alone, findings);
-    assign_marks(sheet, &lines.mirror, &mut pieces, alone);
+    marks::assign(sheet, &lines.mirror, &mut pieces, alone, findings);
     pieces
 }
 
@@ -56,6 +61,8 @@ struct Lines {
     /// Whether sew lines lie on a layer with a name: general CAD, where the seam is the outline that was drawn and
     /// the cut line was added to it. In AAMA and ASTM it is the other way round.
     seam_first: bool,
+    /// The outlines among them, those inside others too.
+    outlines: BTreeSet<(usize, Option<[u64; 2]>)>,
 }
 
 impl Lines {
@@ -73,9 +80,10 @@ impl Lines {
                     }
                 })
                 .collect();
-            chains(&paths)
+            chains(&paths, wanted != Role::Internal)
         };
         Self {
+            outlines: BTreeSet::new(),
             boundary: of(Role::Boundary),
             sew: of(Role::Sew),
             internal: of(Role::Internal),
@@ -128,65 +136,92 @@ impl Lines {
         found
     }
 
-    /// Gives every line that is not an outline to the piece that it lies in.
+    /// Gives every line that is not an outline to the piece that it lies in; one that lies in none is warned about.
     fn assign(&self, pieces: &mut [Piece], alone: bool, findings: &mut Findings) {
-        let middle = |chain: &Chain| chain.points.get(chain.points.len() / 2).copied();
-        let is_outline = |pieces: &[Piece], chain: &Chain| {
-            pieces.iter().any(|p| p.outline.chain.line == chain.line)
-        };
-        let known = self
-            .sew
-            .iter()
-            .map(|c| (c, Inner::Sew))
-            .chain(self.cutout.iter().map(|c| (c, Inner::Hole)));
-        for (chain, kind) in known {
-            if is_outline(pieces, chain) {
-                continue;
-            }
-            if let Some(at) = middle(chain).and_then(|at| owner(pieces, at, alone)) {
-                pieces[at].adopt(chain.clone(), kind);
-            }
+        let is_free = |chain: &&Chain| !self.outlines.contains(&key(chain));
+        for chain in self.sew.iter().filter(is_free) {
+            give(pieces, chain, Some(Inner::Sew), alone, findings);
+        }
+        for chain in &self.cutout {
+            give(pieces, chain, Some(Inner::Hole), alone, findings);
         }
         for (i, chain) in self.internal.iter().enumerate() {
-            let Some(at) = middle(chain).and_then(|at| owner(pieces, at, alone)) else {
-                continue;
-            };
-            let asked =
-                i < COMPARED && chain.closed && pieces[at].sew.is_none() && !pieces[at].sewn;
-            let sewn = asked && pieces[at].outline.is_sewn_on(&Loop::new(chain.clone()));
-            pieces[at].adopt(chain.clone(), if sewn { Inner::Sew } else { Inner::Line });
+            let kind = (i >= COMPARED).then_some(Inner::Line);
+            give(pieces, chain, kind, alone, findings);
         }
-        self.assign_cut_lines(pieces, findings);
+        let drawn = self.boundary.iter().chain(&self.general);
+        let drawn: Vec<&Chain> = drawn.filter(is_free).collect();
+        self.assign_cut_lines(&drawn, pieces, alone, findings);
     }
 
-    /// Lines on the outline layers that are not outlines: cut lines about a seam, else left out with a warning.
-    fn assign_cut_lines(&self, pieces: &mut [Piece], findings: &mut Findings) {
-        let closed_cut = self.boundary.iter().filter(|c| c.closed && self.seam_first);
-        let open = self
-            .boundary
-            .iter()
-            .chain(&self.general)
-            .filter(|c| !c.closed && c.points.len() > 1);
-        for (i, chain) in closed_cut.chain(open).enumerate() {
-            let is_free =
-                |piece: &Piece| piece.cut.is_none() && piece.outline.chain.line != chain.line;
-            let found = (i < COMPARED)
-                .then(|| {
-                    pieces
-                        .iter()
-                        .position(|p| is_free(p) && p.outline.is_cut_along(chain))
-                })
-                .flatten();
-            match found {
-                Some(at) => pieces[at].cut = Some(chain.clone()),
-                None if !chain.closed => findings.warn(
-                    "pattern/open_line",
-                    chain.line,
-                    "an open line on an outline layer belongs to no piece and is left out",
-                ),
-                None => {}
+    /// Lines on the outline layers that are not outlines: cut lines about a seam, else lines on the cloth.
+    fn assign_cut_lines(
+        &self,
+        drawn: &[&Chain],
+        pieces: &mut [Piece],
+        alone: bool,
+        findings: &mut Findings,
+    ) {
+        for (i, chain) in drawn.iter().enumerate() {
+            let is_free = |piece: &Piece| piece.cut.is_none();
+            let may_cut = i < COMPARED && (!chain.closed || self.seam_first);
+            let cut = pieces
+                .iter()
+                .position(|p| may_cut && is_free(p) && p.outline.is_cut_along(chain));
+            match cut {
+                Some(at) => {
+                    said_gap(chain, findings);
+                    pieces[at].cut = Some((*chain).clone());
+                }
+                None => give(pieces, chain, Some(Inner::Line), alone, findings),
             }
         }
+    }
+}
+
+/// What tells one chain of a sheet from all others: the line of its first run and where it begins (a block that is put
+/// in twice has the same lines again).
+fn key(chain: &Chain) -> (usize, Option<[u64; 2]>) {
+    (
+        chain.line,
+        chain.points.first().map(|p| p.map(f64::to_bits)),
+    )
+}
+
+/// Gives a chain to the piece that it lies in. Without a kind, it is a sew line where its course is that of one.
+fn give(
+    pieces: &mut [Piece],
+    chain: &Chain,
+    kind: Option<Inner>,
+    alone: bool,
+    findings: &mut Findings,
+) {
+    let middle = chain.points.get(chain.points.len() / 2).copied();
+    let Some(at) = middle.and_then(|at| owner(outlines(pieces), at, alone)) else {
+        findings.left_out_many("line outside the pieces", chain.line, chain.runs);
+        return;
+    };
+    if chain.points.len() < 2 {
+        findings.left_out("line of a single point", chain.line);
+        return;
+    }
+    let piece = &mut pieces[at];
+    let kind = kind.unwrap_or_else(|| {
+        let asked = chain.closed && piece.sew.is_none() && !piece.sewn;
+        let sewn = asked && piece.outline.is_sewn_on(&Loop::new(chain.clone()));
+        if sewn { Inner::Sew } else { Inner::Line }
+    });
+    if kind == Inner::Line {
+        said_gap(chain, findings);
+    }
+    piece.adopt(chain.clone(), kind);
+}
+
+/// Warns of a gap in a line that no outline is made of; those of outlines are told with their panel.
+fn said_gap(chain: &Chain, findings: &mut Findings) {
+    if let Some(gap) = chain.repaired {
+        let detail = format!("a gap of {:.3} mm in a line was closed", 1000.0 * gap);
+        findings.warn("pattern/gap_closed", chain.line, detail);
     }
 }
 
@@ -221,41 +256,4 @@ fn open_outline(sheet: &Sheet, chain: &Chain) -> Fault {
         ),
     )
     .fix("close the outline in the CAD program; gaps up to 0.5 mm are closed for you")
-}
-
-/// Gives points and straight lines with a meaning to the pieces they lie in.
-fn assign_marks(sheet: &Sheet, mirror: &[Chain], pieces: &mut [Piece], alone: bool) {
-    let ends = |points: &[P]| Some([*points.first()?, *points.last()?]);
-    for line in mirror.iter().filter_map(|chain| ends(&chain.points)) {
-        if let Some(at) = owner(pieces, line[0], alone) {
-            pieces[at].marks.folds.push(line);
-        }
-    }
-    for entity in &sheet.entities {
-        let role = role(&entity.layer);
-        let line = match &entity.shape {
-            Shape::Point(p) => Some([*p, *p]),
-            Shape::Path(path) => ends(&path.points),
-            _ => None,
-        };
-        let is_point = matches!(entity.shape, Shape::Point(_));
-        if !matches!(
-            role,
-            Role::Turn | Role::Notch(_) | Role::Drill | Role::Grain
-        ) {
-            continue;
-        }
-        let Some((line, at)) = line.and_then(|line| Some((line, owner(pieces, line[0], alone)?)))
-        else {
-            continue;
-        };
-        let marks = &mut pieces[at].marks;
-        match role {
-            Role::Turn if is_point => marks.turns.push(line[0]),
-            Role::Notch(kind) => marks.notches.push((line[0], kind)),
-            Role::Drill => marks.drills.push(line[0]),
-            Role::Grain if !is_point => marks.grains.push(line),
-            _ => {}
-        }
-    }
 }

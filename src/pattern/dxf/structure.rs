@@ -1,7 +1,7 @@
 //! Tags to records: the header's variables, the blocks kept one by one (never by name), and the entities.
 
 use super::Findings;
-use super::tags::{Tag, Tags};
+use super::tags::{Tag, Tags, shown};
 use crate::config::Limits;
 use crate::fault::Fault;
 
@@ -160,6 +160,14 @@ fn sections<'a, 't>(records: &[Record<'a, 't>], findings: &mut Findings) -> Stru
                     );
                 }
                 section = record.value(2).unwrap_or_default().to_ascii_uppercase();
+                let known = NO_ENTITIES.contains(&section.as_str());
+                if !known && !matches!(section.as_str(), "BLOCKS" | "ENTITIES") {
+                    findings.warn(
+                        "pattern/unknown_section",
+                        record.line,
+                        format!("what section {:?} holds is not read", shown(&section)),
+                    );
+                }
                 if section == "HEADER" {
                     found.insunits = header_number(record.tags, "$INSUNITS");
                 }
@@ -186,13 +194,33 @@ fn sections<'a, 't>(records: &[Record<'a, 't>], findings: &mut Findings) -> Stru
             _ => match &mut block {
                 Some(open) if section == "BLOCKS" => open.entities.push(*record),
                 _ if section == "ENTITIES" => found.entities.push(*record),
-                _ => {}
+                _ if NO_ENTITIES.contains(&section.as_str()) => {}
+                _ => {
+                    let place = if section.is_empty() {
+                        "section"
+                    } else {
+                        "block"
+                    };
+                    let what = format!("{} outside any {place}", record.kind);
+                    findings.left_out(&what, record.line);
+                }
             },
         }
     }
     found.blocks.extend(block);
     found
 }
+
+/// Sections without anything to draw.
+const NO_ENTITIES: [&str; 7] = [
+    "HEADER",
+    "CLASSES",
+    "TABLES",
+    "OBJECTS",
+    "THUMBNAILIMAGE",
+    "ACDSDATA",
+    "ACDS",
+];
 
 fn header_number(tags: &[Tag<'_>], name: &str) -> Option<i32> {
     let at = tags

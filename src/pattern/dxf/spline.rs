@@ -1,0 +1,304 @@
+//! Splines as polylines, those through fit points too. Spans are halved until the curve bulges over each chord by less
+//! than 0.22 % of its length, as an arc of one degree does: a chord error below 4e-5 of the radius of curvature, a length
+//! error below 1.3e-5 of the length.
+
+use super::at_line;
+use super::entity::{P, Path};
+use super::load::{smooth, xy};
+use crate::fault::Fault;
+use crate::pattern::outline::{cross, distance, sub};
+
+/// By how much of its chord's length a curve may bulge over it: tan(1 degree / 4) / 2.
+const BULGE: f64 = 2.2e-3;
+
+/// Chords that a span begins with: a curve that is straight in the middle is seen all the same.
+const FIRST: usize = 4;
+
+/// How often a chord is halved at most.
+const HALVINGS: usize = 6;
+
+/// A spline as read by the crate.
+///
+/// # Errors
+/// Numbers that make no spline.
+pub(super) fn path(s: &dxf::entities::Spline, line: usize) -> Result<Path, Fault> {
+    let refuse = |what: &str| {
+        Fault::new("pattern/spline", at_line(line), what.to_owned())
+            .fix("export curves as polylines, or draw this one anew")
+    };
+    let degree = usize::try_from(s.degree_of_curve)
+        .map_err(|_| refuse("the spline's degree is negative"))?;
+    let controls: Vec<P> = s.control_points.iter().map(xy).collect();
+    if controls.is_empty() {
+        let fit: Vec<P> = s.fit_points.iter().map(xy).collect();
+        if fit.len() < 2 {
+            return Err(refuse(
+                "the spline has neither control points nor fit points",
+            ));
+        }
+        let tangents = [&s.start_tangent, &s.end_tangent].map(xy);
+        return Ok(smooth(through(&fit, s.flags & 1 == 1, tangents)));
+    }
+    if degree == 0 || controls.len() <= degree || s.knot_values.len() != controls.len() + degree + 1
+    {
+        return Err(refuse(
+            "the spline's degree, knots and control points do not go together",
+        ));
+    }
+    if s.knot_values.windows(2).any(|w| w[1] < w[0])
+        || s.knot_values[degree] >= s.knot_values[controls.len()]
+    {
+        return Err(refuse("the spline's knots fall"));
+    }
+    if !s.weight_values.is_empty() && s.weight_values.len() != controls.len()
+        || s.weight_values.iter().any(|w| *w <= 0.0)
+    {
+        return Err(refuse(
+            "the spline's weights are not positive, one to a control point",
+        ));
+    }
+    let curve = Spline {
+        degree,
+        knots: &s.knot_values,
+        controls: &controls,
+        weights: &s.weight_values,
+    };
+    Ok(smooth(curve.points()))
+}
+
+/// A B-spline, rational where it has weights.
+struct Spline<'a> {
+    /// Its degree, at least 1.
+    degree: usize,
+    /// `controls.len() + degree + 1` knots that never fall.
+    knots: &'a [f64],
+    controls: &'a [P],
+    /// As many weights as control points, or none.
+    weights: &'a [f64],
+}
+
+impl Spline<'_> {
+    /// Its points, both ends included.
+    fn points(&self) -> Vec<P> {
+        let spans = self.degree..self.controls.len();
+        let mut points = Vec::new();
+        for span in spans.filter(|i| self.knots[*i + 1] > self.knots[*i]) {
+            let range = [self.knots[span], self.knots[span + 1]];
+            flatten(&|t| self.at(span, t), range, &mut points);
+        }
+        points
+    }
+
+    /// De Boor's algorithm in homogeneous coordinates, `t` within the knot span `span`.
+    fn at(&self, span: usize, t: f64) -> P {
+        let p = self.degree;
+        let mut d: Vec<[f64; 3]> = (span - p..=span)
+            .map(|i| {
+                let w = self.weights.get(i).copied().unwrap_or(1.0);
+                [w * self.controls[i][0], w * self.controls[i][1], w]
+            })
+            .collect();
+        for r in 1..=p {
+            for j in (r..=p).rev() {
+                let i = span - p + j;
+                let a = (t - self.knots[i]) / (self.knots[i + p + 1 - r] - self.knots[i]);
+                d[j] = std::array::from_fn(|k| (1.0 - a) * d[j - 1][k] + a * d[j][k]);
+            }
+        }
+        [d[p][0] / d[p][2], d[p][1] / d[p][2]]
+    }
+}
+
+/// Points of the cubic spline through `fit`, both ends included: twice differentiable in the length of chords, its ends
+/// along the tangents where those are not zero, else without curvature. A closed one goes round.
+fn through(fit: &[P], closed: bool, tangents: [P; 2]) -> Vec<P> {
+    /// What is this many points away bends a spline by 1e-7 of itself: each halves the influence twice over.
+    const WRAP: usize = 12;
+    let mut fit: Vec<P> = fit.to_vec();
+    fit.dedup();
+    if closed && fit.len() > 2 && fit.first() == fit.last() {
+        fit.pop();
+    }
+    let n = fit.len();
+    if n < 3 {
+        return fit;
+    }
+    if !closed {
+        let slopes = slopes(&fit, tangents);
+        return hermite(&fit, &slopes, 0..n - 1);
+    }
+    let around: Vec<P> = (0..=n + 2 * WRAP)
+        .map(|i| fit[(i + n * WRAP - WRAP) % n])
+        .collect();
+    let slopes = slopes(&around, [[0.0; 2]; 2]);
+    hermite(&around, &slopes, WRAP..WRAP + n)
+}
+
+/// Derivatives at the points of an open cubic spline, by the length of chords: the tridiagonal system of equal second
+/// derivatives from both sides, solved by elimination.
+fn slopes(p: &[P], tangents: [P; 2]) -> Vec<P> {
+    let n = p.len();
+    let h: Vec<f64> = p.windows(2).map(|w| distance(w[0], w[1])).collect();
+    let chord = |i: usize| [0, 1].map(|k| (p[i + 1][k] - p[i][k]) / h[i]);
+    let end = |tangent: P, chord: P| {
+        let long = tangent[0].hypot(tangent[1]);
+        if long > 0.0 {
+            (1.0, 0.0, tangent.map(|c| c / long))
+        } else {
+            (2.0, 1.0, chord.map(|c| 3.0 * c))
+        }
+    };
+    // Rows: below, diagonal, above, right side.
+    let mut rows: Vec<(f64, f64, f64, P)> = Vec::with_capacity(n);
+    let (diagonal, above, right) = end(tangents[0], chord(0));
+    rows.push((0.0, diagonal, above, right));
+    for i in 1..n - 1 {
+        let (a, b) = (chord(i - 1), chord(i));
+        let right = [0, 1].map(|k| 3.0 * (h[i] * a[k] + h[i - 1] * b[k]));
+        rows.push((h[i], 2.0 * (h[i - 1] + h[i]), h[i - 1], right));
+    }
+    let (diagonal, below, right) = end(tangents[1], chord(n - 2));
+    rows.push((below, diagonal, 0.0, right));
+    for i in 1..n {
+        let factor = rows[i].0 / rows[i - 1].1;
+        rows[i].1 -= factor * rows[i - 1].2;
+        for k in 0..2 {
+            rows[i].3[k] -= factor * rows[i - 1].3[k];
+        }
+    }
+    let mut slopes = vec![[0.0; 2]; n];
+    for i in (0..n).rev() {
+        let next = slopes.get(i + 1).copied().unwrap_or_default();
+        slopes[i] = [0, 1].map(|k| (rows[i].3[k] - rows[i].2 * next[k]) / rows[i].1);
+    }
+    slopes
+}
+
+/// Points of the cubics with these ends and slopes, of some of the stretches.
+fn hermite(p: &[P], slopes: &[P], stretches: std::ops::Range<usize>) -> Vec<P> {
+    let mut points = Vec::new();
+    for i in stretches {
+        let h = distance(p[i], p[i + 1]);
+        let at = |t: f64| {
+            let (u, v) = (1.0 - t, t);
+            [0, 1].map(|k| {
+                p[i][k] * u * u * (1.0 + 2.0 * v)
+                    + p[i + 1][k] * v * v * (1.0 + 2.0 * u)
+                    + h * u * v * (slopes[i][k] * u - slopes[i + 1][k] * v)
+            })
+        };
+        flatten(&at, [0.0, 1.0], &mut points);
+    }
+    points
+}
+
+/// Adds the points of a curve over `range`; its first only where there are none yet.
+fn flatten(curve: &impl Fn(f64) -> P, range: [f64; 2], points: &mut Vec<P>) {
+    let at = |i: usize| range[0] + (range[1] - range[0]) * i as f64 / FIRST as f64;
+    let mut from = (at(0), curve(at(0)));
+    if points.is_empty() {
+        points.push(from.1);
+    }
+    for i in 1..=FIRST {
+        let to = (at(i), curve(at(i)));
+        halve(curve, from, to, HALVINGS, points);
+        from = to;
+    }
+}
+
+/// Adds the points of a curve between two of it, the latter included.
+fn halve(
+    curve: &impl Fn(f64) -> P,
+    from: (f64, P),
+    to: (f64, P),
+    halvings: usize,
+    points: &mut Vec<P>,
+) {
+    let middle = f64::midpoint(from.0, to.0);
+    let middle = (middle, curve(middle));
+    let chord = sub(to.1, from.1);
+    let long = chord[0].hypot(chord[1]);
+    let bulge = cross(chord, sub(middle.1, from.1)).abs() / long.max(f64::MIN_POSITIVE);
+    if halvings > 0 && bulge > BULGE * long {
+        halve(curve, from, middle, halvings - 1, points);
+        halve(curve, middle, to, halvings - 1, points);
+    } else {
+        points.push(to.1);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::outline::length;
+    use std::f64::consts::{PI, TAU};
+
+    #[test]
+    fn cubic_bezier_as_spline_matches_its_polynomial() {
+        let controls = [[0.0, 0.0], [0.0, 1.0], [2.0, 1.0], [2.0, 0.0]];
+        let knots = [0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
+        let spline = Spline {
+            degree: 3,
+            knots: &knots,
+            controls: &controls,
+            weights: &[],
+        };
+        let points = spline.points();
+        assert_eq!(
+            (points[0], *points.last().expect("points")),
+            (controls[0], controls[3])
+        );
+        assert!(points.contains(&[1.0, 0.75]));
+    }
+
+    #[test]
+    fn rational_quarter_circle_has_its_length() {
+        let w = 0.5_f64.sqrt();
+        let spline = Spline {
+            degree: 2,
+            knots: &[0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
+            controls: &[[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
+            weights: &[1.0, w, 1.0],
+        };
+        let points = spline.points();
+        assert!((length(&points) / (PI / 2.0) - 1.0).abs() < 1.3e-5);
+        assert!(
+            points
+                .iter()
+                .all(|p| (p[0].hypot(p[1]) - 1.0).abs() < 1e-12)
+        );
+    }
+
+    /// Points of a circle of radius 1, every 15 degrees, over `turn`.
+    fn on_circle(turn: f64) -> Vec<P> {
+        (0..=24)
+            .map(|i| turn * f64::from(i) / 24.0)
+            .map(|a| [a.cos(), a.sin()])
+            .collect()
+    }
+
+    /// A cubic spline through points a step h apart on a unit circle is off by about h^4 / 384.
+    const OFF: f64 = 1e-4;
+
+    #[test]
+    fn curve_through_fit_points_keeps_to_a_circle() {
+        let half = through(&on_circle(PI), false, [[0.0, 2.0], [0.0, -1.0]]);
+        assert!(half.iter().all(|p| (p[0].hypot(p[1]) - 1.0).abs() < OFF));
+        assert!(length(&half) > PI * (1.0 - OFF));
+        let whole = through(&on_circle(TAU), true, [[0.0; 2]; 2]);
+        assert!(whole.iter().all(|p| (p[0].hypot(p[1]) - 1.0).abs() < OFF));
+        assert!(distance(whole[0], whole[whole.len() - 1]) < 1e-12);
+    }
+
+    #[test]
+    fn curve_without_tangents_ends_without_curvature() {
+        let fit = [[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]];
+        let slopes = slopes(&fit, [[0.0; 2]; 2]);
+        // By hand: m0 = 3/2 of the first chord less half of m1, and m1 lies along x by symmetry.
+        let root = 0.5_f64.sqrt();
+        let wanted = [[root, 1.5 * root], [root, 0.0], [root, -1.5 * root]];
+        for (found, wanted) in slopes.iter().zip(wanted) {
+            assert!(distance(*found, wanted) < 1e-12, "{found:?}");
+        }
+    }
+}
