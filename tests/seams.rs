@@ -7,7 +7,7 @@ mod support {
 use seamster::config::Limits;
 use seamster::fault::Faults;
 use seamster::pattern::{Direction, Match, Panel, Pattern, Place, Run, SeamPair, Side};
-use seamster::seam::{Face, FaceAsked, Seam, SeamCheck, SeamSet, Stretch, check};
+use seamster::seam::{Face, FaceAsked, Seam, SeamCheck, SeamSet, Stretch, Track, check};
 use std::collections::BTreeMap;
 use support::panels::{
     darted, lens, many, notched, pattern, polygon, rectangle, run, seam, trapezoid,
@@ -160,6 +160,7 @@ fn from_of_a_meets_from_of_b() {
     let set = sewn(&tube(), &tube_seams_both_face_up());
     let expected = |panel, edge, from, to| Stretch {
         panel,
+        track: Track::Outline,
         edge,
         from,
         to,
@@ -425,6 +426,7 @@ fn waistband_of_one_strip_is_sewn_to_front_and_back() {
     assert_eq!(set.faces, [Face::Up; 3]);
     let expected = |from, to| Stretch {
         panel: 2,
+        track: Track::Outline,
         edge: 3,
         from,
         to,
@@ -503,6 +505,7 @@ fn edge_ends_that_nearly_meet_are_sewn_onto_each_other() {
     let near = sewn(&panels(0.304), std::slice::from_ref(&over_two_edges));
     let whole = |panel, edge, from, to| Stretch {
         panel,
+        track: Track::Outline,
         edge,
         from,
         to,

@@ -4,7 +4,7 @@ use super::correct::Request;
 use super::faces::{self, Colouring, Saying, Why};
 use super::runs::Resolver;
 use super::{
-    FaceAsked, Routed, Seam, SeamCheck, SeamFinding, SeamSet, Stretch, division_count, length,
+    FaceAsked, Routed, Seam, SeamCheck, SeamFinding, SeamSet, Stretch, division_count, ease,
     overlap, twist,
 };
 use crate::config::Limits;
@@ -45,7 +45,7 @@ pub fn check(
         return answer(pattern, findings, set, vec![]);
     }
     find_double_ids(pairs, &mut findings);
-    let seams = route(pattern, pairs, &mut findings);
+    let (seams, mut corrected) = route(pattern, pairs, &mut findings);
     for (seam, fault) in overlap::faults(pattern, pairs, &seams) {
         findings[seam].errors.push(fault);
     }
@@ -60,7 +60,6 @@ pub fn check(
         seams: &seams,
         sayings: &sayings,
     };
-    let mut corrected = vec![];
     for twist in twist::find(&request, &stated, &colouring) {
         findings[twist.seam].errors.push(twist.fault);
         corrected.extend(twist.corrected);
@@ -109,9 +108,15 @@ fn find_double_ids(pairs: &[SeamPair], findings: &mut [SeamFinding]) {
 }
 
 /// Finds the runs of every seam; those with faults get them written into their findings and are left out.
-fn route(pattern: &Pattern, pairs: &[SeamPair], findings: &mut [SeamFinding]) -> Vec<Routed> {
+/// The second part holds those of them that can be corrected, corrected.
+fn route(
+    pattern: &Pattern,
+    pairs: &[SeamPair],
+    findings: &mut [SeamFinding],
+) -> (Vec<Routed>, Vec<SeamPair>) {
     let mut resolver = Resolver::new(pattern);
     let mut seams = vec![];
+    let mut corrected = vec![];
     for (index, pair) in pairs.iter().enumerate() {
         let finding = &mut findings[index];
         let a = resolver.side(&pair.a, &format!("/seams/{index}/a"));
@@ -123,15 +128,25 @@ fn route(pattern: &Pattern, pairs: &[SeamPair], findings: &mut [SeamFinding]) ->
                     sides: [a, b],
                 };
                 [finding.length_a_m, finding.length_b_m] = seam.lengths(pattern);
-                length::judge_ease(finding, pair, &format!("/seams/{index}"));
+                ease::judge_ease(finding, pair, &format!("/seams/{index}"));
                 seams.push(seam);
             }
-            (a, b) => finding
-                .errors
-                .extend([a.err(), b.err()].into_iter().flatten().flatten()),
+            (a, b) => {
+                let mut mended = pair.clone();
+                let mut all = true;
+                for (refused, side) in [(a.err(), &mut mended.a), (b.err(), &mut mended.b)] {
+                    let Some(refused) = refused else { continue };
+                    finding.errors.extend(refused.faults);
+                    match refused.corrected {
+                        Some(corrected) => *side = corrected,
+                        None => all = false,
+                    }
+                }
+                corrected.extend(all.then_some(mended));
+            }
         }
     }
-    seams
+    (seams, corrected)
 }
 
 /// Writes into the findings which seams were reversed and why, and which twist.
@@ -196,15 +211,14 @@ fn stitch_count(pattern: &Pattern, matched: &[[Stretch; 2]], edge_length: f64) -
         return 0;
     };
     let point = |s: &Stretch, at: f64| {
-        let count = pattern.panels[s.panel].edges.len();
-        (
-            s.panel,
-            if at < 1.0 {
-                (s.edge, at)
-            } else {
-                ((s.edge + 1) % count, 0.0)
-            },
-        )
+        let panel = &pattern.panels[s.panel];
+        let on_next = at >= 1.0 && s.track.is_closed(panel);
+        let (edge, at) = if on_next {
+            ((s.edge + 1) % s.track.edge_count(panel), 0.0)
+        } else {
+            (s.edge, at)
+        };
+        (s.panel, s.track, edge, at)
     };
     let start = first.map(|s| point(&s, s.from));
     let end = last.map(|s| point(&s, s.to));

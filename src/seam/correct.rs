@@ -1,9 +1,9 @@
 //! Corrections of a seam that twists the surface: its mirror edge, or side B reversed.
 
-use super::Routed;
 use super::faces::Saying;
 use super::parity::{Link, Parity};
 use super::place::opposite;
+use super::{Routed, Track};
 use crate::pattern::{Panel, Pattern, Place, Run, SeamPair, Side};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
@@ -11,8 +11,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// How far the reflection of an edge may be from the edge that is taken for its mirror: share of the panel's width and height.
 const MIRROR_SHARE: f64 = 0.02;
 
-/// A point of an outline: the panel, and the bits of edge plus fraction.
-type Point = (usize, u64);
+/// A point of a panel: the track, and the bits of edge plus fraction.
+type Point = (usize, Track, u64);
 
 /// A pair that could be sewn, and what was changed in words.
 pub(super) struct Correction {
@@ -100,7 +100,7 @@ impl Request<'_> {
             .flat_map(|seam| seam.sides.iter().flatten());
         let taken = stretches
             .flat_map(|leg| &leg.stretches)
-            .any(|s| (s.panel, s.edge) == (index, edge));
+            .any(|s| (s.panel, s.track, s.edge) == (index, Track::Outline, edge));
         let told = format!(
             "take the edge on the other side of `{}`, from corner {from} to corner {to}",
             panel.id
@@ -148,9 +148,14 @@ impl Request<'_> {
                 stretches.next().map(|s| (s, s.from))
             }
             .expect("a run has at least one stretch");
-            let count = self.pattern.panels[stretch.panel].edges.len();
-            let place = (stretch.edge as f64 + at) % count as f64;
-            (stretch.panel, place.to_bits())
+            let panel = &self.pattern.panels[stretch.panel];
+            let place = stretch.edge as f64 + at;
+            let place = if stretch.track.is_closed(panel) {
+                place % stretch.track.edge_count(panel) as f64
+            } else {
+                place
+            };
+            (stretch.panel, stretch.track, place.to_bits())
         };
         [false, true].map(|last| [point(0, last), point(1, last)])
     }

@@ -29,8 +29,8 @@ impl<'a> Saying<'a> {
         Self {
             seam: seam.index,
             pair,
-            picked: routed::links(&seam.matched(pattern)),
-            reversed: routed::links(&seam.reversed().matched(pattern)),
+            picked: routed::links(pattern, &seam.matched(pattern)),
+            reversed: routed::links(pattern, &seam.reversed().matched(pattern)),
             heights_agree: seam.heights_agree(pattern),
         }
     }

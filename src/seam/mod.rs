@@ -3,16 +3,19 @@
 mod check;
 mod correct;
 mod cycle;
+mod direction;
+mod ease;
 mod faces;
 mod finding;
-mod length;
 mod matching;
 mod overlap;
 mod parity;
 mod place;
 mod routed;
 mod runs;
+mod track;
 mod twist;
+mod way;
 
 pub use check::check;
 pub use finding::{SeamCheck, SeamFinding};
@@ -41,12 +44,25 @@ pub struct Seam {
 pub struct Stretch {
     /// Index of the panel in the pattern.
     pub panel: usize,
-    /// Index of the edge in the panel's outline.
+    /// What of the panel it lies on.
+    pub track: Track,
+    /// Index of the edge in that track; 0 on internal lines.
     pub edge: usize,
-    /// Where it begins: fraction of the edge's arc length, clockwise. Above `to` when the way goes against the edge.
+    /// Where it begins: fraction of the edge's arc length, in the order of corners. Above `to` when the way goes against the edge.
     pub from: f64,
     /// Where it ends, likewise.
     pub to: f64,
+}
+
+/// What of a panel a stretch lies on: a row of edges numbered from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Track {
+    /// The outline.
+    Outline,
+    /// A hole, by index.
+    Hole(usize),
+    /// An internal line, by index. It counts as one edge, from its first point to its last.
+    Line(usize),
 }
 
 /// Which side of a panel's cloth is out, as asked.

@@ -69,14 +69,16 @@ fn rise(legs: &[Leg], pattern: &Pattern) -> Option<f64> {
 }
 
 /// What matched stretches say of faces: in a two-sided surface two panels with the same side of the cloth out go in
-/// opposite directions along their seam.
-pub(super) fn links(matched: &[[Stretch; 2]]) -> Vec<Link> {
-    let links: BTreeSet<Link> = matched
-        .iter()
-        .map(|[a, b]| Link {
+/// opposite directions along their seam, as the drawings of both have it. An internal line has cloth on both sides
+/// and says nothing.
+pub(super) fn links(pattern: &Pattern, matched: &[[Stretch; 2]]) -> Vec<Link> {
+    let link = |[a, b]: &[Stretch; 2]| {
+        let ways = [a, b].map(|stretch| stretch.has_cloth_on_right(pattern));
+        Some(Link {
             ends: [a.panel.min(b.panel), a.panel.max(b.panel)],
-            same: a.is_clockwise() != b.is_clockwise(),
+            same: ways[0]? != ways[1]?,
         })
-        .collect();
+    };
+    let links: BTreeSet<Link> = matched.iter().filter_map(link).collect();
     links.into_iter().collect()
 }
