@@ -2,9 +2,10 @@
 
 use super::correct::Request;
 use super::faces::{self, Colouring, Saying, Why};
+use super::order::Judge;
 use super::runs::Resolver;
 use super::{
-    FaceAsked, Routed, Seam, SeamCheck, SeamFinding, SeamSet, Stretch, division_count, ease,
+    Face, FaceAsked, Routed, Seam, SeamCheck, SeamFinding, SeamSet, Stretch, division_count, ease,
     overlap, twist,
 };
 use crate::config::Limits;
@@ -12,12 +13,27 @@ use crate::fault::{Fault, Faults, Warning};
 use crate::pattern::{Pattern, SeamPair};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Checks `pairs` against `pattern`.
+/// Where a point of a panel starts in space \[m\]: the panel's index, its face, pattern coordinates \[m\]; nothing where that is not known.
+pub type Starts<'a> = &'a dyn Fn(usize, Face, [f64; 2]) -> Option<[f64; 3]>;
+
+/// What is to be checked.
+#[derive(Clone, Copy, Debug)]
+pub struct ToCheck<'a> {
+    /// The panels.
+    pub pattern: &'a Pattern,
+    /// The seams as asked.
+    pub pairs: &'a [SeamPair],
+    /// What was asked for each panel, by id (absent: auto).
+    pub faces: &'a BTreeMap<String, FaceAsked>,
+    /// Mesh edge length that stitch counts are stated for \[m\].
+    pub edge_length: f64,
+    /// Bounds on what may be asked for.
+    pub limits: &'a Limits,
+}
+
+/// Checks `pairs` against `pattern`; nothing is known of where panels start.
 ///
-/// `faces` holds what was asked for each panel, by id (absent: auto); `edge_length` \[m\] is the mesh edge length
-/// that stitch counts are stated for. Pointers are `/seams/<i>/...`. The findings always cover every seam;
-/// the [`SeamSet`] is there only when all are right. The order of `pairs` and which side of a pair is A
-/// change neither what is right nor the faces found.
+/// See [`check_placed`] and [`ToCheck`].
 ///
 /// # Errors
 /// Every fault of every seam at once, in the second part.
@@ -28,6 +44,36 @@ pub fn check(
     edge_length: f64,
     limits: &Limits,
 ) -> (SeamCheck, Result<SeamSet, Faults>) {
+    let to_check = ToCheck {
+        pattern,
+        pairs,
+        faces,
+        edge_length,
+        limits,
+    };
+    check_placed(&to_check, &|_, _, _| None)
+}
+
+/// Checks seams against a pattern whose panels start as `starts` says.
+///
+/// Pointers are `/seams/<i>/...`, or `/panels/<id>/face` where stated faces are the trouble. The findings always cover
+/// every seam; the [`SeamSet`] is there only when all are right. The order of `pairs` and which side of a pair is A
+/// change neither what is right nor the faces found. Where faces cannot tell the order of a seam, the start of its
+/// panels does: an `auto` seam is turned by it, one as picked is warned of (`seam/likely_reversed`).
+///
+/// # Errors
+/// Every fault of every seam at once, in the second part.
+pub fn check_placed(
+    to_check: &ToCheck<'_>,
+    starts: Starts<'_>,
+) -> (SeamCheck, Result<SeamSet, Faults>) {
+    let &ToCheck {
+        pattern,
+        pairs,
+        faces,
+        edge_length,
+        limits,
+    } = to_check;
     let mut findings: Vec<_> = pairs
         .iter()
         .map(|pair| SeamFinding::blank(&pair.id))
@@ -37,7 +83,7 @@ pub fn check(
         findings[limits.seams]
             .errors
             .push(too_many(pairs.len(), limits.seams));
-        let none = faces::find(pattern, &stated, &[]);
+        let none = faces::find(pattern, &stated, &[], &BTreeMap::new());
         let set = SeamSet {
             seams: vec![],
             faces: none.faces,
@@ -53,17 +99,23 @@ pub fn check(
         .iter()
         .map(|seam| Saying::new(pattern, &pairs[seam.index], seam))
         .collect();
-    let colouring = faces::find(pattern, &stated, &sayings);
     let request = Request {
         pattern,
         pairs,
         seams: &seams,
         sayings: &sayings,
     };
+    let judge = Judge {
+        request: &request,
+        stated: &stated,
+        starts,
+    };
+    let colouring = coloured(&judge);
     for twist in twist::find(&request, &stated, &colouring) {
         findings[twist.seam].errors.push(twist.fault);
         corrected.extend(twist.corrected);
     }
+    corrected.extend(judge.tell(&colouring, &mut findings));
     tell_colouring(&colouring, &sayings, &mut findings);
     let edge_length = edge_length
         .max(limits.edge_length_m[0])
@@ -79,6 +131,23 @@ pub fn check(
     let (mut check, set) = answer(pattern, findings, set, corrected);
     check.warnings = loose_panels(pattern, pairs);
     (check, set)
+}
+
+/// The faces and orders: by parity first, then `auto` seams that it does not decide by where panels start.
+fn coloured(judge: &Judge<'_>) -> Colouring {
+    let Request {
+        pattern, sayings, ..
+    } = judge.request;
+    let by_parity = faces::find(pattern, judge.stated, sayings, &BTreeMap::new());
+    let turned = judge.auto_to_turn(&by_parity);
+    if turned.is_empty() {
+        return by_parity;
+    }
+    let placed = turned
+        .into_iter()
+        .map(|seam| (seam, !by_parity.reversed.contains_key(&seam)))
+        .collect();
+    faces::find(pattern, judge.stated, sayings, &placed)
 }
 
 fn too_many(count: usize, most: usize) -> Fault {
@@ -161,6 +230,7 @@ fn tell_colouring(colouring: &Colouring, sayings: &[Saying<'_>], findings: &mut 
                 Why::UpsideDown => {
                     "as picked the upper end of one side would meet the lower end of the other"
                 }
+                Why::FarApart => "as picked its two sides would start far from each other",
             };
             let told = format!("side b of seam `{id}` is sewn in the other order: {why}");
             finding.warnings.push(Warning::new(
@@ -193,6 +263,7 @@ fn sew(
     let [a, b] = &seam.sides;
     finding.direction_a = a.first().map(|leg| leg.direction);
     finding.direction_b = b.first().map(|leg| leg.direction);
+    finding.notches = seam.marks(pattern);
     finding.stitch_count = stitch_count(pattern, &matched, edge_length);
     Seam {
         id: pair.id.clone(),

@@ -186,7 +186,7 @@ fn mirror_corner(panel: &Panel, corner: usize) -> Option<usize> {
 }
 
 /// The same runs gone from the end to the start.
-fn reversed(side: &Side) -> Side {
+pub(super) fn reversed(side: &Side) -> Side {
     let turned = |run: &Run| Run {
         panel: run.panel.clone(),
         from: run.to,

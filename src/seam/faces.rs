@@ -35,6 +35,15 @@ impl<'a> Saying<'a> {
         }
     }
 
+    /// What it says in the order in which it is sewn.
+    pub(super) fn links(&self, colouring: &Colouring) -> &[Link] {
+        if colouring.reversed.contains_key(&self.seam) {
+            &self.reversed
+        } else {
+            &self.picked
+        }
+    }
+
     fn is_auto(&self) -> bool {
         self.pair.matching == Match::Auto
     }
@@ -47,6 +56,8 @@ pub(super) enum Why {
     Twisted,
     /// As picked an upper end would meet a lower one.
     UpsideDown,
+    /// As picked the two sides would start far apart.
+    FarApart,
 }
 
 /// What was found.
@@ -98,11 +109,13 @@ pub(super) fn stated_links(stated: &[Option<Face>]) -> impl Iterator<Item = Link
 /// Colours the panels.
 ///
 /// First come stated faces, then seams as picked, then those that may twist, then the `auto` ones; within each kind
-/// the order of ids counts and not that of the request, so that the same set gives the same faces.
+/// the order of ids counts and not that of the request, so that the same set gives the same faces. `auto` seams that
+/// are `placed` have their order from where panels start: true for those whose side B is to be reversed.
 pub(super) fn find(
     pattern: &Pattern,
     stated: &[Option<Face>],
     sayings: &[Saying<'_>],
+    placed: &BTreeMap<usize, bool>,
 ) -> Colouring {
     let mut parity = Parity::new(stated.len() + 1);
     stated_links(stated).for_each(|link| {
@@ -120,10 +133,10 @@ pub(super) fn find(
     let mut reversed = BTreeMap::new();
     let mut twists_allowed = vec![];
     for saying in ordered {
-        let turn = if saying.is_auto() {
-            turn(saying, &parity)
-        } else {
-            None
+        let turn = match placed.get(&saying.seam) {
+            Some(turned) => turned.then_some(Why::FarApart),
+            None if saying.is_auto() => turn(saying, &parity),
+            None => None,
         };
         let links = if turn.is_some() {
             &saying.reversed
@@ -153,7 +166,7 @@ fn turn(saying: &Saying<'_>, parity: &Parity) -> Option<Why> {
 }
 
 /// Faces from what is known: the node after the last panel is up; a part that is not tied to it has the face of its front, or else its first panel, up.
-fn coloured(pattern: &Pattern, mut parity: Parity) -> Vec<Face> {
+pub(super) fn coloured(pattern: &Pattern, mut parity: Parity) -> Vec<Face> {
     let count = pattern.panels.len();
     let (stated_head, stated_same) = parity.find(count);
     let mut up = BTreeMap::from([(stated_head, stated_same)]);

@@ -1,13 +1,17 @@
 //! From seam pairs as asked to checked [`Seam`]s: which point meets which, which face of each panel is out.
 
 mod check;
+mod chords;
 mod correct;
 mod cycle;
 mod direction;
 mod ease;
 mod faces;
 mod finding;
+mod marks;
 mod matching;
+mod misfaced;
+mod order;
 mod overlap;
 mod parity;
 mod place;
@@ -17,8 +21,9 @@ mod track;
 mod twist;
 mod way;
 
-pub use check::check;
+pub use check::{Starts, ToCheck, check, check_placed};
 pub use finding::{SeamCheck, SeamFinding};
+pub use marks::{Mark, MatchedMarks};
 
 use routed::Routed;
 use serde::{Deserialize, Serialize};
@@ -33,7 +38,8 @@ pub struct Seam {
     pub stage: u32,
     /// Stretches of side A and side B that meet point to point, in order along the seam from `from` of A.
     ///
-    /// The two of a pair get equally many points, evenly by arc length: the start of the one meets the start of the other.
+    /// The two of a pair get equally many points, evenly by arc length, so that ease and gathers spread evenly between
+    /// matched notches: the start of the one meets the start of the other.
     /// Each pair begins on either side where the one before it ends, at a corner or inside an edge, or where the next run of
     /// that side begins. No stretch is empty. Fractions at corners are exactly 0 and 1.
     pub matched: Vec<[Stretch; 2]>,

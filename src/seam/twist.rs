@@ -4,6 +4,7 @@ use super::Face;
 use super::correct::Request;
 use super::cycle::{self, Tied};
 use super::faces::{self, Colouring, Saying};
+use super::misfaced;
 use super::parity::Parity;
 use crate::fault::Fault;
 use crate::pattern::SeamPair;
@@ -24,7 +25,8 @@ pub(super) struct Twist {
     pub corrected: Option<SeamPair>,
 }
 
-/// Finds the smallest contradictory cycle, takes the blamed seam out, and so on until none is left.
+/// Finds panels whose stated faces are the trouble; then the smallest contradictory cycle, takes the blamed seam out,
+/// and so on until none is left.
 pub(super) fn find(
     request: &Request<'_>,
     stated: &[Option<Face>],
@@ -32,7 +34,7 @@ pub(super) fn find(
 ) -> Vec<Twist> {
     let nodes = stated.len() + 1;
     let mut ties = ties(request, stated, colouring);
-    let mut twists = vec![];
+    let mut twists = misfaced::find(request, stated, &mut ties);
     while twists.len() < REPORTED
         && let Some(cycle) = cycle::smallest(nodes, &ties)
         && let Some(blamed) = blamed(request, &cycle, &ties, nodes)
@@ -60,12 +62,7 @@ fn ties(request: &Request<'_>, stated: &[Option<Face>], colouring: &Colouring) -
         .into_iter()
         .filter(|saying| !saying.pair.allow_twist)
     {
-        let links = if colouring.reversed.contains_key(&saying.seam) {
-            &saying.reversed
-        } else {
-            &saying.picked
-        };
-        ties.extend(links.iter().map(|&link| Tied {
+        ties.extend(saying.links(colouring).iter().map(|&link| Tied {
             link,
             seam: Some(saying.seam),
         }));
@@ -95,7 +92,7 @@ fn blamed<'a>(
 }
 
 /// How many ties contradict those before them when some are left out, and what the rest say.
-fn without(ties: &[Tied], nodes: usize, out: impl Fn(&Tied) -> bool) -> (usize, Parity) {
+pub(super) fn without(ties: &[Tied], nodes: usize, out: impl Fn(&Tied) -> bool) -> (usize, Parity) {
     let mut parity = Parity::new(nodes);
     let mut contradictions = 0;
     for tie in ties.iter().filter(|tie| !out(tie)) {
@@ -203,7 +200,7 @@ impl Case<'_> {
 }
 
 /// Names in quotation marks, each once, with "and" before the last.
-fn listed<'a>(names: impl Iterator<Item = &'a String>) -> String {
+pub(super) fn listed<'a>(names: impl Iterator<Item = &'a String>) -> String {
     let mut quoted: Vec<String> = vec![];
     for name in names.map(|name| format!("`{name}`")) {
         if !quoted.contains(&name) {
