@@ -281,9 +281,33 @@ fn a_body_of_another_type_is_refused() {
             .send("POST", path, &[("content-type", "text/plain")], b"{}")
             .problem(415);
     }
-    server
-        .send("POST", "/v1/patterns", &[JSON], b"{}")
-        .problem(415);
+}
+
+#[test]
+fn a_specification_is_sent_as_json_or_in_a_form() {
+    let server = Server::start();
+    let answer = server.send("POST", "/v1/patterns", &[JSON], b"{}");
+    assert_eq!(answer.faults(422), ["pattern/not_garmentcode "]);
+    let spec = br#"{"pattern": {"panels": {"patch": {
+        "translation": [0, 100, 20], "rotation": [0, 0, 0],
+        "vertices": [[0, 0], [10, 0], [10, 10], [0, 10]],
+        "edges": [{"endpoints": [0, 1]}, {"endpoints": [1, 2]}, {"endpoints": [2, 3]}, {"endpoints": [3, 0]}]
+    }}}, "properties": {"units_in_meter": 100}}"#;
+    let sent = [
+        server.send("POST", "/v1/patterns", &[JSON], spec),
+        server.send(
+            "POST",
+            "/v1/patterns?rotation_order=zyx",
+            &[FORM],
+            &form(&[("file", "patch_specification.json", spec)]),
+        ),
+    ];
+    for answer in sent {
+        assert_eq!(answer.status, 201);
+        let pattern = answer.json();
+        assert_eq!(pattern["source"]["format"], "garmentcode");
+        assert_eq!(pattern["placements"]["patch"]["at"], "origin");
+    }
 }
 
 #[test]

@@ -425,18 +425,16 @@ fn truth(entry: &Value) -> (usize, Vec<f64>) {
 /// What differs between a pattern and the truth; empty where nothing does.
 fn difference(pattern: &Pattern, entry: &Value) -> String {
     let (count, areas) = truth(entry);
-    if pattern.panels.len() != count || areas.len() != count {
+    // The truth counts pieces before their mirrored copies.
+    let drawn = pattern.panels.iter().filter(|p| p.copy_of.is_none());
+    let mut found: Vec<f64> = drawn.map(|p| 1e6 * p.drawn_area_m2).collect();
+    if found.len() != count || areas.len() != count {
         return format!(
             "{} panels, {count} expected with {} areas",
-            pattern.panels.len(),
+            found.len(),
             areas.len()
         );
     }
-    let mut found: Vec<f64> = pattern
-        .panels
-        .iter()
-        .map(|p| 1e6 * p.drawn_area_m2)
-        .collect();
     found.sort_by(f64::total_cmp);
     let worst = found
         .iter()

@@ -26,6 +26,7 @@ fn ring(edges: Vec<Vec<Point>>) -> (Vec<Corner>, Vec<Edge>) {
         to: (index + 1) % count,
         length_m: length(&points),
         points,
+        label: None,
     };
     (corners, edges.into_iter().enumerate().map(edge).collect())
 }
@@ -35,6 +36,8 @@ fn panel(id: &str, edges: Vec<Vec<Point>>) -> Panel {
     Panel {
         id: id.into(),
         name: id.into(),
+        label: None,
+        face: None,
         area_m2: 0.0,
         perimeter_m: 0.0,
         drawn_area_m2: 0.0,

@@ -7,7 +7,7 @@ use seamster::config::Limits;
 use seamster::fault::{Fault, Faults};
 use seamster::fit::{self, Garment, Library, Outcome, PatternAsked, Prepared};
 use seamster::job::thread_cpu_s;
-use seamster::pattern::{self, ImportOptions, Pattern, Units};
+use seamster::pattern::{self, ImportOptions, Pattern, RotationOrder, Units};
 use seamster::progress::{CancelToken, Progress};
 use seamster::scene::{self, DressForm, Fabric};
 use seamster::solver::Context;
@@ -22,8 +22,8 @@ use uuid::Uuid;
 /// What to sew, and where to write it.
 #[derive(Args)]
 pub(super) struct SewAsked {
-    /// The pattern, and the garment without its pattern; or a saved garment alone
-    #[arg(required = true, num_args = 1..=2, value_names = ["PATTERN.dxf", "GARMENT.json"])]
+    /// The pattern (DXF or a GarmentCode specification), and the garment without its pattern; or a saved garment alone
+    #[arg(required = true, num_args = 1..=2, value_names = ["PATTERN", "GARMENT.json"])]
     inputs: Vec<PathBuf>,
     /// Where to write the mesh; the name says the format: .glb, .obj or .json
     #[arg(short, long, value_name = "OUT.glb")]
@@ -40,6 +40,9 @@ pub(super) struct SewAsked {
     /// Size to sew of a graded pattern; its sample size if not given
     #[arg(long)]
     size: Option<String>,
+    /// How the three angles of a GarmentCode panel make up its rotation: xyz (Rx Ry Rz, as it writes) or zyx
+    #[arg(long, value_parser = word::<RotationOrder>)]
+    rotation_order: Option<RotationOrder>,
 }
 
 fn word<T: DeserializeOwned>(text: &str) -> Result<T, String> {
@@ -108,6 +111,7 @@ fn read_pattern(file: &Path, asked: &SewAsked, limits: &Limits) -> Result<Patter
         name: name.map(str::to_owned),
         units: asked.units,
         size: asked.size.clone(),
+        rotation_order: asked.rotation_order.unwrap_or_default(),
     };
     pattern::import(&bytes, &options, limits)
 }

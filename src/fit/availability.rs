@@ -94,12 +94,6 @@ pub(crate) fn check(garment: &Garment) -> Vec<Fault> {
             "leave it out or give 0",
         );
         refuse(
-            panel.seam_allowance_m != 0.0,
-            at("seam_allowance_m"),
-            "cutting away seam allowance",
-            "give the pattern net, or 0",
-        );
-        refuse(
             !panel.elastic.is_empty(),
             at("elastic"),
             "elastic",

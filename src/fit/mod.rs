@@ -6,6 +6,7 @@ mod json_schema;
 mod neutral;
 mod prepare;
 mod run;
+mod sewn;
 mod shape;
 
 pub use garment::{
@@ -15,6 +16,7 @@ pub use garment::{
 pub use json_schema::garment_schema_json;
 pub use prepare::{Prepared, prepare};
 pub use run::{Outcome, run, scene};
+pub(crate) use sewn::{faces, with_copies, without_allowances};
 pub(crate) use shape::Shape;
 pub use shape::{Misshapen, read_garment};
 

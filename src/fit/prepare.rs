@@ -3,13 +3,14 @@
 use super::Library;
 use super::availability::{self, escape};
 use super::garment::{AvatarAsked, Garment, PatternAsked, SCHEMA, SeamsAsked};
+use super::sewn;
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, Warning};
 use crate::pattern::{self, Pattern};
 use crate::scene::{self, Fabric, ToPlace};
-use crate::seam::{self, FaceAsked, SeamSet};
+use crate::seam::{self, SeamSet};
 use crate::solver::{Method, Simulate};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A garment that was checked whole: everything it refers to was found, its seams can be sewn. Built only by [`prepare`].
@@ -64,14 +65,24 @@ pub fn prepare(
             return Err(Faults(faults));
         }
     };
-    faults.extend(panel_faults(&garment, &pattern));
+    let whole = sewn::with_copies(&garment, &pattern);
+    faults.extend(panel_faults(&garment, &whole));
+    // The saved file keeps the outlines as they were given: they are cut anew each time.
+    let pattern = match sewn::without_allowances(&garment, whole.clone()) {
+        Ok(pattern) => Arc::new(pattern),
+        Err(found) => {
+            faults.extend(found.0);
+            return Err(Faults(faults));
+        }
+    };
+    sewn::spell_out_copies(&mut garment, &whole);
     let seams = check_seams(&garment, &pattern, limits)
         .map_err(|found| faults.extend(found.0))
         .ok();
     match seams {
         Some((seams, warnings)) if faults.is_empty() => {
             faults.extend(placement_faults(&garment, &pattern, &seams));
-            garment.pattern = Some(PatternAsked::Whole(Box::new(Pattern::clone(&pattern))));
+            garment.pattern = Some(PatternAsked::Whole(Box::new(whole)));
             Faults(faults).or(Prepared {
                 garment,
                 pattern,
@@ -119,11 +130,7 @@ fn check_seams(
     let SeamsAsked::Pairs(pairs) = &garment.seams else {
         return Err(Faults(Vec::new()));
     };
-    let faces: BTreeMap<String, FaceAsked> = garment
-        .panels
-        .iter()
-        .map(|(id, panel)| (id.clone(), panel.face))
-        .collect();
+    let faces = sewn::faces(garment, pattern);
     let edge_length = garment
         .simulate
         .edge_length_m

@@ -112,24 +112,22 @@ impl FromRequest<App> for Upload {
 
     async fn from_request(request: Request, app: &App) -> Result<Self, Problem> {
         let essence = content_type(request.headers());
-        let upload = match essence.as_str() {
-            "multipart/form-data" => {
-                let most = app.limits().dxf_bytes;
-                let [file] = parts(request, most, ["file"]).await?;
-                file.ok_or_else(|| missing_part("file"))?
-            }
-            essence if essence.ends_with("json") => {
-                return Err(Problem::unsupported_type(
-                    essence,
-                    "DXF, or a form with the part `file`",
-                ));
-            }
-            _ => Self {
-                bytes: read(request, app.limits().dxf_bytes).await?,
-                name: None,
-            },
+        let limits = app.limits();
+        let most = if essence.ends_with("json") {
+            limits.json_bytes
+        } else {
+            limits.dxf_bytes
         };
-        upload.within(app.limits().dxf_bytes)
+        let upload = if essence == "multipart/form-data" {
+            let [file] = parts(request, most, ["file"]).await?;
+            file.ok_or_else(|| missing_part("file"))?
+        } else {
+            Self {
+                bytes: read(request, most).await?,
+                name: None,
+            }
+        };
+        upload.within(most)
     }
 }
 

@@ -54,7 +54,7 @@ impl Modify for Token {
 #[derive(ToSchema)]
 #[expect(dead_code, reason = "only its description is used")]
 pub(super) struct PatternForm {
-    /// The DXF.
+    /// The DXF or the `GarmentCode` specification.
     #[schema(value_type = String, format = Binary)]
     file: Vec<u8>,
 }

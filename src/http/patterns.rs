@@ -1,11 +1,11 @@
-//! `/v1/patterns`: DXF files in, patterns out.
+//! `/v1/patterns`: DXF files and `GarmentCode` specifications in, patterns and drawings out.
 
 use super::body::Upload;
 use super::listing::{Asking, Id, ListAsked};
 use super::problem::Problem;
 use super::state::App;
 use crate::job::{DocumentKind, Stored};
-use crate::pattern::{self, Format, ImportOptions, Pattern, Units};
+use crate::pattern::{self, Format, ImportOptions, Pattern, RotationOrder, Units};
 use axum::extract::State;
 use axum::http::{StatusCode, header};
 use axum::response::IntoResponse;
@@ -32,6 +32,9 @@ pub(super) struct ImportAsked {
     pub units: Option<Units>,
     /// Size to import from a graded file; the sample size if absent.
     pub size: Option<String>,
+    /// How the three angles of a `GarmentCode` panel make up its rotation: `xyz` (R = Rx Ry Rz, as it writes) if absent.
+    #[param(inline)]
+    pub rotation_order: Option<RotationOrder>,
 }
 
 impl ImportAsked {
@@ -41,6 +44,7 @@ impl ImportAsked {
             name,
             units: self.units,
             size: self.size,
+            rotation_order: self.rotation_order.unwrap_or_default(),
         }
     }
 }
@@ -82,10 +86,10 @@ pub(super) struct PatternList {
     pub next_cursor: Option<Uuid>,
 }
 
-/// Read a DXF file and keep its pattern
+/// Read a DXF file or a `GarmentCode` specification and keep its pattern
 #[utoipa::path(post, path = "/v1/patterns", tag = "patterns", params(ImportAsked),
-    request_body(description = "The bytes of a DXF file, or a form with the part `file`", content(
-        (Vec<u8> = "image/vnd.dxf"), (super::openapi::PatternForm = "multipart/form-data"))),
+    request_body(description = "The bytes of a DXF file, a GarmentCode specification, or a form with one of them as the part `file`", content(
+        (Vec<u8> = "image/vnd.dxf"), (serde_json::Value = "application/json"), (super::openapi::PatternForm = "multipart/form-data"))),
     responses(
         (status = 201, description = "It was read and kept", body = Pattern, headers(("Location", description = "The pattern"))),
         (status = 413, description = "Too large", body = Problem, content_type = "application/problem+json"),

@@ -6,7 +6,7 @@ use super::patterns;
 use super::problem::Problem;
 use super::state::{App, Shared};
 use crate::fault::{Fault, Faults};
-use crate::fit::{Garment, SeamsAsked};
+use crate::fit::{self, Garment, SeamsAsked};
 use crate::pattern::{Pattern, SeamPair};
 use crate::seam::{self, SeamCheck};
 use axum::extract::State;
@@ -39,9 +39,10 @@ pub(super) async fn check(
 fn checked(app: &Shared, pattern: &Pattern, garment: &Garment) -> Result<SeamCheck, Faults> {
     let pairs = pairs(garment)?;
     let edge_length = edge_length(app, garment)?;
-    let asked = garment.panels.iter();
-    let faces = asked.map(|(id, panel)| (id.clone(), panel.face)).collect();
-    let (check, set) = seam::check(pattern, pairs, &faces, edge_length, app.limits());
+    let whole = fit::with_copies(garment, pattern);
+    let pattern = fit::without_allowances(garment, whole)?;
+    let faces = fit::faces(garment, &pattern);
+    let (check, set) = seam::check(&pattern, pairs, &faces, edge_length, app.limits());
     match set {
         // Faults that no finding tells of concern the request as a whole.
         Err(faults) if check.seams.iter().all(|seam| seam.errors.is_empty()) => Err(faults),

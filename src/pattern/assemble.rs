@@ -35,6 +35,7 @@ pub(crate) fn outline(points: &[P], corner: &[bool]) -> Outline {
                 to: (index + 1) % count,
                 length_m: length(&points_on),
                 points: points_on,
+                label: None,
             }
         })
         .collect();

@@ -1,6 +1,7 @@
 //! A pattern that came as JSON: checked as a whole, all faults at once, and what is derived in it computed anew.
 
 use super::assemble;
+use super::copies;
 use super::outline::{P, crossing, distance, length, signed_area};
 use super::{Corner, Edge, Hole, Panel, Pattern};
 use crate::config::Limits;
@@ -22,7 +23,9 @@ pub(super) fn checked(mut pattern: Pattern, limits: &Limits) -> Result<Pattern, 
                 .fix("give at least one"),
         );
     }
-    if pattern.panels.len() > limits.panels {
+    let is_drawn = |panel: &&Panel| panel.copy_of.is_none();
+    let drawn = pattern.panels.iter().filter(is_drawn).count();
+    if drawn > limits.panels || pattern.panels.len() > 2 * limits.panels {
         let detail = format!(
             "the pattern has {} panels; at most {} are read",
             pattern.panels.len(),
@@ -52,6 +55,7 @@ pub(super) fn checked(mut pattern: Pattern, limits: &Limits) -> Result<Pattern, 
         found.panel(panel);
         faults.0.extend(found.faults);
     }
+    faults.0.extend(copies::verify(&mut pattern, AT_CORNER));
     faults.0.extend(placements(&pattern));
     faults.or(pattern)
 }
@@ -86,7 +90,7 @@ fn placements(pattern: &Pattern) -> Vec<Fault> {
     faults
 }
 
-/// Ids are there, short and different; copies name a panel.
+/// Ids are there, short and different.
 fn ids(pattern: &Pattern, limits: &Limits) -> Vec<Fault> {
     let mut faults = Vec::new();
     let mut seen = BTreeSet::new();
@@ -100,21 +104,6 @@ fn ids(pattern: &Pattern, limits: &Limits) -> Vec<Fault> {
             let detail = format!("{:?} is the id of an earlier panel", panel.id);
             faults.push(
                 Fault::new("pattern/duplicate_id", at, detail).fix("give every panel its own id"),
-            );
-        }
-        if let Some(source) = panel
-            .copy_of
-            .as_deref()
-            .filter(|source| pattern.panel_index(source).is_none())
-        {
-            let detail = format!("there is no panel {source:?} to be a copy of");
-            faults.push(
-                Fault::new(
-                    "pattern/unknown_panel",
-                    format!("/panels/{i}/copy_of"),
-                    detail,
-                )
-                .fix("name a panel of this pattern"),
             );
         }
     }
@@ -138,12 +127,14 @@ impl Checker<'_> {
             let detail = format!("a name has at most {} characters", self.limits.name_chars);
             self.fault("pattern/name_too_long", "/name", detail, "shorten it");
         }
-        if self.marks(panel) && self.outline("", &panel.corners, &mut panel.edges, -1.0) {
+        // The outline of a mirrored copy runs the other way in its coordinates.
+        let sense = if panel.copy_of.is_some() { -1.0 } else { 1.0 };
+        if self.marks(panel) && self.outline("", &panel.corners, &mut panel.edges, -sense) {
             self.size(&panel.edges);
             self.notches(panel);
         }
         for (i, Hole { corners, edges }) in panel.holes.iter_mut().enumerate() {
-            self.outline(&format!("/holes/{i}"), corners, edges, 1.0);
+            self.outline(&format!("/holes/{i}"), corners, edges, sense);
         }
         if self.faults.is_empty() {
             derive(panel);
@@ -381,7 +372,7 @@ fn derive(panel: &mut Panel) {
     let holes: f64 = panel
         .holes
         .iter()
-        .map(|hole| signed_area(&assemble::ring(&hole.edges)))
+        .map(|hole| signed_area(&assemble::ring(&hole.edges)).abs())
         .sum();
     panel.area_m2 = outline - holes;
     panel.perimeter_m = panel.edges.iter().map(|edge| edge.length_m).sum();

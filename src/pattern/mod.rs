@@ -1,15 +1,20 @@
 //! From the bytes of a pattern file to a [`Pattern`]: panels with outlines, corners, edges, notches and grain, in metres.
 
+mod allowance;
 mod assemble;
 mod check;
+mod copies;
+mod curve;
 mod dxf;
+mod garmentcode;
 mod ids;
 mod outline;
 mod panel;
 mod placement;
 mod seam_pair;
 
-pub use panel::{Corner, Edge, Grain, Hole, Notch, NotchKind, Panel, Quantity};
+pub use copies::MIRROR;
+pub use panel::{Corner, Edge, Face, Grain, Hole, Notch, NotchKind, Panel, Quantity};
 pub use placement::{Anchor, Placement, Wrap};
 pub use seam_pair::{Direction, Match, Place, Run, SeamPair, Side};
 
@@ -107,6 +112,19 @@ pub struct ImportOptions {
     pub units: Option<Units>,
     /// Size to import from a graded file; the sample size if absent.
     pub size: Option<String>,
+    /// How the three angles of a `GarmentCode` panel make up its rotation.
+    pub rotation_order: RotationOrder,
+}
+
+/// How three angles about x, y and z make up a rotation.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum RotationOrder {
+    /// R = Rx Ry Rz, as `GarmentCode` writes.
+    #[default]
+    Xyz,
+    /// R = Rz Ry Rx, as the simulator of `GarmentCode` reads.
+    Zyx,
 }
 
 /// A unit of length in drawings.
@@ -123,12 +141,16 @@ pub enum Units {
     Inch,
 }
 
-/// Reads a pattern from the bytes of a DXF file.
+/// Reads a pattern from the bytes of a DXF file or of a `GarmentCode` specification (JSON).
 ///
 /// # Errors
-/// Every fault that keeps the file from being read, each with the line or panel it is about.
+/// Every fault that keeps the file from being read, each with the line or JSON Pointer it is about.
 pub fn import(bytes: &[u8], options: &ImportOptions, limits: &Limits) -> Result<Pattern, Faults> {
-    dxf::import(bytes, options, limits)
+    if garmentcode::is_json(bytes) {
+        garmentcode::import(bytes, options, limits)
+    } else {
+        dxf::import(bytes, options, limits)
+    }
 }
 
 /// Checks a pattern that came as JSON and recomputes what is derived in it (lengths, areas).

@@ -7,13 +7,19 @@ use utoipa::ToSchema;
 ///
 /// The outline is a simple closed polyline stored clockwise (y up): `corners[i]`, then `edges[i]` from
 /// corner `i` to corner `i + 1` (the last edge back to corner 0). Coordinates are in metres.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Panel {
     /// Unique in the pattern: made from the name (lower case, `-` for what is not a letter or digit).
     pub id: String,
     /// The name as the file has it.
     pub name: String,
+    /// What part of the body or garment the file says that it is (`GarmentCode`: `body`, `arm`, `leg`).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub label: Option<String>,
+    /// Which of its sides is out, where the file says (`GarmentCode`).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub face: Option<Face>,
     /// Area inside the outline less the holes \[m²\].
     pub area_m2: f64,
     /// Length of the outline \[m\].
@@ -23,7 +29,8 @@ pub struct Panel {
     /// Whether half of it was drawn and it was unfolded about its mirror line.
     #[serde(default)]
     pub unfolded: bool,
-    /// For a mirrored copy: the id of its source.
+    /// For a mirrored copy: the id of its source. Its outline is that one reflected x -> -x with the same numbers, so
+    /// it runs counter-clockwise in coordinates and its holes clockwise.
     #[serde(default)]
     pub copy_of: Option<String>,
     /// How many are cut, as the file says.
@@ -53,6 +60,16 @@ pub struct Panel {
     pub internal_lines: Vec<Vec<[f64; 2]>>,
 }
 
+/// Which side of a panel's cloth is out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Face {
+    /// The side that the drawing shows.
+    Up,
+    /// The other one.
+    Down,
+}
+
 /// Where an outline turns.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
@@ -66,7 +83,7 @@ pub struct Corner {
 }
 
 /// A stretch of outline between two corners: what a user picks.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Edge {
     /// Position in the panel's list of edges.
@@ -79,6 +96,9 @@ pub struct Edge {
     pub length_m: f64,
     /// Its polyline, both corners included, at least two points \[m\].
     pub points: Vec<[f64; 2]>,
+    /// What the file calls it (`GarmentCode`: `left_armhole`).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub label: Option<String>,
 }
 
 /// An outline inside a panel whose inside is not cloth, stored counter-clockwise so that cloth lies to the right of every edge.

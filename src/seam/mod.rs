@@ -21,6 +21,7 @@ mod track;
 mod twist;
 mod way;
 
+pub use crate::pattern::Face;
 pub use check::{Starts, ToCheck, check, check_placed};
 pub use finding::{SeamCheck, SeamFinding};
 pub use marks::{Mark, MatchedMarks};
@@ -81,16 +82,6 @@ pub enum FaceAsked {
     /// The side that the drawing shows is out.
     Up,
     /// The side that the drawing shows is in.
-    Down,
-}
-
-/// Which side of a panel's cloth is out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Face {
-    /// The side that the drawing shows.
-    Up,
-    /// The other one.
     Down,
 }
 

@@ -34,6 +34,7 @@ pub fn panel_of(id: &str, edges: &[Vec<[f64; 2]>]) -> Panel {
                 .map(|p| (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1]))
                 .sum(),
             points: points.clone(),
+            label: None,
         })
         .collect();
     let corners = edges
@@ -47,6 +48,8 @@ pub fn panel_of(id: &str, edges: &[Vec<[f64; 2]>]) -> Panel {
     Panel {
         id: id.to_owned(),
         name: id.to_uppercase(),
+        label: None,
+        face: None,
         area_m2: twice_area / 2.0,
         perimeter_m: edges.iter().map(|edge| edge.length_m).sum(),
         drawn_area_m2: twice_area / 2.0,

@@ -6,7 +6,6 @@
 mod binary;
 mod chain;
 mod clean;
-mod curve;
 mod encoding;
 mod entity;
 mod expand;
@@ -32,7 +31,7 @@ use self::findings::{Findings, at_line};
 use self::label::Labels;
 use self::piece::Piece;
 use super::outline::bounds;
-use super::{Allowance, Format, ImportOptions, Panel, Pattern, Source, ids};
+use super::{Allowance, Format, ImportOptions, Panel, Pattern, Source, copies, curve, ids};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults};
 use std::collections::BTreeMap;
@@ -123,9 +122,10 @@ fn read(
         .map(str::to_owned)
         .or_else(|| options.name.clone())
         .unwrap_or_else(|| "pattern".to_owned());
-    let panels = panels(&pieces, &name, limits, findings);
+    let mut panels = panels(&pieces, &name, limits, findings);
     let allowance = allowance(&pieces, &panels, findings);
-    let warnings = findings.take_warnings();
+    let mut warnings = findings.take_warnings();
+    warnings.extend(copies::add_stated(&mut panels));
     Ok(Pattern {
         id: None,
         source: Source {

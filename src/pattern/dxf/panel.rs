@@ -46,6 +46,8 @@ pub(super) fn panel(piece: &Piece, limits: &Limits, findings: &mut Findings) -> 
     Some(Panel {
         id: String::new(),
         name: piece.name.chars().take(limits.name_chars).collect(),
+        label: None,
+        face: None,
         area_m2: signed_area(&ring.points).abs() - hole_area.abs(),
         perimeter_m: outline.edges.iter().map(|edge| edge.length_m).sum(),
         drawn_area_m2: signed_area(&drawn.points).abs(),

@@ -1,7 +1,7 @@
 //! Curves as polylines. Arcs and ellipses are cut every degree, splines so that their control polygon turns by
 //! about one degree a step: the chord error stays below 4e-5 of the radius, the length error below 1.3e-5 of the length.
 
-use super::entity::P;
+use super::outline::P;
 use std::f64::consts::{PI, TAU};
 
 /// Largest turn between two chords \[radians\].

@@ -1,0 +1,337 @@
+//! Seam allowance cut away: the outline of a panel, given as cut, moved inwards by a width.
+//!
+//! Every segment of the outline moves in parallel, neighbours meet where their lines do (a mitre, as patterns are
+//! marked), and a segment that has shrunk to nothing is left out from then on: the edge events of the straight skeleton
+//! (O. Aichholzer, F. Aurenhammer, "Straight skeletons for general polygonal figures", COCOON 1996), in the order in
+//! which they happen. Its other events, parts of the outline that run into each other, are found as crossings at the
+//! end and refused. For a smooth convex outline of area A and length L the area left is A - p L + pi p² (Steiner).
+//!
+//! O(n log n) for n points, besides the search for crossings.
+
+use super::outline::{
+    P, bounds, contains, cross, crossing, distance, dot, length, nearest, signed_area, sub,
+};
+use super::{Corner, Edge, Notch, Panel, assemble, copies};
+use crate::fault::Fault;
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// Lines whose directions differ by less than this meet nowhere that counts \[radians\].
+const PARALLEL: f64 = 1e-9;
+
+/// A corner that juts into the cloth may move by so many widths at most: beyond, it is a slit.
+const MITRE: f64 = 5.0;
+
+impl Panel {
+    /// The panel with `allowance_m` cut away inside its outline, which becomes its cut line. Corners, edges and
+    /// notches keep their numbers; holes, internal lines and drill holes stay where they are.
+    ///
+    /// # Errors
+    /// A panel that has a cut line already, an edge of which nothing is left, parts that run into each other, a corner
+    /// that juts in too sharply. The pointer is empty.
+    pub fn without_allowance(&self, allowance_m: f64) -> Result<Self, Fault> {
+        if allowance_m == 0.0 {
+            return Ok(self.clone());
+        }
+        if self.copy_of.is_some() {
+            // Reflected it runs clockwise like every other panel.
+            let drawn = Self {
+                copy_of: None,
+                ..copies::mirrored(self)
+            };
+            return Ok(Self {
+                id: self.id.clone(),
+                copy_of: self.copy_of.clone(),
+                ..copies::mirrored(&drawn.without_allowance(allowance_m)?)
+            });
+        }
+        if !self.cut_line.is_empty() {
+            let detail = format!(
+                "panel {} has a cut line of its own: its outline is the sew line",
+                self.id
+            );
+            return Err(refuse(detail, "give 0"));
+        }
+        net(self, allowance_m)
+    }
+}
+
+fn refuse(detail: String, fix: &str) -> Fault {
+    Fault::new("pattern/allowance", "", detail).fix(fix)
+}
+
+fn net(panel: &Panel, width: f64) -> Result<Panel, Fault> {
+    let mut front = Front::of(&panel.edges);
+    front.sharpest(panel)?;
+    front.advance(width);
+    let edges = front.edges(panel, width)?;
+    let ring = assemble::ring(&edges);
+    if let Some([x, y]) = crossing(&ring) {
+        let detail = format!(
+            "with {width} m cut away, parts of panel {} run into each other at ({x:.4}, {y:.4})",
+            panel.id
+        );
+        return Err(refuse(detail, "give a smaller allowance"));
+    }
+    let [area, hole_area] = [
+        -signed_area(&ring),
+        panel
+            .holes
+            .iter()
+            .map(|hole| signed_area(&assemble::ring(&hole.edges)))
+            .sum(),
+    ];
+    let side = |points: &[P]| {
+        let [low, high] = bounds(points);
+        (high[0] - low[0]).max(high[1] - low[1])
+    };
+    // Turned inside out, or larger than before: nothing of it is left.
+    if ring.len() < 3 || area <= 0.0 || side(&ring) >= side(&assemble::ring(&panel.edges)) {
+        return Err(nothing_left(panel, width));
+    }
+    let in_hole = panel.holes.iter().flat_map(|hole| &hole.edges);
+    if let Some([x, y]) = in_hole
+        .flat_map(|edge| &edge.points)
+        .find(|p| !contains(&ring, **p))
+    {
+        let detail = format!(
+            "with {width} m cut away, panel {} runs into its hole at ({x:.4}, {y:.4})",
+            panel.id
+        );
+        return Err(refuse(detail, "give a smaller allowance"));
+    }
+    Ok(Panel {
+        area_m2: area - hole_area.abs(),
+        perimeter_m: edges.iter().map(|edge| edge.length_m).sum(),
+        corners: edges.iter().map(corner).collect(),
+        notches: notches(panel, &edges, width),
+        cut_line: assemble::ring(&panel.edges),
+        edges,
+        ..panel.clone()
+    })
+}
+
+fn nothing_left(panel: &Panel, width: f64) -> Fault {
+    let detail = format!(
+        "with {width} m cut away, nothing of panel {} is left",
+        panel.id
+    );
+    refuse(detail, "give a smaller allowance")
+}
+
+fn corner(edge: &Edge) -> Corner {
+    let [x, y] = edge.points[0];
+    let index = edge.index;
+    Corner { index, x, y }
+}
+
+/// A segment of the outline, which moves along its inward normal.
+struct Line {
+    edge: usize,
+    /// Where it begins and ends as drawn.
+    ends: [P; 2],
+    /// Unit vector along it, clockwise; inwards is to its right.
+    along: P,
+    previous: usize,
+    next: usize,
+    is_left: bool,
+}
+
+impl Line {
+    fn inwards(&self) -> P {
+        [self.along[1], -self.along[0]]
+    }
+}
+
+/// The outline as it moves: lines in a ring.
+struct Front(Vec<Line>);
+
+impl Front {
+    fn of(edges: &[Edge]) -> Self {
+        let segments = edges.iter().flat_map(|edge| {
+            let pairs = edge.points.windows(2);
+            let pairs = pairs.filter(|pair| pair[0] != pair[1]);
+            pairs.map(|pair| (edge.index, [pair[0], pair[1]]))
+        });
+        let segments: Vec<(usize, [P; 2])> = segments.collect();
+        let count = segments.len();
+        let line = |(i, (edge, [a, b])): (usize, (usize, [P; 2]))| {
+            let long = distance(a, b);
+            Line {
+                edge,
+                ends: [a, b],
+                along: [(b[0] - a[0]) / long, (b[1] - a[1]) / long],
+                previous: (i + count - 1) % count,
+                next: (i + 1) % count,
+                is_left: false,
+            }
+        };
+        Self(segments.into_iter().enumerate().map(line).collect())
+    }
+
+    /// Refuses corners that jut into the cloth too sharply for a mitre.
+    fn sharpest(&self, panel: &Panel) -> Result<(), Fault> {
+        for line in &self.0 {
+            let before = &self.0[line.previous];
+            let turn = cross(before.along, line.along).atan2(dot(before.along, line.along));
+            if turn > 0.0 && (0.5 * turn).cos() * MITRE < 1.0 {
+                let [x, y] = line.ends[0];
+                let detail = format!(
+                    "panel {} has a slit that ends at ({x:.4}, {y:.4}): there is no allowance to cut away there",
+                    panel.id
+                );
+                let fix = "give the panel with its sew line, and no allowance";
+                return Err(refuse(detail, fix));
+            }
+        }
+        Ok(())
+    }
+
+    /// Where lines `i` and `k`, neighbours, meet when the front has moved by `t`.
+    fn meeting(&self, i: usize, k: usize, t: f64) -> P {
+        let (a, b) = (&self.0[i], &self.0[k]);
+        let moved = |line: &Line, end: usize| {
+            let inwards = line.inwards();
+            [0, 1].map(|c| line.ends[end][c] + t * inwards[c])
+        };
+        let (p, q) = (moved(a, 1), moved(b, 0));
+        let sine = cross(a.along, b.along);
+        if sine.abs() < PARALLEL {
+            return [0, 1].map(|c| f64::midpoint(p[c], q[c]));
+        }
+        let s = cross(sub(q, p), b.along) / sine;
+        [0, 1].map(|c| p[c] + s * a.along[c])
+    }
+
+    /// How far the front moves until line `i` has shrunk to nothing; infinite for one that does not shrink.
+    fn end_of(&self, i: usize) -> f64 {
+        /// The length is linear in the way gone: two ways tell it \[m\].
+        const STEP: f64 = 0.01;
+        let line = &self.0[i];
+        let long = |t| {
+            let ends = sub(
+                self.meeting(i, line.next, t),
+                self.meeting(line.previous, i, t),
+            );
+            dot(ends, line.along)
+        };
+        let (now, then) = (long(0.0), long(STEP));
+        if then < now {
+            STEP * now / (now - then)
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    /// Leaves out the lines that shrink to nothing within `width`, in that order.
+    fn advance(&mut self, width: f64) {
+        let mut ends: Vec<f64> = (0..self.0.len()).map(|i| self.end_of(i)).collect();
+        let event = |t: f64, i: usize| Reverse((Time(t), i));
+        let soon = (0..self.0.len()).filter(|i| ends[*i] <= width);
+        let mut events: BinaryHeap<_> = soon.map(|i| event(ends[i], i)).collect();
+        let mut remaining = self.0.len();
+        while let Some(Reverse((Time(t), i))) = events.pop() {
+            if self.0[i].is_left || t != ends[i] || remaining < 3 {
+                continue;
+            }
+            let (previous, next) = (self.0[i].previous, self.0[i].next);
+            self.0[i].is_left = true;
+            self.0[previous].next = next;
+            self.0[next].previous = previous;
+            remaining -= 1;
+            for k in [previous, next] {
+                // What would have ended before now ends now: its neighbour was in the way.
+                ends[k] = self.end_of(k).max(t);
+                if ends[k] <= width {
+                    events.push(event(ends[k], k));
+                }
+            }
+        }
+    }
+
+    /// The edges of the front after `width`.
+    fn edges(&self, panel: &Panel, width: f64) -> Result<Vec<Edge>, Fault> {
+        let mut points: Vec<Vec<P>> = vec![Vec::new(); panel.edges.len()];
+        for (i, line) in self.0.iter().enumerate().filter(|(_, line)| !line.is_left) {
+            points[line.edge].push(self.meeting(line.previous, i, width));
+        }
+        if points.iter().all(Vec::is_empty) {
+            return Err(nothing_left(panel, width));
+        }
+        let starts: Vec<Option<P>> = points.iter().map(|edge| edge.first().copied()).collect();
+        let count = points.len();
+        for (i, edge) in points.iter_mut().enumerate() {
+            edge.extend(starts[(i + 1) % count]);
+            edge.dedup();
+        }
+        let empty = |i: &usize| starts[*i].is_none();
+        let short = |i: &usize| points[*i].len() < 2;
+        if let Some(gone) = (0..count).find(empty).or_else(|| (0..count).find(short)) {
+            let detail = format!(
+                "with {width} m cut away, nothing of edge {gone} of panel {} is left",
+                panel.id
+            );
+            return Err(refuse(detail, "give a smaller allowance"));
+        }
+        let edge = |(old, points): (&Edge, Vec<P>)| Edge {
+            length_m: length(&points),
+            points,
+            ..old.clone()
+        };
+        Ok(panel.edges.iter().zip(points).map(edge).collect())
+    }
+}
+
+/// A way gone, in order.
+#[derive(PartialEq)]
+struct Time(f64);
+
+impl Eq for Time {}
+
+impl PartialOrd for Time {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Time {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.0.total_cmp(&other.0)
+    }
+}
+
+/// The notches, each at the place of its edge that is straight inwards.
+fn notches(panel: &Panel, edges: &[Edge], width: f64) -> Vec<Notch> {
+    let moved = |notch: &Notch| {
+        let cut = &panel.edges[notch.edge];
+        let place = inwards(cut, notch.at, width);
+        let points = &edges[notch.edge].points;
+        let foot = nearest(points.windows(2).map(|pair| (pair[0], pair[1])), place);
+        let at = foot.map_or(notch.at, |foot| {
+            let before = length(&points[..=foot.segment]);
+            let part = foot.at * distance(points[foot.segment], points[foot.segment + 1]);
+            ((before + part) / edges[notch.edge].length_m).clamp(0.0, 1.0)
+        });
+        Notch { at, ..*notch }
+    };
+    panel.notches.iter().map(moved).collect()
+}
+
+/// The point `width` inwards from an edge at a fraction of its length.
+fn inwards(edge: &Edge, at: f64, width: f64) -> P {
+    let mut left = at * edge.length_m;
+    let last = edge.points.len() - 2;
+    for (i, pair) in edge.points.windows(2).enumerate() {
+        let long = distance(pair[0], pair[1]);
+        if left <= long || i == last {
+            let d = sub(pair[1], pair[0]).map(|c| c / long);
+            let way = left.min(long);
+            return [
+                pair[0][0] + way * d[0] + width * d[1],
+                pair[0][1] + way * d[1] - width * d[0],
+            ];
+        }
+        left -= long;
+    }
+    edge.points[0]
+}

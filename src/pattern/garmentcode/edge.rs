@@ -1,0 +1,240 @@
+//! An edge of a specification: straight, a Bézier curve or an arc, as a polyline.
+//!
+//! A relative control point (x, y) of an edge from `a` to `b` is `a + x e + y (-e_y, e_x)` with e = b - a. An arc is
+//! [radius, large, right] as in SVG: `right` where it lies to the right of the way from `a` to `b` (the smaller one).
+//! Source: `GarmentCode`, pygarment/garmentcode/edge.py and pygarment/pattern/utils.py.
+
+use super::super::curve::{self, Spline};
+use super::super::outline::{P, distance, sub};
+use super::value::{At, Findings};
+
+/// A chord may be longer than the diameter of its arc by this share: writers round.
+const ROUNDING: f64 = 1e-6;
+
+/// The way from one end of an edge to the other.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Curve {
+    /// Straight.
+    Line,
+    /// Its one or two control points, relative to the edge or in the panel's coordinates.
+    Bezier { controls: Vec<P>, relative: bool },
+    /// Of a circle.
+    Arc {
+        radius: f64,
+        large: bool,
+        right: bool,
+    },
+}
+
+impl Curve {
+    /// Reads the curvature of an edge. `relative`: control points are relative to their edge.
+    pub(super) fn read(at: &At<'_>, relative: bool, findings: &mut Findings) -> Option<Self> {
+        if at.value.is_array() {
+            let controls = vec![at.numbers::<2>(findings)?];
+            return Some(Self::Bezier { controls, relative });
+        }
+        at.fields(&["type", "params"], findings)?;
+        let kind = at.need("type", findings);
+        let params = at.need("params", findings);
+        let (kind, params) = (kind?, params?);
+        match kind.text(findings)? {
+            "circle" => Self::arc(&params, findings),
+            "quadratic" => Self::bezier(&params, 1, relative, findings),
+            "cubic" => Self::bezier(&params, 2, relative, findings),
+            _ => {
+                let detail = format!("{} is not a kind of curve", kind.value);
+                let fix = "the kinds are quadratic, cubic and circle";
+                findings.fault(kind.wrong("pattern/field", detail, fix));
+                None
+            }
+        }
+    }
+
+    fn bezier(
+        params: &At<'_>,
+        count: usize,
+        relative: bool,
+        findings: &mut Findings,
+    ) -> Option<Self> {
+        let items = params.items(2, findings)?;
+        if items.len() != count {
+            let detail = format!("{} control points where {count} are needed", items.len());
+            findings.fault(params.wrong(
+                "pattern/field",
+                detail,
+                "one for quadratic, two for cubic",
+            ));
+            return None;
+        }
+        let points = items.iter().map(|item| item.numbers::<2>(findings));
+        let points: Vec<Option<P>> = points.collect();
+        let controls = points.into_iter().collect::<Option<Vec<P>>>()?;
+        Some(Self::Bezier { controls, relative })
+    }
+
+    fn arc(params: &At<'_>, findings: &mut Findings) -> Option<Self> {
+        let items = params.items(3, findings)?;
+        let [radius, large, right] = items.as_slice() else {
+            let detail = format!("{} parameters where 3 are needed", items.len());
+            let fix = "give [radius, large arc, right]";
+            findings.fault(params.wrong("pattern/field", detail, fix));
+            return None;
+        };
+        let given = radius.number(findings);
+        let flags = [large.flag(findings), right.flag(findings)];
+        let size = given.filter(|r| *r > 0.0);
+        if size.is_none() && given.is_some() {
+            let detail = "the radius of an arc is above 0";
+            findings.fault(radius.wrong("pattern/field", detail, "correct it"));
+        }
+        Some(Self::Arc {
+            radius: size?,
+            large: flags[0]?,
+            right: flags[1]?,
+        })
+    }
+
+    /// The same in metres: radii and absolute points are in units of the file.
+    pub(super) fn scaled(mut self, scale: f64) -> Self {
+        match &mut self {
+            Self::Bezier {
+                controls,
+                relative: false,
+            } => controls.iter_mut().flatten().for_each(|c| *c *= scale),
+            Self::Arc { radius, .. } => *radius *= scale,
+            Self::Line | Self::Bezier { .. } => {}
+        }
+        self
+    }
+
+    /// The polyline from `a` to `b`, both included, no point twice in a row; `None` where no such arc exists.
+    pub(super) fn points(&self, a: P, b: P) -> Option<Vec<P>> {
+        let mut points = match self {
+            Self::Line => vec![a, b],
+            Self::Bezier { controls, relative } => {
+                let at = |p: &P| if *relative { absolute(a, b, *p) } else { *p };
+                bezier(a, b, controls.iter().map(at).collect())
+            }
+            Self::Arc {
+                radius,
+                large,
+                right,
+            } => {
+                let bulge = bulge(distance(a, b), *radius, *large)?;
+                let mut points = curve::bulge(a, b, if *right { bulge } else { -bulge });
+                points.push(b);
+                points
+            }
+        };
+        points.dedup();
+        Some(points)
+    }
+}
+
+/// The panel's coordinates of a point relative to the edge from `a` to `b`.
+fn absolute(a: P, b: P, [x, y]: P) -> P {
+    let e = sub(b, a);
+    [a[0] + x * e[0] - y * e[1], a[1] + x * e[1] + y * e[0]]
+}
+
+fn bezier(a: P, b: P, between: Vec<P>) -> Vec<P> {
+    let controls = [vec![a], between, vec![b]].concat();
+    let degree = controls.len() - 1;
+    let knots: Vec<f64> = (0..2 * controls.len())
+        .map(|i| if i < controls.len() { 0.0 } else { 1.0 })
+        .collect();
+    let spline = Spline {
+        degree,
+        knots: &knots,
+        controls: &controls,
+        weights: &[],
+    };
+    let mut points = spline.points();
+    let last = points.len() - 1;
+    (points[0], points[last]) = (a, b);
+    points
+}
+
+/// Tangent of a quarter of the sweep of an arc over a chord: twice its height over the chord.
+fn bulge(chord: f64, radius: f64, large: bool) -> Option<f64> {
+    let half = 0.5 * chord;
+    if half > radius * (1.0 + ROUNDING) || half == 0.0 {
+        return None;
+    }
+    let to_centre = (radius * radius - half * half).max(0.0).sqrt();
+    // The height of the small arc is half² / (radius + to_centre): no digits are lost to a difference.
+    let height = if large {
+        radius + to_centre
+    } else {
+        half * half / (radius + to_centre)
+    };
+    Some(height / half)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::outline::length;
+    use std::f64::consts::PI;
+
+    const A: P = [1.0, 2.0];
+    const B: P = [1.0, 4.0];
+
+    fn arc(radius: f64, large: bool, right: bool) -> Curve {
+        Curve::Arc {
+            radius,
+            large,
+            right,
+        }
+    }
+
+    #[test]
+    fn arcs_have_the_length_and_the_side_that_their_parameters_say() {
+        // A chord of 2 in a circle of radius 2 / sqrt(2) sees a right angle.
+        let radius = 2.0_f64.sqrt();
+        for (large, turn) in [(false, 0.5 * PI), (true, 1.5 * PI)] {
+            for (right, sign) in [(true, 1.0), (false, -1.0)] {
+                let points = arc(radius, large, right).points(A, B).expect("it exists");
+                assert!((length(&points) / (radius * turn) - 1.0).abs() < 1.3e-5);
+                // Right of a way upwards is +x.
+                let middle = points[points.len() / 2];
+                assert!(sign * (middle[0] - 1.0) > 0.0, "{middle:?}");
+                assert_eq!((points[0], points[points.len() - 1]), (A, B));
+            }
+        }
+        assert_eq!(arc(0.9, false, true).points(A, B), None);
+    }
+
+    #[test]
+    fn relative_control_points_lie_along_and_left_of_the_edge() {
+        assert_eq!(absolute(A, B, [0.5, 0.25]), [0.5, 3.0]);
+        let relative = Curve::Bezier {
+            controls: vec![[0.5, 0.25]],
+            relative: true,
+        };
+        let given = Curve::Bezier {
+            controls: vec![[0.5, 3.0]],
+            relative: false,
+        };
+        let points = relative.points(A, B).expect("a curve");
+        assert_eq!(Some(&points), given.points(A, B).as_ref());
+        // At half of the way: (a + 2 c + b) / 4.
+        assert!(points.contains(&[0.75, 3.0]), "{points:?}");
+    }
+
+    #[test]
+    fn cubic_edge_matches_its_polynomial() {
+        let cubic = Curve::Bezier {
+            controls: vec![[0.2, 0.4], [0.9, -0.1]],
+            relative: true,
+        };
+        let points = cubic.points([0.0, 0.0], [1.0, 0.0]).expect("a curve");
+        let count = (points.len() - 1) as f64;
+        for (i, point) in points.iter().enumerate() {
+            let (t, s) = (i as f64 / count, 1.0 - i as f64 / count);
+            let x = 3.0 * s * s * t * 0.2 + 3.0 * s * t * t * 0.9 + t * t * t;
+            let y = 3.0 * s * s * t * 0.4 - 3.0 * s * t * t * 0.1;
+            assert!(distance(*point, [x, y]) < 1e-12);
+        }
+    }
+}

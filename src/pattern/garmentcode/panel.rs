@@ -1,0 +1,255 @@
+//! A panel of a specification: one loop of edges over its vertices.
+//!
+//! The sign of the loop's area is the face: a loop that runs counter-clockwise shows the side that is out. Outlines
+//! are stored clockwise, so such a loop is gone backwards; the panel is never mirrored.
+
+use super::Reading;
+use super::edge::Curve;
+use super::value::{At, Findings};
+use crate::pattern::outline::{P, bounds, crossing, length, signed_area};
+use crate::pattern::{Corner, Direction, Edge, Face, Panel};
+
+/// An edge as drawn.
+struct Drawn {
+    ends: [usize; 2],
+    points: Vec<P>,
+    label: Option<String>,
+}
+
+/// A panel, and how the numbers of its drawn edges became those of the stored ones.
+pub(super) struct Loop {
+    /// Without an id.
+    pub(super) panel: Panel,
+    /// Mean of its vertices \[m\].
+    pub(super) mean: P,
+    reversed: bool,
+}
+
+impl Loop {
+    /// The stored corners from and to which drawn edge `edge` runs, and the way; `None` if there is no such edge.
+    pub(super) fn way(&self, edge: usize) -> Option<(usize, usize, Direction)> {
+        let count = self.panel.edges.len();
+        if edge >= count {
+            return None;
+        }
+        Some(if self.reversed {
+            let from = (count - edge) % count;
+            (from, count - 1 - edge, Direction::Ccw)
+        } else {
+            (edge, (edge + 1) % count, Direction::Cw)
+        })
+    }
+
+    /// Length of drawn edge `edge` \[m\].
+    pub(super) fn length(&self, edge: usize) -> f64 {
+        let count = self.panel.edges.len();
+        let index = if self.reversed {
+            count - 1 - edge
+        } else {
+            edge
+        };
+        self.panel.edges[index].length_m
+    }
+}
+
+/// Reads a panel. What is wrong with it is noted.
+pub(super) fn read(
+    (name, at): (&str, &At<'_>),
+    reading: &Reading<'_>,
+    findings: &mut Findings,
+) -> Option<Loop> {
+    let known = ["translation", "rotation", "vertices", "edges", "label"];
+    at.fields(&known, findings)?;
+    let before = findings.faults.len();
+    let vertices = vertices(at, reading, findings);
+    let label = label(at, reading, findings);
+    let listed = at.need("edges", findings)?;
+    let edges = edges(&listed, &vertices?, reading, findings)?;
+    let used: Vec<P> = edges.iter().map(|edge| edge.points[0]).collect();
+    let sum = used
+        .iter()
+        .fold([0.0; 2], |s, p| [s[0] + p[0], s[1] + p[1]]);
+    let mean = sum.map(|s| s / used.len() as f64);
+    let mut ring: Vec<P> = Vec::new();
+    for edge in &edges {
+        ring.extend(&edge.points[..edge.points.len() - 1]);
+    }
+    check(&listed, &ring, reading, findings);
+    if findings.faults.len() > before {
+        return None;
+    }
+    let area = signed_area(&ring);
+    let reversed = area > 0.0;
+    let outline = stored(edges, reversed);
+    let face = if reversed { Face::Up } else { Face::Down };
+    Some(Loop {
+        panel: Panel {
+            name: reading.short(name),
+            label,
+            face: reading.states_faces.then_some(face),
+            area_m2: area.abs(),
+            drawn_area_m2: area.abs(),
+            perimeter_m: outline.iter().map(|edge| edge.length_m).sum(),
+            corners: outline.iter().map(corner).collect(),
+            edges: outline,
+            ..Panel::default()
+        },
+        mean,
+        reversed,
+    })
+}
+
+fn corner(edge: &Edge) -> Corner {
+    let [x, y] = edge.points[0];
+    let index = edge.index;
+    Corner { index, x, y }
+}
+
+fn label(at: &At<'_>, reading: &Reading<'_>, findings: &mut Findings) -> Option<String> {
+    let text = at.get("label")?.text(findings)?;
+    (!text.is_empty()).then(|| reading.short(text))
+}
+
+/// The vertices \[m\].
+fn vertices(at: &At<'_>, reading: &Reading<'_>, findings: &mut Findings) -> Option<Vec<P>> {
+    let listed = at.need("vertices", findings)?;
+    let items = listed.items(reading.limits.panel_vertices, findings)?;
+    let points = items.iter().map(|item| reading.point(item, findings));
+    let points: Vec<Option<P>> = points.collect();
+    points.into_iter().collect()
+}
+
+/// The edges, each of which begins where the one before it ends.
+fn edges(
+    listed: &At<'_>,
+    vertices: &[P],
+    reading: &Reading<'_>,
+    findings: &mut Findings,
+) -> Option<Vec<Drawn>> {
+    let items = listed.items(reading.limits.panel_vertices, findings)?;
+    if items.is_empty() {
+        let detail = "the panel has no edges";
+        findings.fault(listed.wrong("pattern/no_outline", detail, "give its outline"));
+        return None;
+    }
+    let read: Vec<Option<Drawn>> = items
+        .iter()
+        .map(|item| edge(item, vertices, reading, findings))
+        .collect();
+    let edges = read.into_iter().collect::<Option<Vec<Drawn>>>()?;
+    let mut used = vec![false; vertices.len()];
+    for (i, item) in items.iter().enumerate() {
+        let next = &edges[(i + 1) % edges.len()];
+        let [from, to] = edges[i].ends;
+        used[from] = true;
+        if to != next.ends[0] {
+            let detail = format!(
+                "it ends at vertex {to} and the next begins at vertex {}",
+                next.ends[0]
+            );
+            let fix = "list the edges of one closed loop in order";
+            findings.fault(item.wrong("pattern/open_outline", detail, fix));
+        }
+    }
+    if let Some(unused) = used.iter().position(|used| !used) {
+        let detail = format!("vertex {unused} is on no edge and is left out");
+        findings.warn("pattern/vertex_ignored", &listed.pointer, detail);
+    }
+    Some(edges)
+}
+
+fn edge(
+    at: &At<'_>,
+    vertices: &[P],
+    reading: &Reading<'_>,
+    findings: &mut Findings,
+) -> Option<Drawn> {
+    at.fields(&["endpoints", "curvature", "label"], findings)?;
+    let label = label(at, reading, findings);
+    let curve = match at.get("curvature") {
+        Some(given) => {
+            let curve = Curve::read(&given, reading.relative, findings);
+            curve.map(|curve| curve.scaled(reading.scale))
+        }
+        None => Some(Curve::Line),
+    };
+    let ends = at.need("endpoints", findings)?;
+    let items = ends.items(2, findings)?;
+    let indices: Vec<Option<usize>> = items.iter().map(|item| item.index(findings)).collect();
+    let ends_at = match indices.as_slice() {
+        [Some(a), Some(b)] if *a < vertices.len() && *b < vertices.len() => [*a, *b],
+        _ => {
+            let detail = format!("two vertices from 0 to {} are needed", vertices.len() - 1);
+            findings.fault(ends.wrong("pattern/edge", detail, "name the vertices of the edge"));
+            return None;
+        }
+    };
+    let [a, b] = ends_at.map(|i| vertices[i]);
+    if a == b {
+        let detail = "both ends of the edge are at the same place";
+        findings.fault(ends.wrong("pattern/edge", detail, "leave the edge out"));
+        return None;
+    }
+    let Some(points) = curve?.points(a, b) else {
+        let detail = "the ends of the edge are farther apart than the diameter of its arc";
+        findings.fault(at.wrong("pattern/edge", detail, "give a larger radius"));
+        return None;
+    };
+    let ends = ends_at;
+    Some(Drawn {
+        ends,
+        points,
+        label,
+    })
+}
+
+/// The outline is simple, has an area and a size within the limits.
+fn check(at: &At<'_>, ring: &[P], reading: &Reading<'_>, findings: &mut Findings) {
+    let limits = reading.limits;
+    findings.points += ring.len();
+    let most = limits.panel_vertices;
+    if ring.len() > most {
+        let detail = format!(
+            "the outline has {} points; at most {most} are read",
+            ring.len()
+        );
+        findings.fault(at.wrong("pattern/too_large", detail, "draw it with fewer edges"));
+        return;
+    }
+    let [low, high] = bounds(ring);
+    let side = (high[0] - low[0]).max(high[1] - low[1]);
+    let [least, most] = limits.panel_size_m;
+    if !(least..=most).contains(&side) {
+        let detail =
+            format!("the panel is {side:.3e} m long; sizes from {least} to {most} m are read");
+        let fix = "correct units_in_meter, or say the units with units=mm|cm|m|inch";
+        findings.fault(at.wrong("pattern/implausible_size", detail, fix));
+    } else if ring.len() < 3 || signed_area(ring).abs() < 1e-6 * side * side {
+        findings.fault(at.wrong("pattern/no_area", "the panel has no area", "draw it anew"));
+    } else if let Some([x, y]) = crossing(ring) {
+        let [x, y] = [x, y].map(|c| c / reading.scale);
+        let detail = format!("the outline crosses or touches itself at ({x:.4}, {y:.4})");
+        findings.fault(at.wrong("pattern/self_intersecting", detail, "mend the outline"));
+    }
+}
+
+/// The edges as stored: clockwise from the same first corner.
+fn stored(drawn: Vec<Drawn>, reversed: bool) -> Vec<Edge> {
+    let count = drawn.len();
+    let mut drawn = drawn;
+    if reversed {
+        drawn.reverse();
+        for edge in &mut drawn {
+            edge.points.reverse();
+        }
+    }
+    let edge = |(index, edge): (usize, Drawn)| Edge {
+        index,
+        from: index,
+        to: (index + 1) % count,
+        length_m: length(&edge.points),
+        points: edge.points,
+        label: edge.label,
+    };
+    drawn.into_iter().enumerate().map(edge).collect()
+}
