@@ -104,11 +104,11 @@ pub fn check_placed(
         pairs,
         seams: &seams,
         sayings: &sayings,
+        starts,
     };
     let judge = Judge {
         request: &request,
         stated: &stated,
-        starts,
     };
     let colouring = coloured(&judge);
     for twist in twist::find(&request, &stated, &colouring) {

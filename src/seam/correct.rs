@@ -3,7 +3,7 @@
 use super::faces::Saying;
 use super::parity::{Link, Parity};
 use super::place::opposite;
-use super::{Routed, Track};
+use super::{Routed, Starts, Track};
 use crate::pattern::{Panel, Pattern, Place, Run, SeamPair, Side};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
@@ -20,12 +20,13 @@ pub(super) struct Correction {
     pub told: String,
 }
 
-/// Pairs as asked with the runs found for them, and what they say.
+/// Pairs as asked with the runs found for them, what they say, and where panels start.
 pub(super) struct Request<'a> {
     pub pattern: &'a Pattern,
     pub pairs: &'a [SeamPair],
     pub seams: &'a [Routed],
     pub sayings: &'a [Saying<'a>],
+    pub starts: Starts<'a>,
 }
 
 impl Request<'_> {

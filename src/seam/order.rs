@@ -5,7 +5,7 @@ use super::chords::Chords;
 use super::correct::{Request, reversed};
 use super::faces::{self, Colouring, Saying};
 use super::parity::Parity;
-use super::{Face, Routed, SeamFinding, Starts};
+use super::{Face, Routed, SeamFinding};
 use crate::fault::Warning;
 use crate::pattern::{Match, SeamPair};
 use std::collections::BTreeSet;
@@ -14,7 +14,6 @@ use std::collections::BTreeSet;
 pub(super) struct Judge<'a> {
     pub request: &'a Request<'a>,
     pub stated: &'a [Option<Face>],
-    pub starts: Starts<'a>,
 }
 
 /// A seam that is far shorter in the other order: chords as sewn and in the other one.
@@ -87,8 +86,9 @@ impl Judge<'_> {
         };
         others.join_all(links);
         let other_faces = faces::coloured(self.request.pattern, others);
-        let chords =
-            |seam, faces: &[Face]| Chords::of(self.request.pattern, seam, faces, self.starts);
+        let chords = |seam, faces: &[Face]| {
+            Chords::of(self.request.pattern, seam, faces, self.request.starts)
+        };
         let verdict = Verdict {
             seam: saying.seam,
             as_sewn: chords(as_sewn, &colouring.faces)?,
@@ -116,4 +116,20 @@ impl Judge<'_> {
         let mut seams = self.request.seams.iter();
         seams.find(|seam| seam.index == saying.seam)
     }
+}
+
+/// Whether a seam is far shorter in the other order on panels with these faces.
+pub(super) fn is_far_apart(
+    request: &Request<'_>,
+    saying: &Saying<'_>,
+    colouring: &Colouring,
+) -> bool {
+    let mut seams = request.seams.iter();
+    let Some(seam) = seams.find(|seam| seam.index == saying.seam) else {
+        return false;
+    };
+    let seam = colouring.ordered(seam);
+    let chords = |seam| Chords::of(request.pattern, seam, &colouring.faces, request.starts);
+    let (as_sewn, other) = (chords(&seam), chords(&seam.reversed()));
+    as_sewn.is_some_and(|chords| other.is_some_and(|other| chords.far_longer_than(&other)))
 }

@@ -5,6 +5,7 @@ use super::correct::Request;
 use super::cycle::{self, Tied};
 use super::faces::{self, Colouring, Saying};
 use super::misfaced;
+use super::order;
 use super::parity::Parity;
 use crate::fault::Fault;
 use crate::pattern::SeamPair;
@@ -37,7 +38,6 @@ pub(super) fn find(
     let mut twists = misfaced::find(request, stated, &mut ties);
     while twists.len() < REPORTED
         && let Some(cycle) = cycle::smallest(nodes, &ties)
-        && let Some(blamed) = blamed(request, &cycle, &ties, nodes)
     {
         let case = Case {
             request,
@@ -45,8 +45,12 @@ pub(super) fn find(
             ties: &ties,
             nodes,
         };
-        twists.push(case.told(blamed));
-        ties.retain(|tie| tie.seam != Some(blamed.seam));
+        let Some(blamed) = case.blamed(colouring) else {
+            break;
+        };
+        let twist = case.told(blamed);
+        ties.retain(|tie| tie.seam != Some(twist.seam));
+        twists.push(twist);
     }
     twists
 }
@@ -70,27 +74,6 @@ fn ties(request: &Request<'_>, stated: &[Option<Face>], colouring: &Colouring) -
     ties
 }
 
-/// The seam of a cycle without which fewest contradictions are left; of several the one whose ends are upside down as drawn, then the one set last.
-fn blamed<'a>(
-    request: &'a Request<'_>,
-    cycle: &[Tied],
-    ties: &[Tied],
-    nodes: usize,
-) -> Option<&'a Saying<'a>> {
-    cycle
-        .iter()
-        .filter_map(|tie| tie.seam)
-        .filter_map(|seam| request.sayings.iter().find(|saying| saying.seam == seam))
-        .min_by_key(|saying| {
-            let (left, _) = without(ties, nodes, |tie| tie.seam == Some(saying.seam));
-            (
-                left,
-                saying.heights_agree != Some(false),
-                usize::MAX - saying.seam,
-            )
-        })
-}
-
 /// How many ties contradict those before them when some are left out, and what the rest say.
 pub(super) fn without(ties: &[Tied], nodes: usize, out: impl Fn(&Tied) -> bool) -> (usize, Parity) {
     let mut parity = Parity::new(nodes);
@@ -110,6 +93,24 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
+    /// The seam without which fewest contradictions are left; of several the one that would start far shorter in the
+    /// other order, then the one whose ends are upside down as drawn, then the one set last.
+    fn blamed(&self, colouring: &Colouring) -> Option<&Saying<'_>> {
+        let seams = self.cycle.iter().filter_map(|tie| tie.seam);
+        let sayings = self.request.sayings;
+        seams
+            .filter_map(|seam| sayings.iter().find(|saying| saying.seam == seam))
+            .min_by_key(|saying| {
+                let (left, _) = without(self.ties, self.nodes, |tie| tie.seam == Some(saying.seam));
+                (
+                    left,
+                    !order::is_far_apart(self.request, saying, colouring),
+                    saying.heights_agree != Some(false),
+                    usize::MAX - saying.seam,
+                )
+            })
+    }
+
     fn told(&self, blamed: &Saying<'_>) -> Twist {
         let fault = Fault::new(
             "seam/twisted",
