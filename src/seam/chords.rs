@@ -6,9 +6,13 @@ use crate::pattern::Pattern;
 /// Points at which the two sides are compared.
 const SAMPLES: usize = 17;
 
-/// The other order is far shorter if what it could save is at most this share of what the first one leaves:
-/// two straight sides of one length are then less than 55 degrees off in the other order and more than 125 in the first.
-const FAR: f64 = 0.5;
+/// The other order is far shorter if what goes beyond the shared distance is at most this share of what does in the
+/// first one, the tangent of 30 degrees: two straight sides of one length are then at most 60 degrees off in the other
+/// order, and at least 120 in the first. Sleeves turned down by 45 degrees against their armholes stay below it.
+const FAR: f64 = 0.577;
+
+/// Sides shorter than this are not judged \[m\]: the bit of an edge that is left at a corner points any way.
+const SHORTEST_M: f64 = 0.02;
 
 /// Sides that start as well together as this share of the seam's length are left alone.
 const CLOSE: f64 = 0.1;
@@ -73,6 +77,8 @@ impl Chords {
     pub(super) fn far_longer_than(&self, other: &Self) -> bool {
         let shared = self.mean.min(other.mean);
         let beyond = |chords: &Self| (chords.rms * chords.rms - shared * shared).max(0.0).sqrt();
-        beyond(self) > CLOSE * self.length && beyond(other) <= FAR * beyond(self)
+        self.length >= SHORTEST_M
+            && beyond(self) > CLOSE * self.length
+            && beyond(other) <= FAR * beyond(self)
     }
 }

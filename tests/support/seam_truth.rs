@@ -22,6 +22,9 @@ const ON_OUTLINE_M: f64 = 1e-3;
 /// Its ends are corners where they are that near \[m\].
 const AT_CORNER_M: f64 = 1e-4;
 
+/// Bridges shorter than this are not judged by where they start \[m\].
+const SHORT_M: f64 = 0.02;
+
 const EDGE_LENGTH: f64 = 0.012;
 
 type P = [f64; 2];
@@ -53,6 +56,12 @@ pub(crate) struct Row {
     pub(crate) refused_on_cycle: usize,
     /// Of the others, reported as likely reversed when reversed.
     pub(crate) likely_reversed: usize,
+    /// Seams between two panels, each made a bridge by leaving out seams until what is left is a tree; those shorter
+    /// than 2 cm, which are not judged, apart.
+    pub(crate) bridges: usize,
+    pub(crate) short: usize,
+    /// Of them, reported as likely reversed when reversed, and nothing else found.
+    pub(crate) bridges_found: usize,
     /// Reversed, and offered as they truly are.
     pub(crate) put_right: usize,
     /// Warned of as likely reversed though they are right.
@@ -108,6 +117,21 @@ pub(crate) fn row(garment: &TrueGarment) -> Row {
         } else {
             row.likely_reversed += usize::from(found.ok && warned(&found, wrong));
         }
+        if let Some((tree, at)) = tree(&garment.pairs, wrong) {
+            let right = check(garment, &tree, &auto);
+            let length = right.seams[at].length_a_m.max(right.seams[at].length_b_m);
+            if length < SHORT_M {
+                row.short += 1;
+            } else {
+                row.bridges += 1;
+            }
+            row.false_warnings += (0..tree.len()).filter(|&i| warned(&right, i)).count();
+            let mut tree = tree;
+            tree[at].b = turned_side(&tree[at].b);
+            let found = check(garment, &tree, &auto);
+            let only = (0..tree.len()).all(|i| warned(&found, i) == (i == at));
+            row.bridges_found += usize::from(length >= SHORT_M && found.ok && only);
+        }
         row.put_right += usize::from(found.corrected == [garment.pairs[wrong].clone()]);
     }
     row
@@ -116,26 +140,28 @@ pub(crate) fn row(garment: &TrueGarment) -> Row {
 /// The rows as text.
 pub(crate) fn table(rows: &[Row]) -> String {
     let mut text = format!(
-        "{:40} {:>8} {:>14} {:>12} {:>16} {:>16} {:>9}\n",
+        "{:40} {:>8} {:>14} {:>9} {:>14} {:>15} {:>14} {:>9}\n",
         "garment",
         "stitches",
         "accepted",
         "refused",
         "refused, auto",
         "likely reversed",
+        "bridge (short)",
         "put right"
     );
     for row in rows {
         let n = row.stitches;
         writeln!(
             text,
-            "{:40} {:>8} {:>14} {:>12} {:>16} {:>16} {:>9}",
+            "{:40} {:>8} {:>14} {:>9} {:>14} {:>15} {:>14} {:>9}",
             row.garment,
             n,
             format!("{}+{}/{n}", row.accepted[0], row.accepted[1]),
             format!("{}/{n}", row.refused),
             format!("{}/{}", row.refused_on_cycle, row.on_cycle),
             format!("{}/{}", row.likely_reversed, n - row.on_cycle),
+            format!("{}/{} ({})", row.bridges_found, row.bridges, row.short),
             format!("{}/{n}", row.put_right),
         )
         .expect("a string takes all");
@@ -169,6 +195,33 @@ fn refused(check: &SeamCheck, wrong: usize) -> bool {
 fn warned(check: &SeamCheck, seam: usize) -> bool {
     let mut warnings = check.seams[seam].warnings.iter();
     warnings.any(|warning| warning.code == "seam/likely_reversed")
+}
+
+/// Seams that join all panels without a cycle, one of them the seam at `index`, and where that is; nothing if it joins a panel to itself.
+fn tree(pairs: &[SeamPair], index: usize) -> Option<(Vec<SeamPair>, usize)> {
+    let mut part: BTreeMap<&str, usize> = BTreeMap::new();
+    for run in pairs
+        .iter()
+        .flat_map(|pair| pair.a.runs().iter().chain(pair.b.runs()))
+    {
+        let next = part.len();
+        part.entry(&run.panel).or_insert(next);
+    }
+    let mut tree = vec![];
+    let others = (0..pairs.len()).filter(|&i| i != index);
+    for i in std::iter::once(index).chain(others) {
+        let [a, b] = [&pairs[i].a, &pairs[i].b].map(|side| part[side.runs()[0].panel.as_str()]);
+        if a != b {
+            part.values_mut().filter(|p| **p == b).for_each(|p| *p = a);
+            tree.push(i);
+        }
+    }
+    if tree.first() != Some(&index) {
+        return None;
+    }
+    tree.sort_unstable();
+    let at = tree.iter().position(|&i| i == index)?;
+    Some((tree.into_iter().map(|i| pairs[i].clone()).collect(), at))
 }
 
 /// Whether the two panels of a seam are one, or joined through other seams too.
