@@ -173,6 +173,43 @@ fn level_bridge_between_shoulders_is_judged_too() {
 }
 
 #[test]
+fn auto_seams_that_only_each_other_decide_are_turned_together() {
+    // Both shoulders picked reversed go together by parity: with the back turned over.
+    let pattern = pattern(vec![
+        rectangle("front", WIDTH, HEIGHT),
+        rectangle("back", WIDTH, HEIGHT),
+    ]);
+    let part = |panel: &str, from: f64, to: f64| {
+        let at = |at| seamster::pattern::Place::OnEdge { edge: 1, at };
+        seamster::pattern::Run {
+            from: at(from),
+            to: at(to),
+            ..run(panel, 1, 2)
+        }
+    };
+    let auto = |id, [a, b]: [f64; 2], [c, d]: [f64; 2]| SeamPair {
+        matching: Match::Auto,
+        ..seam(id, part("front", a, b), part("back", c, d))
+    };
+    let wrong = [
+        auto("left", [0.1, 0.3], [0.7, 0.9]),
+        auto("right", [0.7, 0.9], [0.1, 0.3]),
+    ];
+    let (check, set) = checked(&pattern, &wrong, &[]);
+    assert!(check.seams.iter().all(|seam| seam.reversed));
+    assert_eq!(set.expect("right").faces, [Face::Up, Face::Up]);
+    // Without places nothing says so.
+    let (check, _) = seamster::seam::check(
+        &pattern,
+        &wrong,
+        &BTreeMap::new(),
+        0.012,
+        &Limits::default(),
+    );
+    assert!(check.ok && check.seams.iter().all(|seam| !seam.reversed));
+}
+
+#[test]
 fn seams_that_faces_decide_are_not_judged_by_places() {
     let [pair, _] = side_seams();
     let stated = [("front", FaceAsked::Up), ("back", FaceAsked::Up)];

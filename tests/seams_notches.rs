@@ -141,3 +141,18 @@ fn stitches_are_counted_between_notches() {
     let (found, _) = checked(&pattern, &left_edges());
     assert_eq!(found.seams[0].stitch_count, 9 + 20 + 9 + 1);
 }
+
+#[test]
+fn auto_seam_is_turned_to_where_notches_meet() {
+    // Level edges, of which heights say nothing: a notch at a third from the left on both.
+    let third = |id| notched(rectangle(id, 0.3, 0.3), 1, 1.0 / 3.0);
+    let pattern = pattern(vec![third("a"), third("b")]);
+    let mut wrong = seam("s", run("a", 1, 2), run("b", 2, 1));
+    wrong.matching = seamster::pattern::Match::Auto;
+    let (found, _) = checked(&pattern, &wrong);
+    assert!(found.seams[0].reversed && found.seams[0].notches.len() == 1);
+    assert!(found.seams[0].warnings[0].detail.contains("notches"));
+    let mut right = seam("s", run("a", 1, 2), run("b", 1, 2));
+    right.matching = seamster::pattern::Match::Auto;
+    assert!(!checked(&pattern, &right).0.seams[0].reversed);
+}

@@ -2,7 +2,7 @@
 
 use super::correct::Request;
 use super::faces::{self, Colouring, Saying, Why};
-use super::order::Judge;
+use super::order::{self, Judge};
 use super::runs::Resolver;
 use super::{
     Face, FaceAsked, Routed, Seam, SeamCheck, SeamFinding, SeamSet, Stretch, division_count, ease,
@@ -83,7 +83,7 @@ pub fn check_placed(
         findings[limits.seams]
             .errors
             .push(too_many(pairs.len(), limits.seams));
-        let none = faces::find(pattern, &stated, &[], &BTreeMap::new());
+        let none = faces::find(pattern, &stated, &[], &|_, _| None);
         let set = SeamSet {
             seams: vec![],
             faces: none.faces,
@@ -110,7 +110,11 @@ pub fn check_placed(
         request: &request,
         stated: &stated,
     };
-    let colouring = coloured(&judge);
+    let shorter = |saying: &Saying<'_>, faces: &[Vec<Face>; 2]| {
+        let seam = seams.iter().find(|seam| seam.index == saying.seam)?;
+        order::shorter(pattern, seam, faces, starts)
+    };
+    let colouring = faces::find(pattern, &stated, &sayings, &shorter);
     for twist in twist::find(&request, &stated, &colouring) {
         findings[twist.seam].errors.push(twist.fault);
         corrected.extend(twist.corrected);
@@ -131,23 +135,6 @@ pub fn check_placed(
     let (mut check, set) = answer(pattern, findings, set, corrected);
     check.warnings = loose_panels(pattern, pairs);
     (check, set)
-}
-
-/// The faces and orders: by parity first, then `auto` seams that it does not decide by where panels start.
-fn coloured(judge: &Judge<'_>) -> Colouring {
-    let Request {
-        pattern, sayings, ..
-    } = judge.request;
-    let by_parity = faces::find(pattern, judge.stated, sayings, &BTreeMap::new());
-    let turned = judge.auto_to_turn(&by_parity);
-    if turned.is_empty() {
-        return by_parity;
-    }
-    let placed = turned
-        .into_iter()
-        .map(|seam| (seam, !by_parity.reversed.contains_key(&seam)))
-        .collect();
-    faces::find(pattern, judge.stated, sayings, &placed)
 }
 
 fn too_many(count: usize, most: usize) -> Fault {
@@ -230,6 +217,7 @@ fn tell_colouring(colouring: &Colouring, sayings: &[Saying<'_>], findings: &mut 
                 Why::UpsideDown => {
                     "as picked the upper end of one side would meet the lower end of the other"
                 }
+                Why::Notches => "as picked fewer notches would meet",
                 Why::FarApart => "as picked its two sides would start far from each other",
             };
             let told = format!("side b of seam `{id}` is sewn in the other order: {why}");

@@ -33,7 +33,8 @@ impl Request<'_> {
     /// The correction of a seam for which reversing side B agrees with the faces of all other panels.
     ///
     /// Its mirror edge is taken where that is free and heights agree as picked; else side B is reversed where heights
-    /// then agree and no fewer ends meet the ends of neighbouring seams. More ends that meet weigh more than heights.
+    /// then agree, no fewer notches meet and no fewer ends meet the ends of neighbouring seams. More ends that meet weigh
+    /// more than heights and notches.
     pub(super) fn correction(&self, saying: &Saying<'_>) -> Option<Correction> {
         let pair = saying.pair;
         let neighbours = self.ends_gained(saying.seam);
@@ -48,7 +49,9 @@ impl Request<'_> {
         }
         let agrees = match neighbours {
             Ordering::Greater => true,
-            Ordering::Equal => saying.heights_agree != Some(true),
+            Ordering::Equal => {
+                saying.heights_agree != Some(true) && saying.notches[0] <= saying.notches[1]
+            }
             Ordering::Less => false,
         };
         agrees.then(|| Correction {

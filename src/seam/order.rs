@@ -3,14 +3,13 @@
 
 use super::chords::Chords;
 use super::correct::{Request, reversed};
-use super::faces::{self, Colouring, Saying};
+use super::faces::{self, Colouring, Order, Saying};
 use super::parity::Parity;
-use super::{Face, Routed, SeamFinding};
+use super::{Face, Routed, SeamFinding, Starts};
 use crate::fault::Warning;
-use crate::pattern::{Match, SeamPair};
-use std::collections::BTreeSet;
+use crate::pattern::{Match, Pattern, SeamPair};
 
-/// Judges seams by where their panels start.
+/// Judges seams as picked by where their panels start.
 pub(super) struct Judge<'a> {
     pub request: &'a Request<'a>,
     pub stated: &'a [Option<Face>],
@@ -24,12 +23,6 @@ struct Verdict {
 }
 
 impl Judge<'_> {
-    /// The `auto` seams that are to be sewn in the other order than `colouring` has them in.
-    pub(super) fn auto_to_turn(&self, colouring: &Colouring) -> BTreeSet<usize> {
-        let verdicts = self.verdicts(colouring, Match::Auto);
-        verdicts.map(|verdict| verdict.seam).collect()
-    }
-
     /// Warns of the seams as picked that are likely reversed; gives them as they would be in the other order.
     pub(super) fn tell(
         &self,
@@ -37,7 +30,10 @@ impl Judge<'_> {
         findings: &mut [SeamFinding],
     ) -> Vec<SeamPair> {
         let mut corrected = vec![];
-        for verdict in self.verdicts(colouring, Match::AsPicked) {
+        let sayings = self.request.sayings.iter();
+        let as_picked = sayings
+            .filter(|saying| saying.pair.matching == Match::AsPicked && !saying.pair.allow_twist);
+        for verdict in as_picked.filter_map(|saying| self.verdict(saying, colouring)) {
             let pair = &self.request.pairs[verdict.seam];
             let told = format!(
                 "seam `{}` is likely reversed: as picked its two sides start {:.0} mm apart, with side b in the other order {:.0} mm (root of the mean square); pick the corners of side b in the other order, or set `match` to `auto`",
@@ -58,46 +54,26 @@ impl Judge<'_> {
         corrected
     }
 
-    fn verdicts<'a>(
-        &'a self,
-        colouring: &'a Colouring,
-        matching: Match,
-    ) -> impl Iterator<Item = Verdict> + 'a {
-        let sayings = self
-            .request
-            .sayings
-            .iter()
-            .filter(move |saying| saying.pair.matching == matching && !saying.pair.allow_twist);
-        sayings.filter_map(|saying| self.verdict(saying, colouring))
-    }
-
-    /// What chords say of a seam of which parity says nothing.
+    /// What chords say of a seam as picked of which parity says nothing.
     fn verdict(&self, saying: &Saying<'_>, colouring: &Colouring) -> Option<Verdict> {
+        let seam = routed(self.request, saying)?;
+        let chords = |seam, faces: &[Face]| {
+            Chords::of(self.request.pattern, seam, faces, self.request.starts)
+        };
+        // Where panels start nowhere there is nothing to look further for.
+        let as_sewn = chords(seam, &colouring.faces)?;
         let mut others = self.others(saying, colouring);
         if !others.fits(&saying.picked) || !others.fits(&saying.reversed) {
             return None;
         }
-        let seam = self.routed(saying)?;
-        let is_turned = colouring.reversed.contains_key(&saying.seam);
-        let (as_sewn, other, links) = if is_turned {
-            (&seam.reversed(), seam, &saying.picked)
-        } else {
-            (seam, &seam.reversed(), &saying.reversed)
-        };
-        others.join_all(links);
+        others.join_all(&saying.reversed);
         let other_faces = faces::coloured(self.request.pattern, others);
-        let chords = |seam, faces: &[Face]| {
-            Chords::of(self.request.pattern, seam, faces, self.request.starts)
-        };
-        let verdict = Verdict {
+        let other = chords(&seam.reversed(), &other_faces)?;
+        as_sewn.far_longer_than(&other).then_some(Verdict {
             seam: saying.seam,
-            as_sewn: chords(as_sewn, &colouring.faces)?,
-            other: chords(other, &other_faces)?,
-        };
-        verdict
-            .as_sewn
-            .far_longer_than(&verdict.other)
-            .then_some(verdict)
+            as_sewn,
+            other,
+        })
     }
 
     /// What stated faces and all other seams say.
@@ -111,10 +87,23 @@ impl Judge<'_> {
         }
         parity
     }
+}
 
-    fn routed(&self, saying: &Saying<'_>) -> Option<&Routed> {
-        let mut seams = self.request.seams.iter();
-        seams.find(|seam| seam.index == saying.seam)
+/// The order in which a seam is far shorter; see [`faces::Shorter`].
+pub(super) fn shorter(
+    pattern: &Pattern,
+    seam: &Routed,
+    faces: &[Vec<Face>; 2],
+    starts: Starts<'_>,
+) -> Option<Order> {
+    let picked = Chords::of(pattern, seam, &faces[0], starts)?;
+    let reversed = Chords::of(pattern, &seam.reversed(), &faces[1], starts)?;
+    if picked.far_longer_than(&reversed) {
+        Some(Order::Reversed)
+    } else if reversed.far_longer_than(&picked) {
+        Some(Order::AsPicked)
+    } else {
+        None
     }
 }
 
@@ -124,12 +113,15 @@ pub(super) fn is_far_apart(
     saying: &Saying<'_>,
     colouring: &Colouring,
 ) -> bool {
-    let mut seams = request.seams.iter();
-    let Some(seam) = seams.find(|seam| seam.index == saying.seam) else {
+    let Some(seam) = routed(request, saying) else {
         return false;
     };
     let seam = colouring.ordered(seam);
-    let chords = |seam| Chords::of(request.pattern, seam, &colouring.faces, request.starts);
-    let (as_sewn, other) = (chords(&seam), chords(&seam.reversed()));
-    as_sewn.is_some_and(|chords| other.is_some_and(|other| chords.far_longer_than(&other)))
+    let faces = [0, 1].map(|_| colouring.faces.clone());
+    shorter(request.pattern, &seam, &faces, request.starts) == Some(Order::Reversed)
+}
+
+fn routed<'a>(request: &Request<'a>, saying: &Saying<'_>) -> Option<&'a Routed> {
+    let mut seams = request.seams.iter();
+    seams.find(|seam| seam.index == saying.seam)
 }
