@@ -4,7 +4,7 @@ use seamster::config::Limits;
 use seamster::mesh::{ClothMesh, Stitch, triangulate};
 use seamster::pattern::{Allowance, Corner, Edge, Format, Hole, Panel, Pattern, Source};
 use seamster::progress::CancelToken;
-use seamster::seam::{Face, Seam, SeamSet, Stretch};
+use seamster::seam::{Face, Seam, SeamSet, Stretch, Track};
 use std::collections::BTreeSet;
 
 type Point = [f64; 2];
@@ -172,6 +172,7 @@ fn pattern(panels: Vec<Panel>) -> Pattern {
 fn stretch(panel: usize, edge: usize, from: f64, to: f64) -> Stretch {
     Stretch {
         panel,
+        track: Track::Outline,
         edge,
         from,
         to,

@@ -7,7 +7,7 @@ mod support {
 use seamster::config::Limits;
 use seamster::fault::Faults;
 use seamster::pattern::{Direction, Match, Panel, Pattern, Place, Run, SeamPair, Side};
-use seamster::seam::{Face, FaceAsked, Seam, SeamCheck, SeamSet, Stretch, check};
+use seamster::seam::{Face, FaceAsked, Seam, SeamCheck, SeamSet, Stretch, Track, check};
 use std::collections::BTreeMap;
 use support::panels::{
     darted, lens, many, notched, pattern, polygon, rectangle, run, seam, trapezoid,
@@ -160,6 +160,7 @@ fn from_of_a_meets_from_of_b() {
     let set = sewn(&tube(), &tube_seams_both_face_up());
     let expected = |panel, edge, from, to| Stretch {
         panel,
+        track: Track::Outline,
         edge,
         from,
         to,
@@ -310,6 +311,83 @@ fn stated_faces_that_seams_contradict_are_to_be_turned() {
     assert_eq!(mended.unwrap().faces, [Face::Up, Face::Down]);
 }
 
+/// A tube of six gores, each sewn to the next: all have the same face out.
+fn gores() -> (Pattern, Vec<SeamPair>) {
+    let name = |i: usize| format!("gore-{}", i % 6);
+    let panels = (0..6).map(|i| rectangle(&name(i), 0.2, 0.6)).collect();
+    let pairs = (0..6).map(|i| {
+        let (a, b) = (name(i), name(i + 1));
+        pair(&format!("seam-{i}"), (&a, RIGHT_UP), (&b, LEFT_UP))
+    });
+    (pattern(panels), pairs.collect())
+}
+
+#[test]
+fn wrongly_stated_faces_are_one_fault_that_names_the_panels_to_turn() {
+    let (panels, pairs) = gores();
+    let faces = |down: &[usize]| -> Vec<(String, FaceAsked)> {
+        let face = |i| match down.contains(&i) {
+            true => FaceAsked::Down,
+            false => FaceAsked::Up,
+        };
+        (0..6).map(|i| (format!("gore-{i}"), face(i))).collect()
+    };
+    let check_with = |down: &[usize]| {
+        let faces = faces(down);
+        let faces: Vec<_> = faces
+            .iter()
+            .map(|(id, face)| (id.as_str(), *face))
+            .collect();
+        checked_with(&panels, &pairs, &faces).1
+    };
+    assert!(check_with(&[]).is_ok());
+    let faults = check_with(&[1, 4]).unwrap_err().0;
+    assert_eq!(faults.len(), 1, "{faults:#?}");
+    assert_eq!(
+        (faults[0].code.as_str(), faults[0].pointer.as_str()),
+        ("seam/twisted", "/panels/gore-1/face")
+    );
+    let fix = faults[0].fix.as_deref().unwrap();
+    assert_eq!(
+        fix,
+        "set `face` of `gore-1` and `gore-4` to `up`, or to `auto`"
+    );
+    // Where most are wrong, turning the few makes them agree too.
+    let faults = check_with(&[0, 1, 3, 4]).unwrap_err().0;
+    assert_eq!(faults.len(), 1);
+    let fix = faults[0].fix.as_deref().unwrap();
+    assert_eq!(
+        fix,
+        "set `face` of `gore-2` and `gore-5` to `down`, or to `auto`"
+    );
+}
+
+#[test]
+fn reversed_seam_is_blamed_and_not_the_faces_stated_right() {
+    let (panels, pairs) = gores();
+    let faces: Vec<String> = (0..6).map(|i| format!("gore-{i}")).collect();
+    let faces: Vec<_> = faces
+        .iter()
+        .map(|id| (id.as_str(), FaceAsked::Up))
+        .collect();
+    for wrong in 0..6 {
+        // As a cycle, and as an open row in which the seam is a bridge.
+        for open in [false, true] {
+            let mut pairs = pairs.clone();
+            pairs[wrong] = turned(pairs[wrong].clone());
+            if open {
+                pairs.remove((wrong + 3) % 6);
+            }
+            let (check, result) = checked_with(&panels, &pairs, &faces);
+            let faults = result.unwrap_err().0;
+            assert_eq!(faults.len(), 1, "{faults:#?}");
+            assert_eq!(faults[0].code, "seam/twisted");
+            let blamed = check.seams.iter().position(|seam| !seam.ok).unwrap();
+            assert_eq!(check.seams[blamed].id, format!("seam-{wrong}"));
+        }
+    }
+}
+
 #[test]
 fn stated_face_fixes_the_faces_of_all_it_is_sewn_to() {
     let (_, result) = checked_with(
@@ -425,6 +503,7 @@ fn waistband_of_one_strip_is_sewn_to_front_and_back() {
     assert_eq!(set.faces, [Face::Up; 3]);
     let expected = |from, to| Stretch {
         panel: 2,
+        track: Track::Outline,
         edge: 3,
         from,
         to,
@@ -503,6 +582,7 @@ fn edge_ends_that_nearly_meet_are_sewn_onto_each_other() {
     let near = sewn(&panels(0.304), std::slice::from_ref(&over_two_edges));
     let whole = |panel, edge, from, to| Stretch {
         panel,
+        track: Track::Outline,
         edge,
         from,
         to,
@@ -684,6 +764,32 @@ fn unknown_names_come_with_the_nearest_one() {
         check.seams[0].errors[0].fix.as_deref(),
         Some("did you mean `front`?")
     );
+}
+
+#[test]
+fn faults_that_leave_no_doubt_come_with_the_corrected_seam() {
+    let [right, other] = tube_seams_in_one_view();
+    let mut wrong = right.clone();
+    let Side::One(run) = &mut wrong.a else {
+        panic!()
+    };
+    run.panel = "fronnt".to_owned();
+    let Side::One(run) = &mut wrong.b else {
+        panic!()
+    };
+    run.direction = Some(Direction::Ccw);
+    let (check, result) = checked(&tube(), &[wrong, other]);
+    let codes: Vec<_> = result.unwrap_err().0.into_iter().map(|f| f.code).collect();
+    assert_eq!(codes, ["seam/unknown_panel", "seam/direction_contradicts"]);
+    assert_eq!(check.corrected, [right.clone()]);
+    // Not where a second fault is left that nothing can be guessed for.
+    let mut worse = right;
+    let Side::One(run) = &mut worse.a else {
+        panic!()
+    };
+    run.panel = "fronnt".to_owned();
+    run.to = Place::Corner(9);
+    assert!(checked(&tube(), &[worse]).0.corrected.is_empty());
 }
 
 #[test]

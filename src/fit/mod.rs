@@ -6,6 +6,7 @@ mod json_schema;
 mod neutral;
 mod prepare;
 mod run;
+mod seams;
 mod sewn;
 mod shape;
 
@@ -16,7 +17,8 @@ pub use garment::{
 pub use json_schema::garment_schema_json;
 pub use prepare::{Prepared, prepare};
 pub use run::{Outcome, run, scene};
-pub(crate) use sewn::{faces, with_copies, without_allowances};
+pub(crate) use seams::check_seams;
+pub(crate) use sewn::{with_copies, without_allowances};
 pub(crate) use shape::Shape;
 pub use shape::{Misshapen, read_garment};
 

@@ -3,7 +3,7 @@
 use super::Library;
 use super::availability::{self, escape};
 use super::garment::{AvatarAsked, Garment, PatternAsked, SCHEMA, SeamsAsked};
-use super::sewn;
+use super::{seams, sewn};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, Warning};
 use crate::pattern::{self, Pattern};
@@ -128,12 +128,11 @@ fn check_seams(
     let SeamsAsked::Pairs(pairs) = &garment.seams else {
         return Err(Faults(Vec::new()));
     };
-    let faces = sewn::faces(garment, pattern);
     let edge_length = garment
         .simulate
         .edge_length_m
         .clamp(limits.edge_length_m[0], limits.edge_length_m[1]);
-    let (check, seams) = seam::check(pattern, pairs, &faces, edge_length, limits);
+    let (check, seams) = seams::check_seams(garment, pattern, pairs, (edge_length, limits));
     let found = check.seams.into_iter().flat_map(|seam| seam.warnings);
     Ok((seams?, check.warnings.into_iter().chain(found).collect()))
 }

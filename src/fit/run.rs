@@ -50,6 +50,7 @@ pub fn run(prepared: &Prepared, context: &mut Context<'_>) -> Result<Outcome, Fa
     report.cpu_s.export = (context.cpu_s)() - solved;
     report.cpu_s.total = (context.cpu_s)() - began;
     report.memory_peak_bytes = memory_peak();
+    report.warnings = prepared.warnings().to_vec();
     Ok(Outcome {
         mesh,
         report,

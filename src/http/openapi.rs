@@ -10,7 +10,9 @@ use axum::http::HeaderMap;
 use axum::response::Response;
 use axum::routing::get;
 use std::sync::LazyLock;
+use utoipa::openapi::schema::AdditionalProperties;
 use utoipa::openapi::security::{Http, HttpAuthScheme, SecurityScheme};
+use utoipa::openapi::{RefOr, Schema};
 use utoipa::{Modify, OpenApi, ToSchema};
 
 pub(super) fn router() -> Router<App> {
@@ -35,7 +37,7 @@ pub(super) fn router() -> Router<App> {
     ),
     components(schemas(crate::progress::Progress)),
     security(("token" = []), ()),
-    modifiers(&Token)
+    modifiers(&Token, &ClosedPlaces)
 )]
 struct Document;
 
@@ -47,6 +49,27 @@ impl Modify for Token {
         let scheme = SecurityScheme::Http(Http::new(HttpAuthScheme::Bearer));
         let components = document.components.get_or_insert_default();
         components.add_security_scheme("token", scheme);
+    }
+}
+
+/// Places are told apart by their fields: each has these and no others. The derive says so of structs, not of variants.
+struct ClosedPlaces;
+
+impl Modify for ClosedPlaces {
+    fn modify(&self, document: &mut utoipa::openapi::OpenApi) {
+        let schemas = document.components.as_mut().map(|all| &mut all.schemas);
+        let place = schemas.and_then(|all| all.get_mut("Place"));
+        let Some(RefOr::T(Schema::OneOf(places))) = place else {
+            return;
+        };
+        for item in &mut places.items {
+            if let RefOr::T(Schema::Object(object)) = item
+                && !object.properties.is_empty()
+            {
+                object.additional_properties =
+                    Some(Box::new(AdditionalProperties::FreeForm(false)));
+            }
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use super::state::{App, Shared};
 use crate::fault::{Fault, Faults};
 use crate::fit::{self, Garment, SeamsAsked};
 use crate::pattern::{Pattern, SeamPair};
-use crate::seam::{self, SeamCheck};
+use crate::seam::SeamCheck;
 use axum::extract::State;
 use axum::routing::post;
 use axum::{Json, Router};
@@ -41,8 +41,7 @@ fn checked(app: &Shared, pattern: &Pattern, garment: &Garment) -> Result<SeamChe
     let edge_length = edge_length(app, garment)?;
     let whole = fit::with_copies(garment, pattern);
     let pattern = fit::without_allowances(garment, whole)?;
-    let faces = fit::faces(garment, &pattern);
-    let (check, set) = seam::check(&pattern, pairs, &faces, edge_length, app.limits());
+    let (check, set) = fit::check_seams(garment, &pattern, pairs, (edge_length, app.limits()));
     match set {
         // Faults that no finding tells of concern the request as a whole.
         Err(faults) if check.seams.iter().all(|seam| seam.errors.is_empty()) => Err(faults),

@@ -12,6 +12,10 @@ pub(super) enum Flaw {
     Crossing([f64; 2]),
     /// A hole that is not inside the outline, by index.
     StrayHole(usize),
+    /// An internal line, by index, leaves the cloth near this point.
+    LineOutside(usize, [f64; 2]),
+    /// An internal line, by index, crosses or touches an outline, a hole, a sewn line or itself near this point.
+    LineCrossing(usize, [f64; 2]),
 }
 
 impl Flaw {
@@ -30,9 +34,37 @@ impl Flaw {
                 "mesh/stray_hole",
                 format!("hole {hole} of panel \"{}\" is not inside it", panel.name),
             ),
+            Self::LineOutside(line, [x, y]) => (
+                "mesh/line_outside",
+                format!(
+                    "internal line {line} of panel \"{}\" leaves the cloth near ({x:.4}, {y:.4}) m, and a seam names it",
+                    panel.name
+                ),
+            ),
+            Self::LineCrossing(line, [x, y]) => (
+                "mesh/line_crossing",
+                format!(
+                    "internal line {line} of panel \"{}\", which a seam names, crosses or touches the outline, a hole, another such line or itself near ({x:.4}, {y:.4}) m",
+                    panel.name
+                ),
+            ),
         };
-        Fault::new(code, at, what)
-            .fix("mend the panel's outline in the pattern, or ask for a smaller edge_length_m")
+        Fault::new(code, at, what).fix(match self {
+            Self::Crossing(_) | Self::StrayHole(_) => {
+                "mend the panel's outline in the pattern, or ask for a smaller edge_length_m"
+            }
+            Self::LineOutside(..) | Self::LineCrossing(..) => {
+                "let the line lie inside the panel, ending inside or on the outline, or sew to another line"
+            }
+        })
+    }
+
+    /// The same flaw of a panel that was meshed reflected.
+    pub(super) fn reflected(mut self) -> Self {
+        if let Self::Crossing(p) | Self::LineOutside(_, p) | Self::LineCrossing(_, p) = &mut self {
+            *p = geometry::reflected(*p);
+        }
+        self
     }
 }
 
@@ -86,7 +118,7 @@ pub(super) fn size(
 ) -> Result<(), Fault> {
     let cell = lattice::ROW * edge_length * edge_length;
     let mut count = 0.0;
-    for (panel, parts) in pattern.panels.iter().zip(&divisions.panels) {
+    for (panel, divided) in pattern.panels.iter().zip(&divisions.panels) {
         let ring: Vec<_> = panel
             .edges
             .iter()
@@ -95,7 +127,7 @@ pub(super) fn size(
             .collect();
         count += geometry::ring_area(&ring).abs() / cell;
         #[expect(clippy::cast_precision_loss, reason = "an estimate")]
-        let on_boundary = parts.iter().map(Division::count).sum::<usize>() as f64;
+        let on_boundary = divided.divisions.iter().map(Division::count).sum::<usize>() as f64;
         count += on_boundary;
         #[expect(clippy::cast_precision_loss, reason = "an estimate")]
         let most = limits.mesh_vertices as f64;

@@ -3,53 +3,128 @@
 use super::boundary::Boundary;
 use super::check::Flaw;
 use super::geometry::{self, Point};
-use spade::handles::FixedVertexHandle;
-use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation};
-use std::collections::VecDeque;
+use spade::handles::{DirectedEdgeHandle, FixedVertexHandle};
+use spade::{
+    CdtEdge, ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, Triangulation,
+};
+use std::collections::{BTreeSet, VecDeque};
 
 type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
 
-/// A panel's boundary, triangulated and found simple.
+/// A panel's boundary and sewn lines, triangulated and found simple.
 pub(super) struct Domain {
     cdt: Cdt,
     boundary: Vec<Point>,
+    /// Mesh edges along rings and lines, the lower point first.
+    fixed: BTreeSet<[usize; 2]>,
+    lines: BTreeSet<[usize; 2]>,
 }
 
 impl Domain {
-    /// Checks that the boundary neither crosses nor touches itself and that holes lie inside.
+    /// Checks that the boundary neither crosses nor touches itself, that holes lie inside, and lines on cloth.
     pub(super) fn new(boundary: &Boundary) -> Result<Self, Flaw> {
-        let mut cdt = Cdt::new();
-        for (index, &point) in boundary.points.iter().enumerate() {
-            let handle = cdt
-                .insert(position(point))
-                .map_err(|_| Flaw::Crossing(point))?;
+        let mut domain = Self {
+            cdt: Cdt::new(),
+            boundary: boundary.points.clone(),
+            fixed: boundary.segments().map(sorted).collect(),
+            lines: boundary.line_segments().map(|(_, s)| sorted(s)).collect(),
+        };
+        domain.add_rings(boundary)?;
+        check_holes(boundary)?;
+        domain.add_lines(boundary)?;
+        Ok(domain)
+    }
+
+    fn add_rings(&mut self, boundary: &Boundary) -> Result<(), Flaw> {
+        let points = &boundary.points[..boundary.ring_point_count()];
+        for (index, &point) in points.iter().enumerate() {
+            let handle = self.cdt.insert(position(point));
+            let handle = handle.map_err(|_| Flaw::Crossing(point))?;
             if handle.index() != index {
                 return Err(Flaw::Crossing(point));
             }
         }
-        for [a, b] in boundary.segments() {
-            let [from, to] = [a, b].map(FixedVertexHandle::from_index);
-            // More than one part: it runs through a third point. None: it crosses an earlier one.
-            if cdt.exists_constraint(from, to) || cdt.try_add_constraint(from, to).len() != 1 {
-                let middle = geometry::lerp(boundary.points[a], boundary.points[b], 0.5);
-                return Err(Flaw::Crossing(middle));
+        for segment in boundary.ring_segments() {
+            if !self.constrain(segment) {
+                return Err(Flaw::Crossing(self.middle(segment)));
             }
         }
-        check_holes(boundary)?;
-        Ok(Self {
-            cdt,
-            boundary: boundary.points.clone(),
-        })
+        Ok(())
     }
 
-    /// Number of boundary points; they come first in every triangulation.
+    fn add_lines(&mut self, boundary: &Boundary) -> Result<(), Flaw> {
+        let mut next = boundary.ring_point_count();
+        for (line, segment) in boundary.line_segments() {
+            // Points are numbered in the order in which segments come to them, so each is new but those at joints.
+            for end in segment {
+                if end == next {
+                    self.add_line_point(line, end)?;
+                    next += 1;
+                }
+            }
+        }
+        for (line, segment) in boundary.line_segments() {
+            if !self.constrain(segment) {
+                return Err(Flaw::LineCrossing(line, self.middle(segment)));
+            }
+        }
+        let cloth = self.cloth(&self.cdt);
+        for (line, segment) in boundary.line_segments() {
+            let [from, to] = segment.map(FixedVertexHandle::from_index);
+            let edge = self.cdt.get_edge_from_neighbors(from, to);
+            let inside = edge.is_some_and(|edge| {
+                let faces = [edge.face(), edge.rev().face()];
+                faces.iter().all(|face| cloth[face.fix().index()])
+            });
+            if !inside {
+                return Err(Flaw::LineOutside(line, self.middle(segment)));
+            }
+        }
+        Ok(())
+    }
+
+    fn add_line_point(&mut self, line: usize, index: usize) -> Result<(), Flaw> {
+        let point = self.boundary[index];
+        match self.cdt.locate(position(point)) {
+            PositionInTriangulation::OutsideOfConvexHull(_) => {
+                return Err(Flaw::LineOutside(line, point));
+            }
+            PositionInTriangulation::OnEdge(edge)
+                if self.cdt.is_constraint_edge(edge.as_undirected()) =>
+            {
+                return Err(Flaw::LineCrossing(line, point));
+            }
+            _ => {}
+        }
+        match self.cdt.insert(position(point)) {
+            Ok(handle) if handle.index() == index => Ok(()),
+            _ => Err(Flaw::LineCrossing(line, point)),
+        }
+    }
+
+    /// Makes two points an edge; `false` if that runs through a third point or crosses an edge made before.
+    fn constrain(&mut self, segment: [usize; 2]) -> bool {
+        let [from, to] = segment.map(FixedVertexHandle::from_index);
+        !self.cdt.exists_constraint(from, to) && self.cdt.try_add_constraint(from, to).len() == 1
+    }
+
+    fn middle(&self, [a, b]: [usize; 2]) -> Point {
+        geometry::lerp(self.boundary[a], self.boundary[b], 0.5)
+    }
+
+    /// Number of points on rings and lines; they come first in every triangulation.
     pub(super) fn boundary_count(&self) -> usize {
         self.boundary.len()
     }
 
-    /// The boundary points.
+    /// The points on rings and lines.
     pub(super) fn boundary(&self) -> &[Point] {
         &self.boundary
+    }
+
+    /// Whether two points are neighbours on a ring or a line.
+    pub(super) fn is_fixed(&self, a: usize, b: usize) -> bool {
+        self.fixed.contains(&sorted([a, b]))
     }
 
     /// Triangles of the boundary points and, numbered after them, `inside`.
@@ -63,10 +138,51 @@ impl Domain {
                 numbers.push(self.boundary.len() + index);
             }
         }
-        cloth_faces(&cdt)
-            .map(|face| face.map(|vertex| numbers[vertex.index()]))
+        let cloth = self.cloth(&cdt);
+        cdt.inner_faces()
+            .filter(|face| cloth[face.fix().index()])
+            .map(|face| face.vertices().map(|vertex| numbers[vertex.fix().index()]))
             .collect()
     }
+
+    /// By index of the face: whether it is reached from outside across an odd number of boundary parts.
+    fn cloth(&self, cdt: &Cdt) -> Vec<bool> {
+        let is_boundary = |edge: DirectedEdgeHandle<'_, Point2<f64>, (), CdtEdge<()>, ()>| {
+            let ends = [edge.from(), edge.to()].map(|vertex| vertex.fix().index());
+            edge.is_constraint_edge() && !self.lines.contains(&sorted(ends))
+        };
+        let mut cloth: Vec<Option<bool>> = vec![None; cdt.num_all_faces()];
+        let mut queue = VecDeque::new();
+        for edge in cdt.convex_hull() {
+            let hull = if edge.face().is_outer() {
+                edge
+            } else {
+                edge.rev()
+            };
+            let face = hull.rev().face();
+            if cloth[face.fix().index()].is_none() {
+                cloth[face.fix().index()] = Some(is_boundary(hull));
+                queue.extend(face.as_inner());
+            }
+        }
+        while let Some(face) = queue.pop_front() {
+            let here = cloth[face.fix().index()] == Some(true);
+            for edge in face.adjacent_edges() {
+                let next = edge.rev().face();
+                if let Some(inner) = next.as_inner()
+                    && cloth[next.fix().index()].is_none()
+                {
+                    cloth[next.fix().index()] = Some(here != is_boundary(edge));
+                    queue.push_back(inner);
+                }
+            }
+        }
+        cloth.into_iter().map(|cloth| cloth == Some(true)).collect()
+    }
+}
+
+fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
+    [a.min(b), a.max(b)]
 }
 
 /// A hole outside the outline, or inside another hole, would turn what is cloth inside out.
@@ -100,37 +216,4 @@ fn contains(ring: &[Point], p: Point) -> bool {
 fn position(point: Point) -> Point2<f64> {
     let [x, y] = point.map(|x| if x.abs() < 1e-30 { 0.0 } else { x });
     Point2::new(x, y)
-}
-
-/// The faces reached from outside across an odd number of boundary parts, counter-clockwise.
-fn cloth_faces(cdt: &Cdt) -> impl Iterator<Item = [FixedVertexHandle; 3]> + '_ {
-    let mut cloth: Vec<Option<bool>> = vec![None; cdt.num_all_faces()];
-    let mut queue = VecDeque::new();
-    for edge in cdt.convex_hull() {
-        let hull = if edge.face().is_outer() {
-            edge
-        } else {
-            edge.rev()
-        };
-        let face = hull.rev().face();
-        if cloth[face.fix().index()].is_none() {
-            cloth[face.fix().index()] = Some(hull.is_constraint_edge());
-            queue.extend(face.as_inner());
-        }
-    }
-    while let Some(face) = queue.pop_front() {
-        let here = cloth[face.fix().index()] == Some(true);
-        for edge in face.adjacent_edges() {
-            let next = edge.rev().face();
-            if let Some(inner) = next.as_inner()
-                && cloth[next.fix().index()].is_none()
-            {
-                cloth[next.fix().index()] = Some(here != edge.is_constraint_edge());
-                queue.push_back(inner);
-            }
-        }
-    }
-    cdt.inner_faces()
-        .filter(move |face| cloth[face.fix().index()] == Some(true))
-        .map(|face| face.vertices().map(|vertex| vertex.fix()))
 }

@@ -1,9 +1,11 @@
-//! How many parts each stretch of outline is divided into, so that both sides of every seam get as many.
+//! How many parts each edge is divided into, so that both sides of every seam get as many.
 
-use super::geometry;
+use super::geometry::{self, Point};
+use super::joint::{self, Joint};
+use super::slots::{self, Slots};
 use crate::fault::Fault;
 use crate::pattern::{Panel, Pattern};
-use crate::seam::{Seam, Stretch, division_count};
+use crate::seam::{Seam, Stretch, Track, division_count};
 use std::ops::Range;
 
 /// Fractions of an edge closer than this are the same place: far above rounding, far below a stitch.
@@ -73,6 +75,21 @@ impl Division {
         }
     }
 
+    /// The number of the part that begins at a break.
+    pub(super) fn part_at(&self, fraction: f64) -> usize {
+        self.counts[..self.find(fraction)].iter().sum()
+    }
+
+    /// The break nearest to a fraction if it is within this arc length \[m\], else the fraction.
+    pub(super) fn near_break(&self, fraction: f64, within: f64) -> f64 {
+        let distance = |b: &f64| (b - fraction).abs() * self.length;
+        let nearest = self.breaks.iter().copied();
+        let nearest = nearest.min_by(|a, b| distance(a).total_cmp(&distance(b)));
+        nearest
+            .filter(|b| distance(b) <= within)
+            .unwrap_or(fraction)
+    }
+
     /// Adds a break unless it is there; says whether it was added.
     fn insert(&mut self, fraction: f64) -> bool {
         let place = self.breaks.partition_point(|&b| b < fraction - SAME);
@@ -84,34 +101,112 @@ impl Division {
     }
 }
 
+/// How the edges of one panel are divided.
+pub(super) struct PanelDivision {
+    /// Which edges these are.
+    pub(super) slots: Slots,
+    /// By number of the edge.
+    pub(super) divisions: Vec<Division>,
+    /// Where ends of internal lines lie on other edges.
+    pub(super) joints: Vec<Joint>,
+    tracks: Vec<(Track, usize)>,
+}
+
+impl PanelDivision {
+    fn new(panel: &Panel, lines: Vec<usize>) -> Self {
+        let slots = Slots::new(panel, lines);
+        let tracks: Vec<_> = slots.all().collect();
+        let whole = |&(track, edge): &(Track, usize)| {
+            Division::whole(geometry::length(track.points(panel, edge)), 1)
+        };
+        Self {
+            divisions: tracks.iter().map(whole).collect(),
+            slots,
+            joints: vec![],
+            tracks,
+        }
+    }
+
+    /// The polyline of an edge by its number.
+    pub(super) fn points<'a>(&self, panel: &'a Panel, slot: usize) -> &'a [Point] {
+        let (track, edge) = self.tracks[slot];
+        track.points(panel, edge)
+    }
+
+    /// Whether an edge by its number belongs to a ring.
+    pub(super) fn is_closed(&self, panel: &Panel, slot: usize) -> bool {
+        self.tracks[slot].0.is_closed(panel)
+    }
+
+    /// The fewest parts of each span of each edge, so that every ring is a polygon.
+    fn least_parts(&self, panel: &Panel) -> Vec<usize> {
+        let spans = |divisions: &[Division]| divisions.iter().map(|d| d.breaks.len() - 1).sum();
+        let mut least = vec![1; self.divisions.len()];
+        for ring in &self.slots.rings {
+            let count = least_parts(spans(&self.divisions[ring.clone()]));
+            least[ring.clone()].fill(count);
+        }
+        for (line, count) in least.iter_mut().enumerate().skip(self.slots.first_line()) {
+            if self.is_closed(panel, line) {
+                *count = least_parts(spans(&self.divisions[line..=line]));
+            }
+        }
+        least
+    }
+
+    /// Puts a break where the end of a line lies.
+    fn join_lines(&mut self, panel: &Panel) {
+        self.joints = joint::find(panel, self);
+        for joint in &self.joints {
+            self.divisions[joint.on].insert(joint.at);
+        }
+    }
+}
+
 /// How every edge of every panel is divided.
 pub(super) struct Divisions {
-    /// By panel, by edge of its outline.
-    pub(super) panels: Vec<Vec<Division>>,
+    /// By panel.
+    pub(super) panels: Vec<PanelDivision>,
 }
 
 impl Divisions {
     /// Breaks edges where stretches end, carries the breaks across seams, then counts parts.
     pub(super) fn new(pattern: &Pattern, seams: &[Seam], edge_length: f64) -> Result<Self, Fault> {
-        let panels = pattern.panels.iter().map(whole_edges).collect();
-        let mut divisions = Self { panels };
+        let lines = slots::lines_named(seams, pattern.panels.len());
+        let panels = pattern.panels.iter().zip(lines);
+        let mut divisions = Self {
+            panels: panels
+                .map(|(panel, lines)| PanelDivision::new(panel, lines))
+                .collect(),
+        };
         divisions.set_breaks(pattern, seams)?;
-        divisions.set_counts(seams, edge_length);
+        divisions.set_counts(pattern, seams, edge_length);
         Ok(divisions)
     }
 
+    /// The number of the edge that a stretch lies on.
+    pub(super) fn slot(&self, stretch: &Stretch) -> usize {
+        self.panels[stretch.panel]
+            .slots
+            .of(stretch.track, stretch.edge)
+    }
+
     pub(super) fn of(&self, stretch: &Stretch) -> &Division {
-        &self.panels[stretch.panel][stretch.edge]
+        &self.panels[stretch.panel].divisions[self.slot(stretch)]
     }
 
     fn insert(&mut self, stretch: &Stretch, fraction: f64) -> bool {
-        self.panels[stretch.panel][stretch.edge].insert(fraction)
+        let slot = self.slot(stretch);
+        self.panels[stretch.panel].divisions[slot].insert(fraction)
     }
 
     fn set_breaks(&mut self, pattern: &Pattern, seams: &[Seam]) -> Result<(), Fault> {
         for stretch in pairs(seams).flatten() {
             self.insert(stretch, stretch.from);
             self.insert(stretch, stretch.to);
+        }
+        for (panel, divided) in pattern.panels.iter().zip(&mut self.panels) {
+            divided.join_lines(panel);
         }
         let mut changed = true;
         while changed {
@@ -139,13 +234,13 @@ impl Divisions {
     }
 
     /// Gives all spans that meet, directly or through others, the largest count that any of them wants.
-    fn set_counts(&mut self, seams: &[Seam], edge_length: f64) {
+    fn set_counts(&mut self, pattern: &Pattern, seams: &[Seam], edge_length: f64) {
         let numbers = Numbers::new(&self.panels);
         let mut classes = Classes::new(numbers.count);
         for pair in pairs(seams) {
             let [a, b] = pair.each_ref().map(|stretch| {
                 let spans = self.of(stretch).spans(stretch);
-                let first = numbers.of(stretch);
+                let first = numbers.first[stretch.panel][self.slot(stretch)];
                 let mut spans: Vec<_> = spans.map(|span| first + span).collect();
                 if stretch.from > stretch.to {
                     spans.reverse();
@@ -157,39 +252,40 @@ impl Divisions {
             }
         }
         let mut wanted = vec![1; numbers.count];
-        for (span, want) in self.wanted(edge_length).enumerate() {
+        for (span, want) in self.wanted(pattern, edge_length).into_iter().enumerate() {
             let class = classes.find(span);
             wanted[class] = want.max(wanted[class]);
         }
         let mut span = 0..numbers.count;
-        for division in self.panels.iter_mut().flatten() {
+        for division in self
+            .panels
+            .iter_mut()
+            .flat_map(|panel| &mut panel.divisions)
+        {
             let next = span.by_ref().take(division.breaks.len() - 1);
             division.counts = next.map(|span| wanted[classes.find(span)]).collect();
         }
     }
 
     /// What each span would be divided into by itself, in order of their numbers.
-    fn wanted(&self, edge_length: f64) -> impl Iterator<Item = usize> + '_ {
-        self.panels.iter().flat_map(move |panel| {
-            let spans: usize = panel.iter().map(|d| d.breaks.len() - 1).sum();
-            panel.iter().flat_map(move |division| {
-                division.breaks.windows(2).map(move |ends| {
+    fn wanted(&self, pattern: &Pattern, edge_length: f64) -> Vec<usize> {
+        let mut wanted = vec![];
+        for (panel, divided) in pattern.panels.iter().zip(&self.panels) {
+            let least = divided.least_parts(panel);
+            for (division, least) in divided.divisions.iter().zip(least) {
+                wanted.extend(division.breaks.windows(2).map(|ends| {
                     let length = (ends[1] - ends[0]) * division.length;
-                    division_count(length, length, edge_length).max(least_parts(spans))
-                })
-            })
-        })
+                    division_count(length, length, edge_length).max(least)
+                }));
+            }
+        }
+        wanted
     }
 }
 
 /// Fewest parts of each of so many spans that make up a ring: a polygon has three sides.
-pub(super) fn least_parts(spans: usize) -> usize {
+fn least_parts(spans: usize) -> usize {
     3_usize.div_ceil(spans.max(1))
-}
-
-fn whole_edges(panel: &Panel) -> Vec<Division> {
-    let whole = |points: &[_]| Division::whole(geometry::length(points), 1);
-    panel.edges.iter().map(|e| whole(&e.points)).collect()
 }
 
 fn pairs(seams: &[Seam]) -> impl Iterator<Item = &[Stretch; 2]> {
@@ -207,25 +303,24 @@ fn endless(panel: &Panel) -> Fault {
 
 /// Numbers all spans of all edges.
 struct Numbers {
+    /// By panel and number of the edge: its first span.
     first: Vec<Vec<usize>>,
     count: usize,
 }
 
 impl Numbers {
-    fn new(panels: &[Vec<Division>]) -> Self {
+    fn new(panels: &[PanelDivision]) -> Self {
         let mut count = 0;
         let mut next = |division: &Division| {
             let first = count;
             count += division.breaks.len() - 1;
             first
         };
-        let first = panels.iter().map(|p| p.iter().map(&mut next).collect());
+        let first = panels
+            .iter()
+            .map(|panel| panel.divisions.iter().map(&mut next).collect());
         let first = first.collect();
         Self { first, count }
-    }
-
-    fn of(&self, stretch: &Stretch) -> usize {
-        self.first[stretch.panel][stretch.edge]
     }
 }
 

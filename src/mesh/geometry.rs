@@ -18,6 +18,11 @@ pub(super) fn distance(a: Point, b: Point) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
+/// The point on the other side of the y axis.
+pub(super) fn reflected([x, y]: Point) -> Point {
+    [-x, y]
+}
+
 /// Area of a triangle, positive if it is counter-clockwise.
 pub(super) fn area(a: Point, b: Point, c: Point) -> f64 {
     let (u, v) = (sub(b, a), sub(c, a));
@@ -121,12 +126,16 @@ impl SegmentGrid {
 }
 
 fn distance_to_segment(p: Point, [a, b]: [Point; 2]) -> f64 {
+    distance(p, lerp(a, b, share_along(p, [a, b])))
+}
+
+/// The share of the way from `a` to `b` at which a segment is nearest to `p`.
+pub(super) fn share_along(p: Point, [a, b]: [Point; 2]) -> f64 {
     let (u, v) = (sub(b, a), sub(p, a));
     let square = u[0] * u[0] + u[1] * u[1];
-    let share = if square > 0.0 {
+    if square > 0.0 {
         ((u[0] * v[0] + u[1] * v[1]) / square).clamp(0.0, 1.0)
     } else {
         0.0
-    };
-    distance(p, lerp(a, b, share))
+    }
 }

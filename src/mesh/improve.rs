@@ -52,7 +52,7 @@ pub(super) fn improve(
             break;
         }
         if round + 1 >= SMOOTHING_ROUNDS {
-            let inside = repaired(&mesh, fixed, clearance);
+            let inside = repaired(&mesh, domain, clearance);
             if inside == mesh.points[fixed..] {
                 break;
             }
@@ -174,7 +174,8 @@ fn centroid(points: &[Point], p: Point, star: &[[usize; 2]]) -> (Point, f64) {
 }
 
 /// The inside points after taking out those that make triangles thin and putting in those that are missing.
-fn repaired(mesh: &PanelMesh, fixed: usize, clearance: &SegmentGrid) -> Vec<Point> {
+fn repaired(mesh: &PanelMesh, domain: &Domain, clearance: &SegmentGrid) -> Vec<Point> {
+    let fixed = domain.boundary_count();
     let edge_length = clearance.reach() / CLEARANCE;
     let mut out = BTreeSet::new();
     let mut put: Vec<Point> = vec![];
@@ -191,7 +192,7 @@ fn repaired(mesh: &PanelMesh, fixed: usize, clearance: &SegmentGrid) -> Vec<Poin
                 }
                 None
             } else {
-                apex(mesh, sides[0], fixed)
+                apex(mesh, sides[0], domain)
             }
         } else if side_length(mesh, longest) > LONG * edge_length {
             let middle = lerp(mesh.points[longest[0]], mesh.points[longest[1]], 0.5);
@@ -225,12 +226,12 @@ fn side_length(mesh: &PanelMesh, [a, b, _]: [usize; 3]) -> f64 {
 }
 
 /// A point over a short boundary part whose triangle reaches too far; none if that is not what is wrong.
-fn apex(mesh: &PanelMesh, [a, b, opposite]: [usize; 3], fixed: usize) -> Option<Point> {
-    let is_boundary = a.abs_diff(b) == 1 || a.max(b) + 1 == fixed;
+fn apex(mesh: &PanelMesh, [a, b, opposite]: [usize; 3], domain: &Domain) -> Option<Point> {
     let (p, q) = (mesh.points[a], mesh.points[b]);
     let [x, y] = geometry::sub(q, p);
     let middle = lerp(p, q, 0.5);
     let point = [middle[0] - y * APEX, middle[1] + x * APEX];
     let length = x.hypot(y);
-    (is_boundary && distance(middle, mesh.points[opposite]) > 2.0 * APEX * length).then_some(point)
+    (domain.is_fixed(a, b) && distance(middle, mesh.points[opposite]) > 2.0 * APEX * length)
+        .then_some(point)
 }

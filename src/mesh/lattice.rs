@@ -45,7 +45,7 @@ fn height(row: i64) -> f64 {
 /// Where each row of the lattice crosses the boundary, from left to right.
 fn rows(boundary: &Boundary, local: &[Point], step: f64) -> Vec<(i64, Vec<f64>)> {
     let mut hits = vec![];
-    for [a, b] in boundary.segments() {
+    for [a, b] in boundary.ring_segments() {
         let (a, b) = (local[a], local[b]);
         let (low, high) = if a[1] < b[1] { (a, b) } else { (b, a) };
         #[expect(

@@ -6,8 +6,10 @@ mod delaunay;
 mod divide;
 mod geometry;
 mod improve;
+mod joint;
 mod lattice;
 mod morton;
+mod slots;
 mod stitch;
 
 use crate::config::Limits;
@@ -60,12 +62,14 @@ pub struct Stitch {
 /// Meshes every panel with edges of about `edge_length` \[m\].
 ///
 /// Every edge of an outline is divided evenly along its arc, no part longer than `edge_length`; stretches that
-/// seams match get equally many parts, also through chains of seams. Inside, an equilateral lattice is laid along
+/// seams match get equally many parts, also through chains of seams. Internal lines that seams name are divided
+/// likewise and are mesh edges; an end within 1 mm of another edge shares its vertex. Inside, an equilateral lattice is laid along
 /// the longest edge, triangulated, and improved: smoothing by centroidal patches, points taken out or put in where
 /// triangles are thin. Vertices of a panel are in Morton order.
 ///
 /// # Quality guarantees
 /// - Corners, ends of stretches and boundary parts are kept; no vertex is added on the boundary.
+/// - A mirrored copy that is divided like its source has the mirror image of its mesh.
 /// - Triangles of a panel cover exactly the polygon of its boundary points, less its holes, counter-clockwise.
 /// - Same input, same mesh.
 ///
@@ -75,7 +79,7 @@ pub struct Stitch {
 ///
 /// # Errors
 /// An edge length outside `limits`, a mesh too fine for them, and every panel whose boundary points cross or
-/// touch themselves (`/panels/<id>`); a raised `cancel` (`fit/canceled`).
+/// touch themselves or a sewn line (`/panels/<id>`); a raised `cancel` (`fit/canceled`).
 ///
 /// # References
 /// L. Chen, M. Holst, "Efficient mesh optimization schemes based on optimal Delaunay triangulations",
@@ -93,12 +97,20 @@ pub fn triangulate(
     check::size(pattern, &divisions, edge_length, limits)?;
     let mut builder = Builder::default();
     for (index, panel) in pattern.panels.iter().enumerate() {
-        let boundary = Boundary::new(panel, &divisions.panels[index], edge_length);
+        let boundary = Boundary::new(panel, &divisions.panels[index]);
         if cancel.is_canceled() {
             return Err(check::canceled().into());
         }
+        // A mirrored copy runs the other way round; reflected, it gets the mesh that its source has.
+        let mirrored = geometry::ring_area(&boundary.points[boundary.rings[0].clone()]) > 0.0;
+        let boundary = if mirrored {
+            boundary.reflected()
+        } else {
+            boundary
+        };
         match mesh_panel(&boundary, edge_length, cancel) {
-            Ok(mesh) => builder.add(boundary, mesh),
+            Ok(mesh) => builder.add(boundary, mesh, mirrored),
+            Err(flaw) if mirrored => builder.faults.push(flaw.reflected().fault(panel)),
             Err(flaw) => builder.faults.push(flaw.fault(panel)),
         }
     }
@@ -137,19 +149,26 @@ struct Builder {
 }
 
 impl Builder {
-    fn add(&mut self, boundary: Boundary, panel: PanelMesh) {
+    /// Adds a panel; one that was meshed `mirrored` is turned back.
+    fn add(&mut self, boundary: Boundary, panel: PanelMesh, mirrored: bool) {
         let first = self.mesh.uv.len();
         let first_triangle = self.mesh.triangles.len();
         let order = morton::order(&panel.points);
         let mut number = vec![0; order.len()];
         for (place, &point) in order.iter().enumerate() {
             number[point] = first + place;
-            self.mesh.uv.push(panel.points[point]);
+            let point = panel.points[point];
+            self.mesh.uv.push(if mirrored {
+                geometry::reflected(point)
+            } else {
+                point
+            });
         }
+        let turned = |[a, b, c]: [usize; 3]| if mirrored { [a, c, b] } else { [a, b, c] };
         let mut triangles: Vec<_> = panel
             .triangles
             .iter()
-            .map(|t| smallest_first(t.map(|v| number[v])))
+            .map(|t| smallest_first(turned(t.map(|v| number[v]))))
             .collect();
         triangles.sort_unstable();
         self.mesh.triangles.append(&mut triangles);

@@ -5,7 +5,7 @@ use super::divide::Divisions;
 use crate::seam::Seam;
 use std::collections::HashSet;
 
-/// Pairs the vertices of both sides of every seam; `vertex` gives the one at (panel, edge, part).
+/// Pairs the vertices of both sides of every seam; `vertex` gives the one at (panel, number of the edge, part).
 ///
 /// A pair that occurs twice (where two stretches of a seam meet) is kept once; a vertex is never sewn to itself
 /// (the fold of an edge sewn to its own other half).
@@ -23,8 +23,8 @@ pub(super) fn stitches(
                 parts.into_iter().map(move |part| (stretch, part))
             });
             for ((of_a, part_a), (of_b, part_b)) in side_a.zip(side_b) {
-                let a = vertex(of_a.panel, of_a.edge, part_a);
-                let b = vertex(of_b.panel, of_b.edge, part_b);
+                let a = vertex(of_a.panel, divisions.slot(&of_a), part_a);
+                let b = vertex(of_b.panel, divisions.slot(&of_b), part_b);
                 if a != b && seen.insert((a.min(b), a.max(b))) {
                     stitches.push(Stitch {
                         seam: index,

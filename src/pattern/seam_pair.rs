@@ -50,7 +50,7 @@ impl Side {
     }
 }
 
-/// A way along a panel's outline.
+/// A way along a panel's outline, along one of its holes or along one of its internal lines.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Run {
@@ -65,14 +65,13 @@ pub struct Run {
     pub direction: Option<Direction>,
 }
 
-/// A point of an outline.
+/// A point of an outline, of a hole or of an internal line.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(untagged, deny_unknown_fields)]
 pub enum Place {
     /// A corner of the outline by its index.
     Corner(usize),
     /// A point inside an edge.
-    #[serde(rename_all = "snake_case")]
     OnEdge {
         /// Index of the edge.
         edge: usize,
@@ -84,13 +83,39 @@ pub enum Place {
         /// Index of the notch.
         notch: usize,
     },
+    /// A corner of a hole.
+    HoleCorner {
+        /// Index of the hole.
+        hole: usize,
+        /// Index of its corner.
+        corner: usize,
+    },
+    /// A point inside an edge of a hole.
+    OnHoleEdge {
+        /// Index of the hole.
+        hole: usize,
+        /// Index of its edge.
+        edge: usize,
+        /// Fraction of that edge's arc length, in the order of the hole's corners.
+        at: f64,
+    },
+    /// A point of an internal line.
+    OnLine {
+        /// Index of the line.
+        line: usize,
+        /// Fraction of its arc length: 0 where it is drawn from, 1 where it ends.
+        at: f64,
+    },
 }
 
-/// Which way round an outline.
+/// Which way round an outline or a hole, or along an internal line.
+///
+/// Going `cw` keeps the cloth on one and the same side of the way, on the outline as on holes (which are stored the
+/// other way round in space for that reason).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Direction {
-    /// Clockwise as stored: increasing corner index.
+    /// In the order of corners as stored: clockwise on the outline of a panel as drawn. Along a line: as it is drawn.
     Cw,
     /// Against it.
     Ccw,
@@ -113,6 +138,34 @@ mod tests {
     use serde_json::{from_value, json};
 
     #[test]
+    fn places_of_holes_and_lines_are_read_as_written() {
+        let cases = [
+            (json!(4), Place::Corner(4)),
+            (json!({"notch": 2}), Place::AtNotch { notch: 2 }),
+            (
+                json!({"hole": 0, "corner": 2}),
+                Place::HoleCorner { hole: 0, corner: 2 },
+            ),
+            (
+                json!({"hole": 0, "edge": 1, "at": 0.5}),
+                Place::OnHoleEdge {
+                    hole: 0,
+                    edge: 1,
+                    at: 0.5,
+                },
+            ),
+            (
+                json!({"line": 1, "at": 0.25}),
+                Place::OnLine { line: 1, at: 0.25 },
+            ),
+        ];
+        for (written, place) in cases {
+            assert_eq!(from_value::<Place>(written.clone()).ok(), Some(place));
+            assert_eq!(serde_json::to_value(place).ok(), Some(written));
+        }
+    }
+
+    #[test]
     fn place_with_a_field_too_many_is_refused() {
         let on_edge = Place::OnEdge { edge: 3, at: 0.25 };
         assert_eq!(
@@ -123,6 +176,13 @@ mod tests {
             json!({"edge": 3, "at": 0.25, "notch": 1}),
             json!({"edge": 3, "at": 0.25, "att": 0.5}),
             json!({"notch": 1, "at": 0.5}),
+            json!({"hole": 0}),
+            json!({"hole": 0, "corner": 1, "at": 0.5}),
+            json!({"hole": 0, "edge": 1}),
+            json!({"hole": 0, "edge": 1, "at": 0.5, "line": 2}),
+            json!({"hole": 0, "at": 0.5}),
+            json!({"line": 0}),
+            json!({"line": 0, "edge": 0, "at": 0.5}),
         ] {
             assert!(from_value::<Place>(wrong.clone()).is_err(), "{wrong}");
         }

@@ -2,9 +2,10 @@
 
 use super::correct::Request;
 use super::faces::{self, Colouring, Saying, Why};
+use super::order::{self, Judge};
 use super::runs::Resolver;
 use super::{
-    FaceAsked, Routed, Seam, SeamCheck, SeamFinding, SeamSet, Stretch, division_count, length,
+    Face, FaceAsked, Routed, Seam, SeamCheck, SeamFinding, SeamSet, Stretch, division_count, ease,
     overlap, twist,
 };
 use crate::config::Limits;
@@ -12,12 +13,27 @@ use crate::fault::{Fault, Faults, Warning};
 use crate::pattern::{Pattern, SeamPair};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Checks `pairs` against `pattern`.
+/// Where a point of a panel starts in space \[m\]: the panel's index, its face, pattern coordinates \[m\]; nothing where that is not known.
+pub type Starts<'a> = &'a dyn Fn(usize, Face, [f64; 2]) -> Option<[f64; 3]>;
+
+/// What is to be checked.
+#[derive(Clone, Copy, Debug)]
+pub struct ToCheck<'a> {
+    /// The panels.
+    pub pattern: &'a Pattern,
+    /// The seams as asked.
+    pub pairs: &'a [SeamPair],
+    /// What was asked for each panel, by id (absent: auto).
+    pub faces: &'a BTreeMap<String, FaceAsked>,
+    /// Mesh edge length that stitch counts are stated for \[m\].
+    pub edge_length: f64,
+    /// Bounds on what may be asked for.
+    pub limits: &'a Limits,
+}
+
+/// Checks `pairs` against `pattern`; nothing is known of where panels start.
 ///
-/// `faces` holds what was asked for each panel, by id (absent: auto); `edge_length` \[m\] is the mesh edge length
-/// that stitch counts are stated for. Pointers are `/seams/<i>/...`. The findings always cover every seam;
-/// the [`SeamSet`] is there only when all are right. The order of `pairs` and which side of a pair is A
-/// change neither what is right nor the faces found.
+/// See [`check_placed`] and [`ToCheck`].
 ///
 /// # Errors
 /// Every fault of every seam at once, in the second part.
@@ -28,6 +44,36 @@ pub fn check(
     edge_length: f64,
     limits: &Limits,
 ) -> (SeamCheck, Result<SeamSet, Faults>) {
+    let to_check = ToCheck {
+        pattern,
+        pairs,
+        faces,
+        edge_length,
+        limits,
+    };
+    check_placed(&to_check, &|_, _, _| None)
+}
+
+/// Checks seams against a pattern whose panels start as `starts` says.
+///
+/// Pointers are `/seams/<i>/...`, or `/panels/<id>/face` where stated faces are the trouble. The findings always cover
+/// every seam; the [`SeamSet`] is there only when all are right. The order of `pairs` and which side of a pair is A
+/// change neither what is right nor the faces found. Where faces cannot tell the order of a seam, the start of its
+/// panels does: an `auto` seam is turned by it, one as picked is warned of (`seam/likely_reversed`).
+///
+/// # Errors
+/// Every fault of every seam at once, in the second part.
+pub fn check_placed(
+    to_check: &ToCheck<'_>,
+    starts: Starts<'_>,
+) -> (SeamCheck, Result<SeamSet, Faults>) {
+    let &ToCheck {
+        pattern,
+        pairs,
+        faces,
+        edge_length,
+        limits,
+    } = to_check;
     let mut findings: Vec<_> = pairs
         .iter()
         .map(|pair| SeamFinding::blank(&pair.id))
@@ -37,7 +83,7 @@ pub fn check(
         findings[limits.seams]
             .errors
             .push(too_many(pairs.len(), limits.seams));
-        let none = faces::find(pattern, &stated, &[]);
+        let none = faces::find(pattern, &stated, &[], &|_, _| None);
         let set = SeamSet {
             seams: vec![],
             faces: none.faces,
@@ -45,7 +91,7 @@ pub fn check(
         return answer(pattern, findings, set, vec![]);
     }
     find_double_ids(pairs, &mut findings);
-    let seams = route(pattern, pairs, &mut findings);
+    let (seams, mut corrected) = route(pattern, pairs, &mut findings);
     for (seam, fault) in overlap::faults(pattern, pairs, &seams) {
         findings[seam].errors.push(fault);
     }
@@ -53,18 +99,27 @@ pub fn check(
         .iter()
         .map(|seam| Saying::new(pattern, &pairs[seam.index], seam))
         .collect();
-    let colouring = faces::find(pattern, &stated, &sayings);
     let request = Request {
         pattern,
         pairs,
         seams: &seams,
         sayings: &sayings,
+        starts,
     };
-    let mut corrected = vec![];
+    let judge = Judge {
+        request: &request,
+        stated: &stated,
+    };
+    let shorter = |saying: &Saying<'_>, faces: &[Vec<Face>; 2]| {
+        let seam = seams.iter().find(|seam| seam.index == saying.seam)?;
+        order::shorter(pattern, seam, faces, starts)
+    };
+    let colouring = faces::find(pattern, &stated, &sayings, &shorter);
     for twist in twist::find(&request, &stated, &colouring) {
         findings[twist.seam].errors.push(twist.fault);
         corrected.extend(twist.corrected);
     }
+    corrected.extend(judge.tell(&colouring, &mut findings));
     tell_colouring(&colouring, &sayings, &mut findings);
     let edge_length = edge_length
         .max(limits.edge_length_m[0])
@@ -109,9 +164,15 @@ fn find_double_ids(pairs: &[SeamPair], findings: &mut [SeamFinding]) {
 }
 
 /// Finds the runs of every seam; those with faults get them written into their findings and are left out.
-fn route(pattern: &Pattern, pairs: &[SeamPair], findings: &mut [SeamFinding]) -> Vec<Routed> {
+/// The second part holds those of them that can be corrected, corrected.
+fn route(
+    pattern: &Pattern,
+    pairs: &[SeamPair],
+    findings: &mut [SeamFinding],
+) -> (Vec<Routed>, Vec<SeamPair>) {
     let mut resolver = Resolver::new(pattern);
     let mut seams = vec![];
+    let mut corrected = vec![];
     for (index, pair) in pairs.iter().enumerate() {
         let finding = &mut findings[index];
         let a = resolver.side(&pair.a, &format!("/seams/{index}/a"));
@@ -123,15 +184,25 @@ fn route(pattern: &Pattern, pairs: &[SeamPair], findings: &mut [SeamFinding]) ->
                     sides: [a, b],
                 };
                 [finding.length_a_m, finding.length_b_m] = seam.lengths(pattern);
-                length::judge_ease(finding, pair, &format!("/seams/{index}"));
+                ease::judge_ease(finding, pair, &format!("/seams/{index}"));
                 seams.push(seam);
             }
-            (a, b) => finding
-                .errors
-                .extend([a.err(), b.err()].into_iter().flatten().flatten()),
+            (a, b) => {
+                let mut mended = pair.clone();
+                let mut all = true;
+                for (refused, side) in [(a.err(), &mut mended.a), (b.err(), &mut mended.b)] {
+                    let Some(refused) = refused else { continue };
+                    finding.errors.extend(refused.faults);
+                    match refused.corrected {
+                        Some(corrected) => *side = corrected,
+                        None => all = false,
+                    }
+                }
+                corrected.extend(all.then_some(mended));
+            }
         }
     }
-    seams
+    (seams, corrected)
 }
 
 /// Writes into the findings which seams were reversed and why, and which twist.
@@ -146,6 +217,8 @@ fn tell_colouring(colouring: &Colouring, sayings: &[Saying<'_>], findings: &mut 
                 Why::UpsideDown => {
                     "as picked the upper end of one side would meet the lower end of the other"
                 }
+                Why::Notches => "as picked fewer notches would meet",
+                Why::FarApart => "as picked its two sides would start far from each other",
             };
             let told = format!("side b of seam `{id}` is sewn in the other order: {why}");
             finding.warnings.push(Warning::new(
@@ -178,6 +251,7 @@ fn sew(
     let [a, b] = &seam.sides;
     finding.direction_a = a.first().map(|leg| leg.direction);
     finding.direction_b = b.first().map(|leg| leg.direction);
+    finding.notches = seam.marks(pattern);
     finding.stitch_count = stitch_count(pattern, &matched, edge_length);
     Seam {
         id: pair.id.clone(),
@@ -196,15 +270,14 @@ fn stitch_count(pattern: &Pattern, matched: &[[Stretch; 2]], edge_length: f64) -
         return 0;
     };
     let point = |s: &Stretch, at: f64| {
-        let count = pattern.panels[s.panel].edges.len();
-        (
-            s.panel,
-            if at < 1.0 {
-                (s.edge, at)
-            } else {
-                ((s.edge + 1) % count, 0.0)
-            },
-        )
+        let panel = &pattern.panels[s.panel];
+        let on_next = at >= 1.0 && s.track.is_closed(panel);
+        let (edge, at) = if on_next {
+            ((s.edge + 1) % s.track.edge_count(panel), 0.0)
+        } else {
+            (s.edge, at)
+        };
+        (s.panel, s.track, edge, at)
     };
     let start = first.map(|s| point(&s, s.from));
     let end = last.map(|s| point(&s, s.to));

@@ -1,9 +1,9 @@
 //! Corrections of a seam that twists the surface: its mirror edge, or side B reversed.
 
-use super::Routed;
 use super::faces::Saying;
 use super::parity::{Link, Parity};
 use super::place::opposite;
+use super::{Routed, Starts, Track};
 use crate::pattern::{Panel, Pattern, Place, Run, SeamPair, Side};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
@@ -11,8 +11,8 @@ use std::collections::{BTreeMap, BTreeSet};
 /// How far the reflection of an edge may be from the edge that is taken for its mirror: share of the panel's width and height.
 const MIRROR_SHARE: f64 = 0.02;
 
-/// A point of an outline: the panel, and the bits of edge plus fraction.
-type Point = (usize, u64);
+/// A point of a panel: the track, and the bits of edge plus fraction.
+type Point = (usize, Track, u64);
 
 /// A pair that could be sewn, and what was changed in words.
 pub(super) struct Correction {
@@ -20,19 +20,21 @@ pub(super) struct Correction {
     pub told: String,
 }
 
-/// Pairs as asked with the runs found for them, and what they say.
+/// Pairs as asked with the runs found for them, what they say, and where panels start.
 pub(super) struct Request<'a> {
     pub pattern: &'a Pattern,
     pub pairs: &'a [SeamPair],
     pub seams: &'a [Routed],
     pub sayings: &'a [Saying<'a>],
+    pub starts: Starts<'a>,
 }
 
 impl Request<'_> {
     /// The correction of a seam for which reversing side B agrees with the faces of all other panels.
     ///
     /// Its mirror edge is taken where that is free and heights agree as picked; else side B is reversed where heights
-    /// then agree and no fewer ends meet the ends of neighbouring seams. More ends that meet weigh more than heights.
+    /// then agree, no fewer notches meet and no fewer ends meet the ends of neighbouring seams. More ends that meet weigh
+    /// more than heights and notches.
     pub(super) fn correction(&self, saying: &Saying<'_>) -> Option<Correction> {
         let pair = saying.pair;
         let neighbours = self.ends_gained(saying.seam);
@@ -47,7 +49,9 @@ impl Request<'_> {
         }
         let agrees = match neighbours {
             Ordering::Greater => true,
-            Ordering::Equal => saying.heights_agree != Some(true),
+            Ordering::Equal => {
+                saying.heights_agree != Some(true) && saying.notches[0] <= saying.notches[1]
+            }
             Ordering::Less => false,
         };
         agrees.then(|| Correction {
@@ -100,7 +104,7 @@ impl Request<'_> {
             .flat_map(|seam| seam.sides.iter().flatten());
         let taken = stretches
             .flat_map(|leg| &leg.stretches)
-            .any(|s| (s.panel, s.edge) == (index, edge));
+            .any(|s| (s.panel, s.track, s.edge) == (index, Track::Outline, edge));
         let told = format!(
             "take the edge on the other side of `{}`, from corner {from} to corner {to}",
             panel.id
@@ -148,9 +152,14 @@ impl Request<'_> {
                 stretches.next().map(|s| (s, s.from))
             }
             .expect("a run has at least one stretch");
-            let count = self.pattern.panels[stretch.panel].edges.len();
-            let place = (stretch.edge as f64 + at) % count as f64;
-            (stretch.panel, place.to_bits())
+            let panel = &self.pattern.panels[stretch.panel];
+            let place = stretch.edge as f64 + at;
+            let place = if stretch.track.is_closed(panel) {
+                place % stretch.track.edge_count(panel) as f64
+            } else {
+                place
+            };
+            (stretch.panel, stretch.track, place.to_bits())
         };
         [false, true].map(|last| [point(0, last), point(1, last)])
     }
@@ -181,7 +190,7 @@ fn mirror_corner(panel: &Panel, corner: usize) -> Option<usize> {
 }
 
 /// The same runs gone from the end to the start.
-fn reversed(side: &Side) -> Side {
+pub(super) fn reversed(side: &Side) -> Side {
     let turned = |run: &Run| Run {
         panel: run.panel.clone(),
         from: run.to,

@@ -22,16 +22,29 @@ pub(super) struct Saying<'a> {
     pub reversed: Vec<Link>,
     /// Whether upper ends meet upper ends as picked, where that is plain.
     pub heights_agree: Option<bool>,
+    /// How many notches meet as picked, and with side B reversed.
+    pub notches: [usize; 2],
 }
 
 impl<'a> Saying<'a> {
     pub(super) fn new(pattern: &Pattern, pair: &'a SeamPair, seam: &Routed) -> Self {
+        let reversed = seam.reversed();
         Self {
             seam: seam.index,
             pair,
-            picked: routed::links(&seam.matched(pattern)),
-            reversed: routed::links(&seam.reversed().matched(pattern)),
+            picked: routed::links(pattern, &seam.matched(pattern)),
+            reversed: routed::links(pattern, &reversed.matched(pattern)),
+            notches: [seam, &reversed].map(|seam| seam.marks(pattern).len()),
             heights_agree: seam.heights_agree(pattern),
+        }
+    }
+
+    /// What it says in the order in which it is sewn.
+    pub(super) fn links(&self, colouring: &Colouring) -> &[Link] {
+        if colouring.reversed.contains_key(&self.seam) {
+            &self.reversed
+        } else {
+            &self.picked
         }
     }
 
@@ -47,7 +60,22 @@ pub(super) enum Why {
     Twisted,
     /// As picked an upper end would meet a lower one.
     UpsideDown,
+    /// As picked the two sides would start far apart.
+    FarApart,
+    /// As picked fewer notches would meet.
+    Notches,
 }
+
+/// Which order a seam has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Order {
+    AsPicked,
+    Reversed,
+}
+
+/// The order in which a seam is far shorter where its panels start, with the faces that either order gives, as picked
+/// first; nothing if neither is, or that is not known.
+pub(super) type Shorter<'a> = &'a dyn Fn(&Saying<'_>, &[Vec<Face>; 2]) -> Option<Order>;
 
 /// What was found.
 #[derive(Clone, Debug)]
@@ -103,6 +131,7 @@ pub(super) fn find(
     pattern: &Pattern,
     stated: &[Option<Face>],
     sayings: &[Saying<'_>],
+    shorter: Shorter<'_>,
 ) -> Colouring {
     let mut parity = Parity::new(stated.len() + 1);
     stated_links(stated).for_each(|link| {
@@ -121,7 +150,7 @@ pub(super) fn find(
     let mut twists_allowed = vec![];
     for saying in ordered {
         let turn = if saying.is_auto() {
-            turn(saying, &parity)
+            turn(pattern, saying, &parity, shorter)
         } else {
             None
         };
@@ -143,17 +172,38 @@ pub(super) fn find(
     }
 }
 
-/// Whether an `auto` seam is to be reversed: parity decides, and where it cannot, heights as drawn.
-fn turn(saying: &Saying<'_>, parity: &Parity) -> Option<Why> {
+/// Whether an `auto` seam is to be reversed: parity decides; where it cannot, where panels start; where that is not
+/// known or does not tell, heights as drawn, and then which order more notches fit.
+fn turn(
+    pattern: &Pattern,
+    saying: &Saying<'_>,
+    parity: &Parity,
+    shorter: Shorter<'_>,
+) -> Option<Why> {
     match (parity.fits(&saying.picked), parity.fits(&saying.reversed)) {
-        (true, true) => (saying.heights_agree == Some(false)).then_some(Why::UpsideDown),
-        (false, true) => Some(Why::Twisted),
-        (true | false, false) => None,
+        (true, true) => {}
+        (false, true) => return Some(Why::Twisted),
+        (true | false, false) => return None,
+    }
+    let faces = [&saying.picked, &saying.reversed].map(|links| {
+        let mut parity = parity.clone();
+        parity.join_all(links);
+        coloured(pattern, parity)
+    });
+    match shorter(saying, &faces) {
+        Some(Order::Reversed) => return Some(Why::FarApart),
+        Some(Order::AsPicked) => return None,
+        None => {}
+    }
+    match saying.heights_agree {
+        Some(true) => None,
+        Some(false) => Some(Why::UpsideDown),
+        None => (saying.notches[1] > saying.notches[0]).then_some(Why::Notches),
     }
 }
 
 /// Faces from what is known: the node after the last panel is up; a part that is not tied to it has the face of its front, or else its first panel, up.
-fn coloured(pattern: &Pattern, mut parity: Parity) -> Vec<Face> {
+pub(super) fn coloured(pattern: &Pattern, mut parity: Parity) -> Vec<Face> {
     let count = pattern.panels.len();
     let (stated_head, stated_same) = parity.find(count);
     let mut up = BTreeMap::from([(stated_head, stated_same)]);

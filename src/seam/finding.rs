@@ -1,6 +1,6 @@
 //! The findings: what a client is told about a set of seams and about each of them.
 
-use super::Face;
+use super::{Face, MatchedMarks};
 use crate::fault::{Fault, Warning};
 use crate::pattern::{Direction, SeamPair};
 use serde::{Deserialize, Serialize};
@@ -46,6 +46,9 @@ pub struct SeamFinding {
     pub direction_b: Option<Direction>,
     /// Whether the order of B was reversed (`match: auto`).
     pub reversed: bool,
+    /// Notches of A and B that are sewn onto each other, in order; between them points meet by arc length.
+    #[serde(default)]
+    pub notches: Vec<MatchedMarks>,
     /// What keeps it from being sewn.
     pub errors: Vec<Fault>,
     /// What a user should know.
@@ -66,6 +69,7 @@ impl SeamFinding {
             direction_a: None,
             direction_b: None,
             reversed: false,
+            notches: vec![],
             errors: vec![],
             warnings: vec![],
         }

@@ -125,6 +125,7 @@ mod tests {
         let [from, to] = if against { [1.0, 0.0] } else { [0.0, 1.0] };
         let stretch = |edge| Stretch {
             panel: usize::from(against),
+            track: crate::seam::Track::Outline,
             edge,
             from,
             to,

@@ -1,23 +1,31 @@
 //! From seam pairs as asked to checked [`Seam`]s: which point meets which, which face of each panel is out.
 
 mod check;
+mod chords;
 mod correct;
 mod cycle;
+mod direction;
+mod ease;
 mod faces;
 mod finding;
-mod length;
+mod marks;
 mod matching;
+mod misfaced;
+mod order;
 mod overlap;
 mod parity;
 mod place;
 mod routed;
 mod runs;
+mod track;
 pub mod suggest;
 mod twist;
+mod way;
 
 pub use crate::pattern::Face;
-pub use check::check;
+pub use check::{Starts, ToCheck, check, check_placed};
 pub use finding::{SeamCheck, SeamFinding};
+pub use marks::{Mark, MatchedMarks};
 
 use routed::Routed;
 use serde::{Deserialize, Serialize};
@@ -32,7 +40,8 @@ pub struct Seam {
     pub stage: u32,
     /// Stretches of side A and side B that meet point to point, in order along the seam from `from` of A.
     ///
-    /// The two of a pair get equally many points, evenly by arc length: the start of the one meets the start of the other.
+    /// The two of a pair get equally many points, evenly by arc length, so that ease and gathers spread evenly between
+    /// matched notches: the start of the one meets the start of the other.
     /// Each pair begins on either side where the one before it ends, at a corner or inside an edge, or where the next run of
     /// that side begins. No stretch is empty. Fractions at corners are exactly 0 and 1.
     pub matched: Vec<[Stretch; 2]>,
@@ -43,12 +52,25 @@ pub struct Seam {
 pub struct Stretch {
     /// Index of the panel in the pattern.
     pub panel: usize,
-    /// Index of the edge in the panel's outline.
+    /// What of the panel it lies on.
+    pub track: Track,
+    /// Index of the edge in that track; 0 on internal lines.
     pub edge: usize,
-    /// Where it begins: fraction of the edge's arc length, clockwise. Above `to` when the way goes against the edge.
+    /// Where it begins: fraction of the edge's arc length, in the order of corners. Above `to` when the way goes against the edge.
     pub from: f64,
     /// Where it ends, likewise.
     pub to: f64,
+}
+
+/// What of a panel a stretch lies on: a row of edges numbered from 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Track {
+    /// The outline.
+    Outline,
+    /// A hole, by index.
+    Hole(usize),
+    /// An internal line, by index. It counts as one edge, from its first point to its last.
+    Line(usize),
 }
 
 /// Which side of a panel's cloth is out, as asked.

@@ -1,7 +1,7 @@
 //! Stretches that are sewn twice: seams that lie over one another, and seams sewn to themselves.
 
 use super::place::snap_distance;
-use super::{Routed, Stretch};
+use super::{Routed, Stretch, Track};
 use crate::fault::Fault;
 use crate::pattern::{Pattern, SeamPair};
 use std::collections::{BTreeMap, BTreeSet};
@@ -46,7 +46,10 @@ pub(super) fn faults(
     found
 }
 
-type OnEdge<'a> = ((usize, usize), Cover<'a>);
+/// Panel, track and edge.
+type EdgeKey = (usize, Track, usize);
+
+type OnEdge<'a> = (EdgeKey, Cover<'a>);
 
 fn covers(seam: &Routed) -> impl Iterator<Item = OnEdge<'_>> {
     seam.sides.iter().enumerate().flat_map(move |(side, legs)| {
@@ -55,13 +58,14 @@ fn covers(seam: &Routed) -> impl Iterator<Item = OnEdge<'_>> {
             leg.stretches.iter().map(
                 move |&Stretch {
                           panel,
+                          track,
                           edge,
                           from,
                           to,
                       }| {
                     let (low, high) = (from.min(to), from.max(to));
                     (
-                        (panel, edge),
+                        (panel, track, edge),
                         Cover {
                             low,
                             high,
@@ -82,14 +86,14 @@ fn overlaps<'a>(
     pattern: &Pattern,
     covers: impl Iterator<Item = OnEdge<'a>>,
 ) -> Vec<[Cover<'a>; 2]> {
-    let mut by_edge: BTreeMap<(usize, usize), Vec<Cover<'a>>> = BTreeMap::new();
+    let mut by_edge: BTreeMap<EdgeKey, Vec<Cover<'a>>> = BTreeMap::new();
     for (edge, cover) in covers {
         by_edge.entry(edge).or_default().push(cover);
     }
     let mut found = vec![];
-    for ((panel, edge), mut covers) in by_edge {
+    for ((panel, track, edge), mut covers) in by_edge {
         covers.sort_by(|a, b| a.low.total_cmp(&b.low));
-        let length = pattern.panels[panel].edges[edge].length_m;
+        let length = track.length(&pattern.panels[panel], edge);
         let touching = snap_distance(length) / length;
         let mut farthest = covers[0];
         for &cover in &covers[1..] {

@@ -1,5 +1,6 @@
-//! From a [`Place`] as asked to a [`Spot`] on an outline.
+//! From a [`Place`] as asked to a [`Spot`] on an outline, a hole or an internal line.
 
+use super::Track;
 use crate::fault::Fault;
 use crate::pattern::{Direction, Panel, Place};
 
@@ -15,34 +16,69 @@ pub(super) fn snap_distance(edge_length: f64) -> f64 {
     SNAP_M.min(SNAP_SHARE * edge_length)
 }
 
-/// A point of an outline that is known to exist. A corner is always `Corner`, so its fractions 0 and 1 are exact.
+/// A point of a panel that is known to exist.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Spot {
+pub(super) struct Spot {
+    pub track: Track,
+    pub at: At,
+}
+
+/// A point of a track. A corner is always `Corner`, so its fractions 0 and 1 are exact; the ends of an open line are
+/// its corners 0 and 1.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum At {
     Corner(usize),
     Inside { edge: usize, at: f64 },
 }
 
-impl Spot {
-    /// Each edge this lies on, with the fraction there. `n` edges in all.
-    fn incidences(self, n: usize) -> Vec<(usize, f64)> {
-        match self {
-            Self::Corner(k) => vec![(k, 0.0), ((k + n - 1) % n, 1.0)],
-            Self::Inside { edge, at } => vec![(edge, at)],
+/// How many edges a track has, and whether the last one leads back to the first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Course {
+    pub edges: usize,
+    pub closed: bool,
+}
+
+impl Course {
+    pub(super) fn of(panel: &Panel, track: Track) -> Self {
+        Self {
+            edges: track.edge_count(panel),
+            closed: track.is_closed(panel),
         }
     }
 
-    /// The edge and fraction from which a way in `direction` leaves.
-    pub(super) fn leaving(self, direction: Direction, n: usize) -> (usize, f64) {
+    /// The corner at which an edge ends.
+    fn corner_after(self, edge: usize) -> usize {
+        if self.closed {
+            (edge + 1) % self.edges
+        } else {
+            edge + 1
+        }
+    }
+}
+
+impl At {
+    /// Each edge this lies on, with the fraction there.
+    fn incidences(self, course: Course) -> impl Iterator<Item = (usize, f64)> {
+        let ways = [Direction::Cw, Direction::Ccw].map(|way| self.leaving(way, course));
+        let [ahead, behind] = ways;
+        ahead.into_iter().chain(behind.filter(|_| ahead != behind))
+    }
+
+    /// The edge and fraction from which a way in `direction` leaves; nothing at the end of an open line.
+    pub(super) fn leaving(self, direction: Direction, course: Course) -> Option<(usize, f64)> {
+        let n = course.edges;
         match (self, direction) {
-            (Self::Corner(k), Direction::Cw) => (k, 0.0),
-            (Self::Corner(k), Direction::Ccw) => ((k + n - 1) % n, 1.0),
-            (Self::Inside { edge, at }, _) => (edge, at),
+            (Self::Corner(k), Direction::Cw) if k < n => Some((k, 0.0)),
+            (Self::Corner(k), Direction::Ccw) if k > 0 => Some((k - 1, 1.0)),
+            (Self::Corner(_), Direction::Ccw) if course.closed => Some((n - 1, 1.0)),
+            (Self::Corner(_), _) => None,
+            (Self::Inside { edge, at }, _) => Some((edge, at)),
         }
     }
 
     /// The edge and fraction at which a way in `direction` arrives.
-    pub(super) fn reaching(self, direction: Direction, n: usize) -> (usize, f64) {
-        self.leaving(opposite(direction), n)
+    pub(super) fn reaching(self, direction: Direction, course: Course) -> Option<(usize, f64)> {
+        self.leaving(opposite(direction), course)
     }
 }
 
@@ -54,11 +90,11 @@ pub(super) fn opposite(direction: Direction) -> Direction {
     }
 }
 
-/// The ways from one spot to another along a single edge: none, one, or more than one on outlines of one or two edges.
-pub(super) fn ways_along_one_edge(from: Spot, to: Spot, n: usize) -> Vec<Direction> {
+/// The ways from one spot to another along a single edge: none, one, or more than one on rings of one or two edges.
+pub(super) fn ways_along_one_edge(from: At, to: At, course: Course) -> Vec<Direction> {
     let mut ways = vec![];
-    for (edge_from, at_from) in from.incidences(n) {
-        for (edge_to, at_to) in to.incidences(n) {
+    for (edge_from, at_from) in from.incidences(course) {
+        for (edge_to, at_to) in to.incidences(course) {
             if edge_from == edge_to && at_from < at_to {
                 ways.push(Direction::Cw);
             } else if edge_from == edge_to && at_from > at_to {
@@ -72,72 +108,113 @@ pub(super) fn ways_along_one_edge(from: Spot, to: Spot, n: usize) -> Vec<Directi
 /// Finds `place` on `panel`.
 ///
 /// # Errors
-/// Corner, edge or notch that the panel does not have; a fraction that is not between 0 and 1.
+/// Corner, edge, notch, hole or line that the panel does not have; a fraction that is not between 0 and 1.
 pub(super) fn find(panel: &Panel, place: &Place, pointer: &str) -> Result<Spot, Fault> {
+    let finder = Finder { panel, pointer };
     match *place {
-        Place::Corner(corner) if corner < panel.corners.len() => Ok(Spot::Corner(corner)),
-        Place::Corner(corner) => Err(missing(
-            panel,
-            "corner",
-            corner,
-            panel.corners.len(),
-            pointer,
-        )),
-        Place::OnEdge { edge, at } => {
-            if edge >= panel.edges.len() {
-                return Err(missing(panel, "edge", edge, panel.edges.len(), pointer));
-            }
-            if !(0.0..=1.0).contains(&at) {
-                return Err(Fault::new(
-                    "seam/bad_fraction",
-                    pointer,
-                    format!("{at} is not a fraction of edge {edge} of `{}`", panel.id),
-                )
-                .fix(
-                    "give `at` as a number from 0 (start of the edge, clockwise) to 1 (its end)",
-                ));
-            }
-            Ok(snapped(panel, edge, at))
-        }
+        Place::Corner(corner) => finder.corner(Track::Outline, corner),
+        Place::OnEdge { edge, at } => finder.inside(Track::Outline, edge, at),
         Place::AtNotch { notch } => match panel.notches.get(notch) {
             Some(found) if found.edge < panel.edges.len() && (0.0..=1.0).contains(&found.at) => {
-                Ok(snapped(panel, found.edge, found.at))
+                Ok(finder.snapped(Track::Outline, found.edge, found.at))
             }
-            _ => Err(missing(panel, "notch", notch, panel.notches.len(), pointer)),
+            _ => Err(finder.missing("notch", notch, panel.notches.len(), "")),
         },
+        Place::HoleCorner { hole, corner } => finder.corner(finder.there("hole", hole)?, corner),
+        Place::OnHoleEdge { hole, edge, at } => {
+            finder.inside(finder.there("hole", hole)?, edge, at)
+        }
+        Place::OnLine { line, at } => finder.inside(finder.there("line", line)?, 0, at),
     }
 }
 
-fn missing(panel: &Panel, what: &str, index: usize, count: usize, pointer: &str) -> Fault {
-    let plural = if what == "notch" {
-        "notches"
-    } else {
-        &format!("{what}s")
-    };
-    let fix = match count {
-        0 => format!(
-            "`{}` has no {plural}: give the place in another way",
-            panel.id
-        ),
-        1 => format!("`{}` has only {what} 0", panel.id),
-        _ => format!("`{}` has {plural} 0 to {}", panel.id, count - 1),
-    };
-    Fault::new(
-        &format!("seam/unknown_{what}"),
-        pointer,
-        format!("panel `{}` has no {what} {index}", panel.id),
-    )
-    .fix(fix)
+struct Finder<'a> {
+    panel: &'a Panel,
+    pointer: &'a str,
 }
 
-fn snapped(panel: &Panel, edge: usize, at: f64) -> Spot {
-    let length = panel.edges[edge].length_m;
-    let snap = snap_distance(length);
-    if at * length <= snap {
-        Spot::Corner(edge)
-    } else if (1.0 - at) * length <= snap {
-        Spot::Corner((edge + 1) % panel.edges.len())
-    } else {
-        Spot::Inside { edge, at }
+impl Finder<'_> {
+    /// The hole or line of this index.
+    fn there(&self, what: &str, index: usize) -> Result<Track, Fault> {
+        let (track, count) = match what {
+            "hole" => (Track::Hole(index), self.panel.holes.len()),
+            _ => (Track::Line(index), self.panel.internal_lines.len()),
+        };
+        if index < count {
+            Ok(track)
+        } else {
+            Err(self.missing(what, index, count, ""))
+        }
+    }
+
+    fn corner(&self, track: Track, corner: usize) -> Result<Spot, Fault> {
+        let count = match track {
+            Track::Hole(hole) => self.panel.holes[hole].corners.len(),
+            _ => self.panel.corners.len(),
+        };
+        if corner < count.min(track.edge_count(self.panel)) {
+            Ok(Spot {
+                track,
+                at: At::Corner(corner),
+            })
+        } else {
+            Err(self.missing("corner", corner, count, &of_track(track)))
+        }
+    }
+
+    fn inside(&self, track: Track, edge: usize, at: f64) -> Result<Spot, Fault> {
+        let count = track.edge_count(self.panel);
+        if edge >= count {
+            return Err(self.missing("edge", edge, count, &of_track(track)));
+        }
+        if !(0.0..=1.0).contains(&at) {
+            let of = match track {
+                Track::Outline => format!("edge {edge}"),
+                Track::Hole(hole) => format!("edge {edge} of hole {hole}"),
+                Track::Line(line) => format!("line {line}"),
+            };
+            let detail = format!("{at} is not a fraction of {of} of `{}`", self.panel.id);
+            let fix = "give `at` as a number from 0 (start, in the order of corners) to 1 (end)";
+            return Err(Fault::new("seam/bad_fraction", self.pointer, detail).fix(fix));
+        }
+        Ok(self.snapped(track, edge, at))
+    }
+
+    fn snapped(&self, track: Track, edge: usize, at: f64) -> Spot {
+        let course = Course::of(self.panel, track);
+        let length = track.length(self.panel, edge);
+        let snap = snap_distance(length);
+        let at = if at * length <= snap {
+            At::Corner(edge)
+        } else if (1.0 - at) * length <= snap {
+            At::Corner(course.corner_after(edge))
+        } else {
+            At::Inside { edge, at }
+        };
+        Spot { track, at }
+    }
+
+    fn missing(&self, what: &str, index: usize, count: usize, of: &str) -> Fault {
+        let id = &self.panel.id;
+        let plural = if what == "notch" {
+            "notches"
+        } else {
+            &format!("{what}s")
+        };
+        let fix = match count {
+            0 => format!("`{id}` has no {plural}{of}: give the place in another way"),
+            1 => format!("`{id}` has only {what} 0{of}"),
+            _ => format!("`{id}` has {plural} 0 to {}{of}", count - 1),
+        };
+        let detail = format!("panel `{id}` has no {what} {index}{of}");
+        Fault::new(&format!("seam/unknown_{what}"), self.pointer, detail).fix(fix)
+    }
+}
+
+/// What a corner or edge belongs to, where it is not the outline.
+fn of_track(track: Track) -> String {
+    match track {
+        Track::Hole(hole) => format!(" of hole {hole}"),
+        Track::Outline | Track::Line(_) => String::new(),
     }
 }

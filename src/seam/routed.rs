@@ -1,6 +1,7 @@
 //! A seam whose runs are known, before it is known whether it can be sewn.
 
 use super::Stretch;
+use super::marks::{self, MatchedMarks, Measured};
 use super::matching;
 use super::parity::Link;
 use super::runs::Leg;
@@ -35,17 +36,34 @@ impl Routed {
             .map(|side| side.iter().map(|(_, length)| length).sum())
     }
 
-    fn measured(&self, pattern: &Pattern) -> [Vec<(Stretch, f64)>; 2] {
+    fn measured(&self, pattern: &Pattern) -> [Measured; 2] {
         self.sides.each_ref().map(|legs| {
             let stretches = legs.iter().flat_map(|leg| &leg.stretches);
             stretches.map(|s| (*s, s.length(pattern))).collect()
         })
     }
 
-    /// Which stretches meet.
+    /// Which notches meet.
+    pub(super) fn marks(&self, pattern: &Pattern) -> Vec<MatchedMarks> {
+        marks::matched(pattern, &self.measured(pattern))
+    }
+
+    /// Which stretches meet: by arc length between each two notches that do.
     pub(super) fn matched(&self, pattern: &Pattern) -> Vec<[Stretch; 2]> {
-        let [a, b] = self.measured(pattern);
-        matching::matched(&a, &b)
+        let sides = self.measured(pattern);
+        let marks = marks::matched(pattern, &sides);
+        let pieces = [
+            marks::cut(&sides[0], marks.iter().map(|pair| pair.a.at_m)),
+            marks::cut(&sides[1], marks.iter().map(|pair| pair.b.at_m)),
+        ];
+        match pieces {
+            [Some(a), Some(b)] => a
+                .iter()
+                .zip(&b)
+                .flat_map(|(a, b)| matching::matched(a, b))
+                .collect(),
+            _ => matching::matched(&sides[0], &sides[1]),
+        }
     }
 
     /// Whether the ends that meet are both the upper or both the lower one of their side as drawn;
@@ -69,14 +87,16 @@ fn rise(legs: &[Leg], pattern: &Pattern) -> Option<f64> {
 }
 
 /// What matched stretches say of faces: in a two-sided surface two panels with the same side of the cloth out go in
-/// opposite directions along their seam.
-pub(super) fn links(matched: &[[Stretch; 2]]) -> Vec<Link> {
-    let links: BTreeSet<Link> = matched
-        .iter()
-        .map(|[a, b]| Link {
+/// opposite directions along their seam, as the drawings of both have it. An internal line has cloth on both sides
+/// and says nothing.
+pub(super) fn links(pattern: &Pattern, matched: &[[Stretch; 2]]) -> Vec<Link> {
+    let link = |[a, b]: &[Stretch; 2]| {
+        let ways = [a, b].map(|stretch| stretch.has_cloth_on_right(pattern));
+        Some(Link {
             ends: [a.panel.min(b.panel), a.panel.max(b.panel)],
-            same: a.is_clockwise() != b.is_clockwise(),
+            same: ways[0]? != ways[1]?,
         })
-        .collect();
+    };
+    let links: BTreeSet<Link> = matched.iter().filter_map(link).collect();
     links.into_iter().collect()
 }

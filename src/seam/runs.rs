@@ -1,7 +1,9 @@
 //! From the runs of a side as asked to the stretches of edges they go along.
 
-use super::Stretch;
-use super::place::{self, Spot};
+use super::direction::direction;
+use super::place::{self, At, Course, Spot};
+use super::way::Way;
+use super::{Stretch, Track};
 use crate::fault::{Fault, nearest};
 use crate::pattern::{Direction, Panel, Pattern, Run, Side};
 use std::collections::BTreeMap;
@@ -40,12 +42,18 @@ impl Leg {
     }
 }
 
+/// Why a side cannot be sewn, and the side as it could be.
+pub(super) struct Refused {
+    pub faults: Vec<Fault>,
+    pub corrected: Option<Side>,
+}
+
 /// Turns sides as asked into legs and keeps the bounds on the work that a request may cause.
 pub(super) struct Resolver<'a> {
     pattern: &'a Pattern,
     panels: BTreeMap<&'a str, usize>,
-    /// Places inside edges that runs have named so far, by panel and edge.
-    inside: BTreeMap<(usize, usize), Vec<f64>>,
+    /// Places inside edges that runs have named so far, by panel, track and edge.
+    inside: BTreeMap<(usize, Track, usize), Vec<f64>>,
     stretches_left: usize,
     suggestions_left: usize,
 }
@@ -64,35 +72,67 @@ impl<'a> Resolver<'a> {
         }
     }
 
-    /// The legs of `side`, which stands at `pointer`; the faults of all its runs if there are any.
-    pub(super) fn side(&mut self, side: &Side, pointer: &str) -> Result<Vec<Leg>, Vec<Fault>> {
+    /// The legs of `side`, which stands at `pointer`.
+    ///
+    /// # Errors
+    /// The faults of all its runs, with the side as it could be sewn where every wrong run can be corrected.
+    pub(super) fn side(&mut self, side: &Side, pointer: &str) -> Result<Vec<Leg>, Refused> {
         let mut legs = vec![];
         let mut faults = vec![];
+        let mut corrected = vec![];
         for (i, run) in side.runs().iter().enumerate() {
             let at = match side {
                 Side::One(_) => pointer.to_owned(),
                 Side::Many(_) => format!("{pointer}/{i}"),
             };
             match self.run(run, &at) {
-                Ok(leg) => legs.push(leg),
-                Err(more) => faults.extend(more),
+                Ok(leg) => {
+                    legs.push(leg);
+                    corrected.push(run.clone());
+                }
+                Err(more) => {
+                    faults.extend(more);
+                    corrected.extend(self.corrected(run));
+                }
             }
         }
         if side.runs().is_empty() {
-            faults.push(
-                Fault::new(
-                    "seam/empty_side",
-                    pointer,
-                    "this side of the seam has no run",
-                )
-                .fix("pick at least one edge for each side, or take the seam out"),
+            let fault = Fault::new(
+                "seam/empty_side",
+                pointer,
+                "this side of the seam has no run",
             );
+            faults.push(fault.fix("pick at least one edge for each side, or take the seam out"));
         }
         if faults.is_empty() {
-            Ok(legs)
-        } else {
-            Err(faults)
+            return Ok(legs);
         }
+        let all = corrected.len() == side.runs().len() && !corrected.is_empty();
+        let corrected = all.then(|| match side {
+            Side::One(_) => Side::One(corrected.remove(0)),
+            Side::Many(_) => Side::Many(corrected),
+        });
+        Err(Refused { faults, corrected })
+    }
+
+    /// The run with its panel's name and its direction put right, if that is all that is wrong with it.
+    fn corrected(&mut self, run: &Run) -> Option<Run> {
+        let mut corrected = run.clone();
+        if !self.panels.contains_key(run.panel.as_str()) {
+            if self.suggestions_left == 0 {
+                return None;
+            }
+            self.suggestions_left -= 1;
+            let ids = self.pattern.panels.iter().map(|panel| panel.id.as_str());
+            corrected.panel = nearest(&run.panel, ids)?.to_owned();
+        }
+        let leg = self.run(&corrected, "").or_else(|_| {
+            corrected.direction = None;
+            self.run(&corrected, "")
+        });
+        let leg = leg.ok()?;
+        self.stretches_left += leg.stretches.len();
+        Some(corrected)
     }
 
     fn run(&mut self, run: &Run, pointer: &str) -> Result<Leg, Vec<Fault>> {
@@ -103,17 +143,26 @@ impl<'a> Resolver<'a> {
         let from = place::find(panel, &run.from, &format!("{pointer}/from"));
         let to = place::find(panel, &run.to, &format!("{pointer}/to"));
         let (from, to) = match (from, to) {
+            (Ok(from), Ok(to)) if from.track != to.track => {
+                return Err(vec![apart(panel, [from.track, to.track], pointer)]);
+            }
             (Ok(from), Ok(to)) => (self.joined(index, from), self.joined(index, to)),
             (from, to) => return Err([from.err(), to.err()].into_iter().flatten().collect()),
         };
-        let direction = direction(panel, run, [from, to], pointer).map_err(|fault| vec![fault])?;
+        let course = Course::of(panel, from.track);
+        let places = (course, [from.at, to.at]);
+        let direction = direction(panel, run, places, pointer).map_err(|fault| vec![fault])?;
+        if !course.closed && from == to {
+            return Err(vec![zero_length(panel, pointer)]);
+        }
         let way = Way {
             panel: index,
+            track: from.track,
             direction,
-            n: panel.edges.len(),
+            course,
         };
         let mut stretches = way
-            .walk(from, to, self.stretches_left)
+            .walk(from.at, to.at, self.stretches_left)
             .ok_or_else(|| vec![too_long(pointer)])?;
         self.stretches_left -= stretches.len();
         stretches.retain(|s| s.length(self.pattern) > NOTHING_M);
@@ -131,19 +180,18 @@ impl<'a> Resolver<'a> {
     /// The same spot, or one named before that is as good as the same: a seam that ends where the next one
     /// begins, each by its own figure, must not leave a sliver between them.
     fn joined(&mut self, panel: usize, spot: Spot) -> Spot {
-        let Spot::Inside { edge, at } = spot else {
+        let At::Inside { edge, at } = spot.at else {
             return spot;
         };
-        let length = self.pattern.panels[panel].edges[edge].length_m;
-        let known = self.inside.entry((panel, edge)).or_default();
+        let length = spot.track.length(&self.pattern.panels[panel], edge);
+        let known = self.inside.entry((panel, spot.track, edge)).or_default();
         let near = |other: &f64| (other - at).abs() * length <= place::snap_distance(length);
-        match known.iter().find(|other| near(other)) {
-            Some(&at) => Spot::Inside { edge, at },
-            None => {
-                known.push(at);
-                spot
-            }
+        if let Some(&at) = known.iter().find(|other| near(other)) {
+            let at = At::Inside { edge, at };
+            return Spot { at, ..spot };
         }
+        known.push(at);
+        spot
     }
 
     fn unknown_panel(&mut self, name: &str, pointer: &str) -> Fault {
@@ -167,64 +215,24 @@ impl<'a> Resolver<'a> {
     }
 }
 
-/// Which way `run` goes: the edge between its places says so where there is just one, else the client must.
-fn direction(panel: &Panel, run: &Run, ends: [Spot; 2], pointer: &str) -> Result<Direction, Fault> {
-    let [from, to] = ends;
-    let ways = place::ways_along_one_edge(from, to, panel.edges.len());
-    match (ways.as_slice(), run.direction) {
-        ([way], None) => Ok(*way),
-        ([way], Some(given)) if given != *way => Err(Fault::new(
-            "seam/direction_contradicts",
-            format!("{pointer}/direction"),
-            format!(
-                "picked in this order the edge of `{}` runs {}, not {}",
-                panel.id,
-                word(*way),
-                word(given)
-            ),
-        )
-        .fix(format!(
-            "leave `direction` out, or swap `from` and `to` if the edge is to be sewn {}",
-            word(given)
-        ))),
-        (_, Some(given)) => Ok(given),
-        (_, None) => Err(direction_needed(panel, from == to, pointer)),
+/// What a track is called in a sentence.
+fn named(track: Track) -> String {
+    match track {
+        Track::Outline => "the outline".to_owned(),
+        Track::Hole(hole) => format!("hole {hole}"),
+        Track::Line(line) => format!("internal line {line}"),
     }
 }
 
-fn direction_needed(panel: &Panel, closed: bool, pointer: &str) -> Fault {
-    let (why, fix) = if closed {
-        (
-            "begins and ends at the same place",
-            "pick two different corners, or give `direction` (`cw` or `ccw`) to sew the whole outline round",
-        )
-    } else if panel.edges.len() <= 2 {
-        (
-            "joins two places that more than one edge joins",
-            "give `direction`: `cw` for the edge that leaves `from` clockwise, `ccw` for the other one",
-        )
-    } else {
-        (
-            "joins two places that do not lie on one edge",
-            "pick two neighbouring corners, or give `direction` (`cw` or `ccw`) to go over several edges",
-        )
-    };
-    Fault::new(
-        "seam/direction_needed",
-        format!("{pointer}/direction"),
-        format!(
-            "the run on `{}` {why}, so it is not plain which way it goes",
-            panel.id
-        ),
-    )
-    .fix(fix)
-}
-
-fn word(direction: Direction) -> &'static str {
-    match direction {
-        Direction::Cw => "clockwise (`cw`)",
-        Direction::Ccw => "counter-clockwise (`ccw`)",
-    }
+fn apart(panel: &Panel, [from, to]: [Track; 2], pointer: &str) -> Fault {
+    let detail = format!(
+        "the run on `{}` begins on {} and ends on {}, and no way leads from the one to the other",
+        panel.id,
+        named(from),
+        named(to)
+    );
+    Fault::new("seam/places_apart", pointer, detail)
+        .fix("pick both places on the outline, on the same hole or on the same internal line")
 }
 
 fn too_long(pointer: &str) -> Fault {
@@ -243,47 +251,4 @@ fn zero_length(panel: &Panel, pointer: &str) -> Fault {
         format!("the run on `{}` has no length", panel.id),
     )
     .fix("pick two corners that lie apart")
-}
-
-/// A way round an outline of `n` edges.
-struct Way {
-    panel: usize,
-    direction: Direction,
-    n: usize,
-}
-
-impl Way {
-    /// The stretches from one spot to the other, the whole outline where they are the same; nothing if more than `limit`.
-    fn walk(&self, from: Spot, to: Spot, limit: usize) -> Option<Vec<Stretch>> {
-        let (mut edge, mut at) = from.leaving(self.direction, self.n);
-        let (last, end) = to.reaching(self.direction, self.n);
-        let mut stretches = vec![];
-        while stretches.len() < limit {
-            let ahead = match self.direction {
-                Direction::Cw => end > at,
-                Direction::Ccw => end < at,
-            };
-            let here = |to| Stretch {
-                panel: self.panel,
-                edge,
-                from: at,
-                to,
-            };
-            if edge == last && ahead {
-                stretches.push(here(end));
-                return Some(stretches);
-            }
-            match self.direction {
-                Direction::Cw => {
-                    stretches.push(here(1.0));
-                    (edge, at) = ((edge + 1) % self.n, 0.0);
-                }
-                Direction::Ccw => {
-                    stretches.push(here(0.0));
-                    (edge, at) = ((edge + self.n - 1) % self.n, 1.0);
-                }
-            }
-        }
-        None
-    }
 }

@@ -4,6 +4,8 @@ use super::Face;
 use super::correct::Request;
 use super::cycle::{self, Tied};
 use super::faces::{self, Colouring, Saying};
+use super::misfaced;
+use super::order;
 use super::parity::Parity;
 use crate::fault::Fault;
 use crate::pattern::SeamPair;
@@ -24,7 +26,8 @@ pub(super) struct Twist {
     pub corrected: Option<SeamPair>,
 }
 
-/// Finds the smallest contradictory cycle, takes the blamed seam out, and so on until none is left.
+/// Finds panels whose stated faces are the trouble; then the smallest contradictory cycle, takes the blamed seam out,
+/// and so on until none is left.
 pub(super) fn find(
     request: &Request<'_>,
     stated: &[Option<Face>],
@@ -32,10 +35,9 @@ pub(super) fn find(
 ) -> Vec<Twist> {
     let nodes = stated.len() + 1;
     let mut ties = ties(request, stated, colouring);
-    let mut twists = vec![];
+    let mut twists = misfaced::find(request, stated, &mut ties);
     while twists.len() < REPORTED
         && let Some(cycle) = cycle::smallest(nodes, &ties)
-        && let Some(blamed) = blamed(request, &cycle, &ties, nodes)
     {
         let case = Case {
             request,
@@ -43,8 +45,12 @@ pub(super) fn find(
             ties: &ties,
             nodes,
         };
-        twists.push(case.told(blamed));
-        ties.retain(|tie| tie.seam != Some(blamed.seam));
+        let Some(blamed) = case.blamed(colouring) else {
+            break;
+        };
+        let twist = case.told(blamed);
+        ties.retain(|tie| tie.seam != Some(twist.seam));
+        twists.push(twist);
     }
     twists
 }
@@ -60,12 +66,7 @@ fn ties(request: &Request<'_>, stated: &[Option<Face>], colouring: &Colouring) -
         .into_iter()
         .filter(|saying| !saying.pair.allow_twist)
     {
-        let links = if colouring.reversed.contains_key(&saying.seam) {
-            &saying.reversed
-        } else {
-            &saying.picked
-        };
-        ties.extend(links.iter().map(|&link| Tied {
+        ties.extend(saying.links(colouring).iter().map(|&link| Tied {
             link,
             seam: Some(saying.seam),
         }));
@@ -73,29 +74,8 @@ fn ties(request: &Request<'_>, stated: &[Option<Face>], colouring: &Colouring) -
     ties
 }
 
-/// The seam of a cycle without which fewest contradictions are left; of several the one whose ends are upside down as drawn, then the one set last.
-fn blamed<'a>(
-    request: &'a Request<'_>,
-    cycle: &[Tied],
-    ties: &[Tied],
-    nodes: usize,
-) -> Option<&'a Saying<'a>> {
-    cycle
-        .iter()
-        .filter_map(|tie| tie.seam)
-        .filter_map(|seam| request.sayings.iter().find(|saying| saying.seam == seam))
-        .min_by_key(|saying| {
-            let (left, _) = without(ties, nodes, |tie| tie.seam == Some(saying.seam));
-            (
-                left,
-                saying.heights_agree != Some(false),
-                usize::MAX - saying.seam,
-            )
-        })
-}
-
 /// How many ties contradict those before them when some are left out, and what the rest say.
-fn without(ties: &[Tied], nodes: usize, out: impl Fn(&Tied) -> bool) -> (usize, Parity) {
+pub(super) fn without(ties: &[Tied], nodes: usize, out: impl Fn(&Tied) -> bool) -> (usize, Parity) {
     let mut parity = Parity::new(nodes);
     let mut contradictions = 0;
     for tie in ties.iter().filter(|tie| !out(tie)) {
@@ -113,6 +93,24 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
+    /// The seam without which fewest contradictions are left; of several the one that would start far shorter in the
+    /// other order, then the one whose ends are upside down as drawn, then the one set last.
+    fn blamed(&self, colouring: &Colouring) -> Option<&Saying<'_>> {
+        let seams = self.cycle.iter().filter_map(|tie| tie.seam);
+        let sayings = self.request.sayings;
+        seams
+            .filter_map(|seam| sayings.iter().find(|saying| saying.seam == seam))
+            .min_by_key(|saying| {
+                let (left, _) = without(self.ties, self.nodes, |tie| tie.seam == Some(saying.seam));
+                (
+                    left,
+                    !order::is_far_apart(self.request, saying, colouring),
+                    saying.heights_agree != Some(false),
+                    usize::MAX - saying.seam,
+                )
+            })
+    }
+
     fn told(&self, blamed: &Saying<'_>) -> Twist {
         let fault = Fault::new(
             "seam/twisted",
@@ -203,7 +201,7 @@ impl Case<'_> {
 }
 
 /// Names in quotation marks, each once, with "and" before the last.
-fn listed<'a>(names: impl Iterator<Item = &'a String>) -> String {
+pub(super) fn listed<'a>(names: impl Iterator<Item = &'a String>) -> String {
     let mut quoted: Vec<String> = vec![];
     for name in names.map(|name| format!("`{name}`")) {
         if !quoted.contains(&name) {

@@ -1,5 +1,6 @@
 //! What is known about a drape. Errors are RMS over the vertices.
 
+use crate::fault::Warning;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
@@ -54,6 +55,9 @@ pub struct Report {
     pub ladder: Vec<String>,
     /// Version of the program.
     pub version: String,
+    /// What a user should know of the seams that were sewn.
+    #[serde(default)]
+    pub warnings: Vec<Warning>,
 }
 
 /// Energy by term \[J\].

@@ -6,8 +6,8 @@
 )]
 
 use seamster::pattern::{
-    Allowance, Corner, Edge, Format, Notch, NotchKind, Panel, Pattern, Place, Run, SeamPair, Side,
-    Source,
+    Allowance, Corner, Edge, Format, Hole, Notch, NotchKind, Panel, Pattern, Place, Run, SeamPair,
+    Side, Source,
 };
 
 /// A panel with these edges, each a polyline from one corner to the next, clockwise.
@@ -136,6 +136,64 @@ pub fn notched(mut panel: Panel, edge: usize, at: f64) -> Panel {
         kind: NotchKind::V,
         depth_m: None,
     });
+    panel
+}
+
+/// The mirrored copy of a panel, `<id>~mirror`: the same numbers, reflected x to -x.
+pub fn mirrored(source: &Panel) -> Panel {
+    let mut copy = source.clone();
+    copy.id = format!("{}~mirror", source.id);
+    copy.copy_of = Some(source.id.clone());
+    let reflect = |corners: &mut Vec<Corner>, edges: &mut Vec<Edge>| {
+        corners.iter_mut().for_each(|corner| corner.x = -corner.x);
+        let points = edges.iter_mut().flat_map(|edge| &mut edge.points);
+        points.for_each(|point| point[0] = -point[0]);
+    };
+    reflect(&mut copy.corners, &mut copy.edges);
+    for hole in &mut copy.holes {
+        reflect(&mut hole.corners, &mut hole.edges);
+    }
+    let lines = copy.internal_lines.iter_mut().flatten();
+    lines.for_each(|point| point[0] = -point[0]);
+    copy
+}
+
+/// The same panel with a hole of straight edges between these corners, counter-clockwise.
+pub fn with_hole(mut panel: Panel, corners: &[[f64; 2]]) -> Panel {
+    // Built clockwise, which is what panels are, and turned.
+    let mut clockwise = corners.to_vec();
+    clockwise.reverse();
+    let hole = polygon("hole", &clockwise);
+    let count = corners.len();
+    panel.area_m2 -= hole.area_m2;
+    panel.holes.push(Hole {
+        corners: (0..count)
+            .map(|index| Corner {
+                index,
+                x: corners[index][0],
+                y: corners[index][1],
+            })
+            .collect(),
+        edges: (0..count)
+            .map(|index| {
+                let points = vec![corners[index], corners[(index + 1) % count]];
+                Edge {
+                    index,
+                    from: index,
+                    to: (index + 1) % count,
+                    length_m: (points[1][0] - points[0][0]).hypot(points[1][1] - points[0][1]),
+                    points,
+                    ..hole.edges[index].clone()
+                }
+            })
+            .collect(),
+    });
+    panel
+}
+
+/// The same panel with an internal line.
+pub fn with_line(mut panel: Panel, points: &[[f64; 2]]) -> Panel {
+    panel.internal_lines.push(points.to_vec());
     panel
 }
 

@@ -1,8 +1,8 @@
-//! Lengths along edges, and the ease that two sides of different length leave.
+//! The ease that two sides of different length leave.
 
-use super::{SeamFinding, Stretch};
+use super::SeamFinding;
 use crate::fault::{Fault, Warning};
-use crate::pattern::{Edge, Pattern, SeamPair};
+use crate::pattern::SeamPair;
 
 /// Differences above this are noted \[m\].
 const EASE_NOTED_M: f64 = 1e-3;
@@ -12,48 +12,6 @@ const EASE_MUCH: f64 = 0.15;
 
 /// Ease above this is refused unless gathering is asked for.
 const EASE_MOST: f64 = 0.30;
-
-impl Stretch {
-    /// Arc length \[m\].
-    pub(super) fn length(&self, pattern: &Pattern) -> f64 {
-        (self.to - self.from).abs() * pattern.panels[self.panel].edges[self.edge].length_m
-    }
-
-    /// The same, gone from the end to the start.
-    pub(super) fn reversed(&self) -> Self {
-        Self {
-            from: self.to,
-            to: self.from,
-            ..*self
-        }
-    }
-
-    /// Whether it runs clockwise.
-    pub(super) fn is_clockwise(&self) -> bool {
-        self.to > self.from
-    }
-
-    /// Points where it begins and ends, in pattern coordinates \[m\].
-    pub(super) fn ends(&self, pattern: &Pattern) -> [[f64; 2]; 2] {
-        let edge = &pattern.panels[self.panel].edges[self.edge];
-        [point_at(edge, self.from), point_at(edge, self.to)]
-    }
-}
-
-/// The point of `edge` at this fraction of its arc length.
-fn point_at(edge: &Edge, at: f64) -> [f64; 2] {
-    let mut left = at * edge.length_m;
-    for pair in edge.points.windows(2) {
-        let [[x0, y0], [x1, y1]] = [pair[0], pair[1]];
-        let length = (x1 - x0).hypot(y1 - y0);
-        if left <= length && length > 0.0 {
-            let share = left / length;
-            return [x0 + share * (x1 - x0), y0 + share * (y1 - y0)];
-        }
-        left -= length;
-    }
-    edge.points.last().copied().unwrap_or_default()
-}
 
 /// Writes lengths and ease of a seam into its finding, with what is to be said about them.
 pub(super) fn judge_ease(finding: &mut SeamFinding, pair: &SeamPair, pointer: &str) {

@@ -1,0 +1,84 @@
+//! How far apart the two sides of a seam start in space: what tells its order where the faces of panels cannot.
+
+use super::{Face, Routed, Starts, Stretch};
+use crate::pattern::Pattern;
+
+/// Points at which the two sides are compared.
+const SAMPLES: usize = 17;
+
+/// The other order is far shorter if what goes beyond the shared distance is at most this share of what does in the
+/// first one, the tangent of 30 degrees: two straight sides of one length are then at most 60 degrees off in the other
+/// order, and at least 120 in the first. Sleeves turned down by 45 degrees against their armholes stay below it.
+const FAR: f64 = 0.577;
+
+/// Sides shorter than this are not judged \[m\]: the bit of an edge that is left at a corner points any way.
+const SHORTEST_M: f64 = 0.02;
+
+/// Sides that start as well together as this share of the seam's length are left alone.
+const CLOSE: f64 = 0.1;
+
+/// The chords between the points that meet.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Chords {
+    /// Root of the mean square of their lengths \[m\].
+    pub rms: f64,
+    /// Length of the mean chord \[m\].
+    mean: f64,
+    /// Length of the longer side \[m\].
+    length: f64,
+}
+
+impl Chords {
+    /// The chords of `seam` in the order it has, on panels with these faces; nothing where the start of a panel is not known.
+    pub(super) fn of(
+        pattern: &Pattern,
+        seam: &Routed,
+        faces: &[Face],
+        starts: Starts<'_>,
+    ) -> Option<Self> {
+        let matched = seam.matched(pattern);
+        let lengths: Vec<f64> = matched
+            .iter()
+            .map(|pair| pair.iter().map(|s| s.length(pattern)).sum())
+            .collect();
+        let whole: f64 = lengths.iter().sum();
+        let (mut pair, mut passed) = (0, 0.0);
+        let (mut sum, mut squares) = ([0.0; 3], 0.0);
+        for sample in 0..SAMPLES {
+            #[expect(clippy::cast_precision_loss, reason = "a few samples")]
+            let at = whole * sample as f64 / (SAMPLES - 1) as f64;
+            while pair + 1 < matched.len() && passed + lengths[pair] < at {
+                passed += lengths[pair];
+                pair += 1;
+            }
+            let share = ((at - passed) / lengths[pair]).clamp(0.0, 1.0);
+            let start = |s: &Stretch| starts(s.panel, faces[s.panel], s.point(pattern, share));
+            let (a, b) = (start(&matched[pair][0])?, start(&matched[pair][1])?);
+            let chord = [0, 1, 2].map(|k| b[k] - a[k]);
+            squares += chord.iter().map(|c| c * c).sum::<f64>();
+            sum = [0, 1, 2].map(|k| sum[k] + chord[k]);
+        }
+        #[expect(clippy::cast_precision_loss, reason = "a few samples")]
+        let count = SAMPLES as f64;
+        let [a, b] = seam.lengths(pattern);
+        let mean = sum.iter().map(|c| c * c).sum::<f64>().sqrt() / count;
+        let found = Self {
+            rms: (squares / count).sqrt(),
+            mean,
+            length: a.max(b),
+        };
+        found.rms.is_finite().then_some(found)
+    }
+
+    /// Whether the other order is far shorter.
+    ///
+    /// Panels start apart from one another, and the distance that both orders share tells nothing: of each is judged
+    /// what goes beyond the shorter of the two mean chords.
+    pub(super) fn far_longer_than(&self, other: &Self) -> bool {
+        let shared = self.mean.min(other.mean);
+        let beyond = |chords: &Self| (chords.rms * chords.rms - shared * shared).max(0.0).sqrt();
+        self.length >= SHORTEST_M
+            && beyond(self) > CLOSE * self.length
+            && beyond(other) <= FAR * beyond(self)
+    }
+}

@@ -1,0 +1,81 @@
+//! Which way a run goes: its places say so where there is just one way, else the client must.
+
+use super::place::{self, At, Course};
+use crate::fault::Fault;
+use crate::pattern::{Direction, Panel, Run};
+
+/// Which way `run` goes between places that lie on one track.
+///
+/// # Errors
+/// A direction that is needed and not given, or given and not that of the places.
+pub(super) fn direction(
+    panel: &Panel,
+    run: &Run,
+    (course, [from, to]): (Course, [At; 2]),
+    pointer: &str,
+) -> Result<Direction, Fault> {
+    let ways = place::ways_along_one_edge(from, to, course);
+    // On a ring of one edge either way leads from any place to any other.
+    let one_edge = course.closed && course.edges == 1;
+    match (ways.as_slice(), run.direction) {
+        ([way], None) => Ok(*way),
+        ([way], Some(given)) if given != *way && !one_edge => {
+            Err(contradicts(panel, [*way, given], pointer))
+        }
+        (_, Some(given)) => Ok(given),
+        (_, None) if from == to && !course.closed => Ok(Direction::Cw),
+        (_, None) => Err(needed(panel, course, from == to, pointer)),
+    }
+}
+
+fn contradicts(panel: &Panel, [way, given]: [Direction; 2], pointer: &str) -> Fault {
+    Fault::new(
+        "seam/direction_contradicts",
+        format!("{pointer}/direction"),
+        format!(
+            "picked in this order the edge of `{}` runs {}, not {}",
+            panel.id,
+            word(way),
+            word(given)
+        ),
+    )
+    .fix(format!(
+        "leave `direction` out, or swap `from` and `to` if the edge is to be sewn {}",
+        word(given)
+    ))
+}
+
+fn needed(panel: &Panel, course: Course, same_place: bool, pointer: &str) -> Fault {
+    let (why, fix) = if same_place {
+        (
+            "begins and ends at the same place",
+            "pick two different corners, or give `direction` (`cw` or `ccw`) to sew the whole outline round",
+        )
+    } else if course.edges <= 2 {
+        (
+            "joins two places that more than one edge joins",
+            "give `direction`: `cw` for the edge that leaves `from` clockwise, `ccw` for the other one",
+        )
+    } else {
+        (
+            "joins two places that do not lie on one edge",
+            "pick two neighbouring corners, or give `direction` (`cw` or `ccw`) to go over several edges",
+        )
+    };
+    Fault::new(
+        "seam/direction_needed",
+        format!("{pointer}/direction"),
+        format!(
+            "the run on `{}` {why}, so it is not plain which way it goes",
+            panel.id
+        ),
+    )
+    .fix(fix)
+}
+
+fn word(direction: Direction) -> &'static str {
+    match direction {
+        Direction::Cw => "clockwise (`cw`)",
+        Direction::Ccw => "counter-clockwise (`ccw`)",
+    }
+}
