@@ -12,6 +12,7 @@ pub(crate) mod outline;
 mod panel;
 mod placement;
 mod seam_pair;
+mod spline;
 
 pub use copies::MIRROR;
 pub use panel::{Corner, Edge, Face, Grain, Hole, Notch, NotchKind, Panel, Quantity};

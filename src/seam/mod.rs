@@ -17,8 +17,8 @@ mod parity;
 mod place;
 mod routed;
 mod runs;
-mod track;
 pub mod suggest;
+mod track;
 mod twist;
 mod way;
 

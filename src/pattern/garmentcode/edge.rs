@@ -4,8 +4,9 @@
 //! [radius, large, right] as in SVG: `right` where it lies to the right of the way from `a` to `b` (the smaller one).
 //! Source: `GarmentCode`, pygarment/garmentcode/edge.py and pygarment/pattern/utils.py.
 
-use super::super::curve::{self, Spline};
+use super::super::curve;
 use super::super::outline::{P, distance, sub};
+use super::super::spline::Spline;
 use super::value::{At, Findings};
 
 /// A chord may be longer than the diameter of its arc by this share: writers round.
