@@ -317,6 +317,9 @@ fn what_cannot_spare_the_width_is_refused() {
         [0.4, 0.0],
     ]);
     assert!(refused(&slit, WIDTH).contains("slit"));
+    for none in [-0.01, f64::NAN, f64::INFINITY] {
+        assert!(refused(&slit, none).contains("is no width"));
+    }
     let mut sewn = polygon(&circle(6, 0.3));
     sewn.cut_line = circle(6, 0.31);
     assert!(refused(&sewn, WIDTH).contains("cut line of its own"));

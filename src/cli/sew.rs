@@ -105,7 +105,8 @@ fn read_garment(file: &Path, limits: &Limits) -> Result<Garment, Faults> {
 }
 
 fn read_pattern(file: &Path, asked: &SewAsked, limits: &Limits) -> Result<Pattern, Faults> {
-    let bytes = read(file, limits.dxf_bytes)?;
+    // The import knows what it is, and bounds each kind.
+    let bytes = read(file, limits.dxf_bytes.max(limits.json_bytes))?;
     let name = file.file_stem().and_then(|name| name.to_str());
     let options = ImportOptions {
         name: name.map(str::to_owned),

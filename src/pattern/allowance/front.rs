@@ -1,18 +1,9 @@
-//! Seam allowance cut away: the outline of a panel, given as cut, moved inwards by a width.
-//!
-//! Every segment of the outline moves in parallel, neighbours meet where their lines do (a mitre, as patterns are
-//! marked), and a segment that has shrunk to nothing is left out from then on: the edge events of the straight skeleton
-//! (O. Aichholzer, F. Aurenhammer, "Straight skeletons for general polygonal figures", COCOON 1996), in the order in
-//! which they happen. Its other events, parts of the outline that run into each other, are found as crossings at the
-//! end and refused. For a smooth convex outline of area A and length L the area left is A - p L + pi p² (Steiner).
-//!
-//! O(n log n) for n points, besides the search for crossings.
+//! The outline as it moves inwards: its edge events, in order, and what is left of each edge.
 
-use super::outline::{
-    P, bounds, contains, cross, crossing, distance, dot, length, nearest, signed_area, sub,
-};
-use super::{Corner, Edge, Notch, Panel, assemble, copies};
+use super::{nothing_left, refuse};
 use crate::fault::Fault;
+use crate::pattern::outline::{P, cross, distance, dot, length, sub};
+use crate::pattern::{Edge, Panel};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -21,109 +12,6 @@ const PARALLEL: f64 = 1e-9;
 
 /// A corner that juts into the cloth may move by so many widths at most: beyond, it is a slit.
 const MITRE: f64 = 5.0;
-
-impl Panel {
-    /// The panel with `allowance_m` cut away inside its outline, which becomes its cut line. Corners, edges and
-    /// notches keep their numbers; holes, internal lines and drill holes stay where they are.
-    ///
-    /// # Errors
-    /// A panel that has a cut line already, an edge of which nothing is left, parts that run into each other, a corner
-    /// that juts in too sharply. The pointer is empty.
-    pub fn without_allowance(&self, allowance_m: f64) -> Result<Self, Fault> {
-        if allowance_m == 0.0 {
-            return Ok(self.clone());
-        }
-        if self.copy_of.is_some() {
-            // Reflected it runs clockwise like every other panel.
-            let drawn = Self {
-                copy_of: None,
-                ..copies::mirrored(self)
-            };
-            return Ok(Self {
-                id: self.id.clone(),
-                copy_of: self.copy_of.clone(),
-                ..copies::mirrored(&drawn.without_allowance(allowance_m)?)
-            });
-        }
-        if !self.cut_line.is_empty() {
-            let detail = format!(
-                "panel {} has a cut line of its own: its outline is the sew line",
-                self.id
-            );
-            return Err(refuse(detail, "give 0"));
-        }
-        net(self, allowance_m)
-    }
-}
-
-fn refuse(detail: String, fix: &str) -> Fault {
-    Fault::new("pattern/allowance", "", detail).fix(fix)
-}
-
-fn net(panel: &Panel, width: f64) -> Result<Panel, Fault> {
-    let mut front = Front::of(&panel.edges);
-    front.sharpest(panel)?;
-    front.advance(width);
-    let edges = front.edges(panel, width)?;
-    let ring = assemble::ring(&edges);
-    if let Some([x, y]) = crossing(&ring) {
-        let detail = format!(
-            "with {width} m cut away, parts of panel {} run into each other at ({x:.4}, {y:.4})",
-            panel.id
-        );
-        return Err(refuse(detail, "give a smaller allowance"));
-    }
-    let [area, hole_area] = [
-        -signed_area(&ring),
-        panel
-            .holes
-            .iter()
-            .map(|hole| signed_area(&assemble::ring(&hole.edges)))
-            .sum(),
-    ];
-    let side = |points: &[P]| {
-        let [low, high] = bounds(points);
-        (high[0] - low[0]).max(high[1] - low[1])
-    };
-    // Turned inside out, or larger than before: nothing of it is left.
-    if ring.len() < 3 || area <= 0.0 || side(&ring) >= side(&assemble::ring(&panel.edges)) {
-        return Err(nothing_left(panel, width));
-    }
-    let in_hole = panel.holes.iter().flat_map(|hole| &hole.edges);
-    if let Some([x, y]) = in_hole
-        .flat_map(|edge| &edge.points)
-        .find(|p| !contains(&ring, **p))
-    {
-        let detail = format!(
-            "with {width} m cut away, panel {} runs into its hole at ({x:.4}, {y:.4})",
-            panel.id
-        );
-        return Err(refuse(detail, "give a smaller allowance"));
-    }
-    Ok(Panel {
-        area_m2: area - hole_area.abs(),
-        perimeter_m: edges.iter().map(|edge| edge.length_m).sum(),
-        corners: edges.iter().map(corner).collect(),
-        notches: notches(panel, &edges, width),
-        cut_line: assemble::ring(&panel.edges),
-        edges,
-        ..panel.clone()
-    })
-}
-
-fn nothing_left(panel: &Panel, width: f64) -> Fault {
-    let detail = format!(
-        "with {width} m cut away, nothing of panel {} is left",
-        panel.id
-    );
-    refuse(detail, "give a smaller allowance")
-}
-
-fn corner(edge: &Edge) -> Corner {
-    let [x, y] = edge.points[0];
-    let index = edge.index;
-    Corner { index, x, y }
-}
 
 /// A segment of the outline, which moves along its inward normal.
 struct Line {
@@ -144,10 +32,10 @@ impl Line {
 }
 
 /// The outline as it moves: lines in a ring.
-struct Front(Vec<Line>);
+pub(super) struct Front(Vec<Line>);
 
 impl Front {
-    fn of(edges: &[Edge]) -> Self {
+    pub(super) fn of(edges: &[Edge]) -> Self {
         let segments = edges.iter().flat_map(|edge| {
             let pairs = edge.points.windows(2);
             let pairs = pairs.filter(|pair| pair[0] != pair[1]);
@@ -170,7 +58,7 @@ impl Front {
     }
 
     /// Refuses corners that jut into the cloth too sharply for a mitre.
-    fn sharpest(&self, panel: &Panel) -> Result<(), Fault> {
+    pub(super) fn sharpest(&self, panel: &Panel) -> Result<(), Fault> {
         for line in &self.0 {
             let before = &self.0[line.previous];
             let turn = cross(before.along, line.along).atan2(dot(before.along, line.along));
@@ -224,7 +112,7 @@ impl Front {
     }
 
     /// Leaves out the lines that shrink to nothing within `width`, in that order.
-    fn advance(&mut self, width: f64) {
+    pub(super) fn advance(&mut self, width: f64) {
         let mut ends: Vec<f64> = (0..self.0.len()).map(|i| self.end_of(i)).collect();
         let event = |t: f64, i: usize| Reverse((Time(t), i));
         let soon = (0..self.0.len()).filter(|i| ends[*i] <= width);
@@ -250,7 +138,7 @@ impl Front {
     }
 
     /// The edges of the front after `width`.
-    fn edges(&self, panel: &Panel, width: f64) -> Result<Vec<Edge>, Fault> {
+    pub(super) fn edges(&self, panel: &Panel, width: f64) -> Result<Vec<Edge>, Fault> {
         let mut points: Vec<Vec<P>> = vec![Vec::new(); panel.edges.len()];
         for (i, line) in self.0.iter().enumerate().filter(|(_, line)| !line.is_left) {
             points[line.edge].push(self.meeting(line.previous, i, width));
@@ -298,40 +186,4 @@ impl Ord for Time {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
         self.0.total_cmp(&other.0)
     }
-}
-
-/// The notches, each at the place of its edge that is straight inwards.
-fn notches(panel: &Panel, edges: &[Edge], width: f64) -> Vec<Notch> {
-    let moved = |notch: &Notch| {
-        let cut = &panel.edges[notch.edge];
-        let place = inwards(cut, notch.at, width);
-        let points = &edges[notch.edge].points;
-        let foot = nearest(points.windows(2).map(|pair| (pair[0], pair[1])), place);
-        let at = foot.map_or(notch.at, |foot| {
-            let before = length(&points[..=foot.segment]);
-            let part = foot.at * distance(points[foot.segment], points[foot.segment + 1]);
-            ((before + part) / edges[notch.edge].length_m).clamp(0.0, 1.0)
-        });
-        Notch { at, ..*notch }
-    };
-    panel.notches.iter().map(moved).collect()
-}
-
-/// The point `width` inwards from an edge at a fraction of its length.
-fn inwards(edge: &Edge, at: f64, width: f64) -> P {
-    let mut left = at * edge.length_m;
-    let last = edge.points.len() - 2;
-    for (i, pair) in edge.points.windows(2).enumerate() {
-        let long = distance(pair[0], pair[1]);
-        if left <= long || i == last {
-            let d = sub(pair[1], pair[0]).map(|c| c / long);
-            let way = left.min(long);
-            return [
-                pair[0][0] + way * d[0] + width * d[1],
-                pair[0][1] + way * d[1] - width * d[0],
-            ];
-        }
-        left -= long;
-    }
-    edge.points[0]
 }
