@@ -139,6 +139,7 @@ fn pattern_comes_back_with_its_panels() {
     assert_eq!(answers[0]["panels"].as_array().unwrap().len(), 3);
     assert_eq!(answers[1]["patterns"].as_array().unwrap().len(), 2);
     assert_eq!(answers[1]["patterns"][1]["id"], answers[0]["id"]);
+    assert!(program.file("skirt.svg").starts_with(b"<svg "));
 }
 
 #[test]

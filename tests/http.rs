@@ -524,6 +524,55 @@ fn a_pattern_is_kept_until_it_is_removed() {
 }
 
 #[test]
+fn a_pattern_is_drawn() {
+    let server = Server::with(config(), 0);
+    let kept = server.send("POST", "/v1/patterns", &[], &sample("skirt.dxf"));
+    let at = format!("{}/drawing.svg", kept.header("location"));
+    let drawing = server.get(&at);
+    assert_eq!(drawing.status, 200);
+    assert_eq!(drawing.header("content-type"), "image/svg+xml");
+    assert_eq!(drawing.header("x-content-type-options"), "nosniff");
+    let policy = drawing.header("content-security-policy");
+    assert!(policy.contains("default-src 'none'"), "{policy}");
+    let svg = drawing.text();
+    assert!(svg.starts_with("<svg "), "{svg}");
+    for panel in kept.json()["panels"].as_array().unwrap() {
+        let name = panel["name"].as_str().unwrap();
+        assert!(svg.contains(&format!("<title>{name}</title>")), "{name}");
+    }
+    let etag = drawing.header("etag");
+    let again = server.ask("GET", &at, &[("if-none-match", etag)]);
+    assert_eq!((again.status, again.bytes.len()), (304, 0));
+    server.ask("POST", &at, &[]).problem(405);
+    server
+        .get(&format!("/v1/patterns/{NO_ID}/drawing.svg"))
+        .problem(404);
+}
+
+#[test]
+fn seams_are_checked_on_what_is_left_of_panels_given_as_cut() {
+    let server = Server::with(config(), 0);
+    let kept = server.send("POST", "/v1/patterns", &[], &sample("skirt.dxf"));
+    let pattern = kept.json();
+    let panel = pattern["panels"][0]["id"].as_str().unwrap();
+    let path = format!("{}/seams/check", kept.header("location"));
+    let seam = json!({"id": "s", "a": {"panel": panel, "from": 0, "to": 1}, "b": {"panel": panel, "from": 2, "to": 3}});
+    let length = |width: f64| {
+        let asked = json!({"seams": [seam], "panels": {panel: {"seam_allowance_m": width}}});
+        let answer = server.post_json(&path, &asked);
+        assert_eq!(answer.status, 200, "{}", answer.text());
+        answer.json()["seams"][0]["length_a_m"].as_f64().unwrap()
+    };
+    assert!(length(0.01) < length(0.0) - 0.01);
+    let asked = json!({"seams": [seam], "panels": {panel: {"seam_allowance_m": -0.01}}});
+    let pointer = format!("/panels/{panel}/seam_allowance_m");
+    assert_eq!(
+        server.post_json(&path, &asked).faults(422),
+        [format!("garment/number {pointer}")]
+    );
+}
+
+#[test]
 fn stated_units_override_those_of_the_file() {
     let server = Server::with(config(), 0);
     let area = |units: &str| {

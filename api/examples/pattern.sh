@@ -1,7 +1,9 @@
 #!/usr/bin/env bash
 # Upload a pattern: panels with corners, edges, notches and grain come back, in metres.
+# Leaves skirt.svg in the folder OUT, or beside README.md.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
+out=${OUT:-.}
 base=${BASE:-http://127.0.0.1:8737}
 
 # As a form. A file whose units are wrong or not stated: add ?units=cm (mm, cm, m, inch).
@@ -13,6 +15,9 @@ echo
 # As plain bytes.
 curl -fsS -o /dev/null "$base/v1/patterns" \
   -H 'Content-Type: image/vnd.dxf' --data-binary @static/samples/top.dxf
+
+# Drawn, with the numbers of corners and edges that seams name.
+curl -fsS -o "$out/skirt.svg" "$base$pattern/drawing.svg"
 
 # What is kept, newest first.
 curl -fsS "$base/v1/patterns?limit=10"

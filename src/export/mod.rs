@@ -1,4 +1,4 @@
-//! From a drape to bytes: GLB, OBJ, JSON.
+//! From a drape to bytes: GLB, OBJ, JSON; and from a pattern to a drawing.
 //!
 //! In all of them the first texture coordinates are the pattern coordinates in metres, v up, so that a fabric
 //! of known repeat can be laid on to scale.
@@ -6,9 +6,11 @@
 mod glb;
 mod normals;
 mod obj;
+mod svg;
 
 pub use glb::{avatar_glb, garment_with_avatar_glb, glb};
 pub use obj::obj;
+pub use svg::drawing_svg;
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;

@@ -68,13 +68,11 @@ pub fn prepare(
     let whole = sewn::with_copies(&garment, &pattern);
     faults.extend(panel_faults(&garment, &whole));
     // The saved file keeps the outlines as they were given: they are cut anew each time.
-    let pattern = match sewn::without_allowances(&garment, whole.clone()) {
-        Ok(pattern) => Arc::new(pattern),
-        Err(found) => {
-            faults.extend(found.0);
-            return Err(Faults(faults));
-        }
-    };
+    let pattern = sewn::without_allowances(&garment, whole.clone()).unwrap_or_else(|found| {
+        faults.extend(found.0);
+        whole.clone()
+    });
+    let pattern = Arc::new(pattern);
     sewn::spell_out_copies(&mut garment, &whole);
     let seams = check_seams(&garment, &pattern, limits)
         .map_err(|found| faults.extend(found.0))

@@ -23,11 +23,11 @@ pub(super) fn router() -> Router<App> {
 #[openapi(
     info(
         title = "Seamster",
-        description = "Garment sewing without a screen: DXF patterns and seams in, a garment draped on a body out.\n\nLengths are in metres, times in seconds, angles in degrees. Every answer that is no success is a `Problem` (RFC 9457) that lists all faults at once.",
+        description = "Garment sewing without a screen: patterns (DXF, GarmentCode) and seams in, a garment draped on a body out.\n\nLengths are in metres, times in seconds, angles in degrees. Every answer that is no success is a `Problem` (RFC 9457) that lists all faults at once.",
         license(name = "MIT", identifier = "MIT")
     ),
     paths(
-        patterns::create, patterns::list, patterns::show, patterns::remove, seams::check,
+        patterns::create, patterns::list, patterns::show, patterns::drawing, patterns::remove, seams::check,
         fabrics::list, fabrics::create, fabrics::show,
         avatars::create, avatars::list, avatars::show, avatars::remove, avatars::mesh,
         fits::create, fits::list, fits::show, fits::cancel, events::events,

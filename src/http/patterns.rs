@@ -1,14 +1,16 @@
 //! `/v1/patterns`: DXF files and `GarmentCode` specifications in, patterns and drawings out.
 
+use super::answer::Answer;
 use super::body::Upload;
 use super::listing::{Asking, Id, ListAsked};
 use super::problem::Problem;
 use super::state::App;
+use crate::export::drawing_svg;
 use crate::job::{DocumentKind, Stored};
 use crate::pattern::{self, Format, ImportOptions, Pattern, RotationOrder, Units};
 use axum::extract::State;
-use axum::http::{StatusCode, header};
-use axum::response::IntoResponse;
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::{IntoResponse, Response};
 use axum::routing::get;
 use axum::{Json, Router};
 use jiff::Timestamp;
@@ -20,6 +22,7 @@ pub(super) fn router() -> Router<App> {
     Router::new()
         .route("/v1/patterns", get(list).post(create))
         .route("/v1/patterns/{id}", get(show).delete(remove))
+        .route("/v1/patterns/{id}/drawing.svg", get(drawing))
 }
 
 /// What a caller may say about a file that the file does not.
@@ -146,6 +149,21 @@ pub(super) async fn find(app: &App, id: Uuid) -> Result<Pattern, Problem> {
         .await??;
     let stored = found.ok_or_else(|| unknown(id))?;
     Ok(stored.value)
+}
+
+/// The pattern drawn in true proportion, with the numbers of corners and edges that seams name
+#[utoipa::path(get, path = "/v1/patterns/{id}/drawing.svg", tag = "patterns", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The drawing, its view box in millimetres", content_type = "image/svg+xml", body = String),
+    (status = 304, description = "It is the one in `If-None-Match`"),
+    (status = 404, description = "There is no such pattern", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn drawing(
+    State(app): State<App>,
+    Id(id): Id,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let pattern = find(&app, id).await?;
+    let svg = app.heavy(move |_| drawing_svg(&pattern)).await?;
+    Answer::new(svg, "image/svg+xml").to(&headers)
 }
 
 /// Remove a pattern; fits keep their own copy

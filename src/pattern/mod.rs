@@ -8,7 +8,7 @@ mod curve;
 mod dxf;
 mod garmentcode;
 mod ids;
-mod outline;
+pub(crate) mod outline;
 mod panel;
 mod placement;
 mod seam_pair;

@@ -46,6 +46,11 @@ pub(super) fn read(
     for (k, row) in rotation.iter().enumerate() {
         offset[k] += row[0] * centre[0] + row[1] * centre[1];
     }
+    if offset.iter().any(|c| c.abs() > FAR) {
+        let detail = "the panel is placed beyond 10 km";
+        findings.fault(at.wrong("pattern/not_finite", detail, "correct its translation"));
+        return None;
+    }
     let rotate_deg = match order {
         RotationOrder::Xyz => angles,
         RotationOrder::Zyx => angles_xyz(rotation),

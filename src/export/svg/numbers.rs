@@ -1,0 +1,113 @@
+//! The numbers of corners and edges, by which seams name them.
+
+use super::ink::{CLOTH, DARK, EDGE, SHEET, Text};
+use super::write::number;
+use crate::pattern::Edge;
+use crate::pattern::outline::{P, distance, length, sub};
+
+/// How numbers are put on a panel.
+pub(super) struct Numbers {
+    /// Size of figures where there is room \[mm\].
+    pub(super) figure: f64,
+    /// Whether they stand outside: the panel is too narrow for them.
+    pub(super) outside: bool,
+    /// +1 or -1: inwards is this times the left of the way round.
+    pub(super) sense: f64,
+}
+
+impl Numbers {
+    /// A unit vector inwards from a way.
+    pub(super) fn inwards(&self, way: P) -> P {
+        let long = way[0].hypot(way[1]).max(f64::MIN_POSITIVE);
+        [-self.sense * way[1] / long, self.sense * way[0] / long]
+    }
+
+    /// The size of a number beside an edge of a length: it stands there with two others.
+    fn size(&self, index: usize, room: f64) -> f64 {
+        (room / (3.2 + 1.8 * more(index))).clamp(0.45 * self.figure, self.figure)
+    }
+
+    fn text(&self, index: usize, at: P, size: f64, colour: &'static str) -> String {
+        Text {
+            text: &index.to_string(),
+            at,
+            size,
+            colour,
+            bold: colour == EDGE,
+            rim: if self.outside { SHEET } else { CLOTH },
+        }
+        .drawn("middle")
+    }
+
+    /// A place off `at` where a number of a size does not touch the line.
+    fn beside(&self, at: P, inwards: P, (index, size): (usize, f64), way: f64) -> P {
+        let way = size * (way + 0.3 * more(index) * inwards[0].abs());
+        let way = if self.outside { -way } else { way };
+        [0, 1].map(|k| at[k] + way * inwards[k])
+    }
+
+    /// The numbers of the edges `lines`, whose indices are those of `edges`.
+    pub(super) fn of_edges(&self, edges: &[Edge], lines: &[Vec<P>]) -> String {
+        let edge = |(edge, line): (&Edge, &Vec<P>)| {
+            let (at, way) = along(line, 0.5);
+            let size = self.size(edge.index, length(line));
+            let at = self.beside(at, self.inwards(way), (edge.index, size), 0.8);
+            self.text(edge.index, at, size, EDGE)
+        };
+        edges.iter().zip(lines).map(edge).collect()
+    }
+
+    /// Dots at the corners, where each edge begins, with their numbers.
+    pub(super) fn of_corners(&self, lines: &[Vec<P>]) -> String {
+        let count = lines.len();
+        let corner = |i: usize| {
+            let (before, after) = (&lines[(i + count - 1) % count], &lines[i]);
+            let at = after[0];
+            let size = self.size(i, length(before).min(length(after)));
+            let inwards = [along(before, 1.0).1, along(after, 0.0).1].map(|way| self.inwards(way));
+            let mut between = [0, 1].map(|k| inwards[0][k] + inwards[1][k]);
+            if between[0].hypot(between[1]) < 1e-3 {
+                between = inwards[0];
+            }
+            let long = between[0].hypot(between[1]);
+            let at_number = self.beside(at, between.map(|c| c / long), (i, size), 1.05);
+            let dot = format!(
+                "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{DARK}\"/>\n",
+                number(at[0]),
+                number(at[1]),
+                number(0.22 * size)
+            );
+            dot + &self.text(i, at_number, size, DARK)
+        };
+        (0..count).map(corner).collect()
+    }
+}
+
+/// How many digits a number has more than one.
+fn more(index: usize) -> f64 {
+    match index {
+        0..10 => 0.0,
+        10..100 => 1.0,
+        _ => 2.0,
+    }
+}
+
+/// The point at a fraction of a polyline's length, and the way it goes there.
+pub(super) fn along(line: &[P], at: f64) -> (P, P) {
+    let mut left = at * length(line);
+    let count = line.len() - 1;
+    for (i, pair) in line.windows(2).enumerate() {
+        let long = distance(pair[0], pair[1]);
+        let way = sub(pair[1], pair[0]);
+        if (left <= long && long > 0.0) || i + 1 == count {
+            let share = if long > 0.0 {
+                (left / long).min(1.0)
+            } else {
+                0.0
+            };
+            return ([0, 1].map(|k| pair[0][k] + share * way[k]), way);
+        }
+        left -= long;
+    }
+    (line[0], [1.0, 0.0])
+}
