@@ -781,7 +781,7 @@ fn faults_that_leave_no_doubt_come_with_the_corrected_seam() {
     let (check, result) = checked(&tube(), &[wrong, other]);
     let codes: Vec<_> = result.unwrap_err().0.into_iter().map(|f| f.code).collect();
     assert_eq!(codes, ["seam/unknown_panel", "seam/direction_contradicts"]);
-    assert_eq!(check.corrected, [right.clone()]);
+    assert_eq!(check.corrected, std::slice::from_ref(&right));
     // Not where a second fault is left that nothing can be guessed for.
     let mut worse = right;
     let Side::One(run) = &mut worse.a else {

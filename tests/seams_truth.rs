@@ -23,6 +23,7 @@ fn true_seams_are_accepted_and_reversed_ones_are_found() {
         assert_eq!(row.refused_on_cycle, row.on_cycle, "{row:?}");
         assert_eq!(row.likely_reversed, n - row.on_cycle, "{row:?}");
         assert_eq!(row.bridges_found, row.bridges, "{row:?}");
+        assert_eq!(row.auto_right, n, "{row:?}");
         assert_eq!(row.false_warnings, 0, "{row:?}");
     }
 }

@@ -1,5 +1,6 @@
 //! The check itself: each seam on its own, then all of them together.
 
+use super::colour::Painter;
 use super::correct::Request;
 use super::faces::{self, Colouring, Saying, Why};
 use super::order::{self, Judge};
@@ -79,14 +80,18 @@ pub fn check_placed(
         .map(|pair| SeamFinding::blank(&pair.id))
         .collect();
     let stated = faces::stated(pattern, faces);
+    let fronts_first = faces::fronts_first(pattern);
     if pairs.len() > limits.seams {
         findings[limits.seams]
             .errors
             .push(too_many(pairs.len(), limits.seams));
-        let none = faces::find(pattern, &stated, &[], &|_, _| None);
+        let painter = Painter {
+            fronts_first: &fronts_first,
+            shorter: &|_, _| None,
+        };
         let set = SeamSet {
             seams: vec![],
-            faces: none.faces,
+            faces: painter.find(&stated, &[]).faces,
         };
         return answer(pattern, findings, set, vec![]);
     }
@@ -109,12 +114,17 @@ pub fn check_placed(
     let judge = Judge {
         request: &request,
         stated: &stated,
+        fronts_first: &fronts_first,
     };
     let shorter = |saying: &Saying<'_>, faces: &[Vec<Face>; 2]| {
         let seam = seams.iter().find(|seam| seam.index == saying.seam)?;
         order::shorter(pattern, seam, faces, starts)
     };
-    let colouring = faces::find(pattern, &stated, &sayings, &shorter);
+    let painter = Painter {
+        fronts_first: &fronts_first,
+        shorter: &shorter,
+    };
+    let colouring = painter.find(&stated, &sayings);
     for twist in twist::find(&request, &stated, &colouring) {
         findings[twist.seam].errors.push(twist.fault);
         corrected.extend(twist.corrected);

@@ -70,15 +70,22 @@ impl Chords {
         found.rms.is_finite().then_some(found)
     }
 
-    /// Whether the other order is far shorter.
+    /// What the other order leaves, in thousandths, if it is far shorter.
     ///
     /// Panels start apart from one another, and the distance that both orders share tells nothing: of each is judged
     /// what goes beyond the shorter of the two mean chords.
-    pub(super) fn far_longer_than(&self, other: &Self) -> bool {
+    pub(super) fn left_by(&self, other: &Self) -> Option<u32> {
         let shared = self.mean.min(other.mean);
         let beyond = |chords: &Self| (chords.rms * chords.rms - shared * shared).max(0.0).sqrt();
-        self.length >= SHORTEST_M
+        let is_far = self.length >= SHORTEST_M
             && beyond(self) > CLOSE * self.length
-            && beyond(other) <= FAR * beyond(self)
+            && beyond(other) <= FAR * beyond(self);
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "a share below 1"
+        )]
+        let left = (1e3 * beyond(other) / beyond(self)).round() as u32;
+        is_far.then_some(left)
     }
 }

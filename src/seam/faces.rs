@@ -1,4 +1,4 @@
-//! The face of each panel, by two-colouring: stated faces fix colours, seams carry them over, `match: auto` seams give way.
+//! Faces of panels, and what seams say of them.
 
 use super::parity::{Link, Parity};
 use super::{Face, FaceAsked, Routed, routed};
@@ -48,7 +48,7 @@ impl<'a> Saying<'a> {
         }
     }
 
-    fn is_auto(&self) -> bool {
+    pub(super) fn is_auto(&self) -> bool {
         self.pair.matching == Match::Auto
     }
 }
@@ -66,19 +66,8 @@ pub(super) enum Why {
     Notches,
 }
 
-/// Which order a seam has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Order {
-    AsPicked,
-    Reversed,
-}
-
-/// The order in which a seam is far shorter where its panels start, with the faces that either order gives, as picked
-/// first; nothing if neither is, or that is not known.
-pub(super) type Shorter<'a> = &'a dyn Fn(&Saying<'_>, &[Vec<Face>; 2]) -> Option<Order>;
-
 /// What was found.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Colouring {
     /// The face of each panel, in the pattern's order.
     pub faces: Vec<Face>,
@@ -123,92 +112,22 @@ pub(super) fn stated_links(stated: &[Option<Face>]) -> impl Iterator<Item = Link
     })
 }
 
-/// Colours the panels.
-///
-/// First come stated faces, then seams as picked, then those that may twist, then the `auto` ones; within each kind
-/// the order of ids counts and not that of the request, so that the same set gives the same faces.
-pub(super) fn find(
-    pattern: &Pattern,
-    stated: &[Option<Face>],
-    sayings: &[Saying<'_>],
-    shorter: Shorter<'_>,
-) -> Colouring {
-    let mut parity = Parity::new(stated.len() + 1);
-    stated_links(stated).for_each(|link| {
-        parity.join(link);
-    });
-    let mut ordered: Vec<&Saying<'_>> = sayings.iter().collect();
-    ordered.sort_by_key(|s| {
-        (
-            s.is_auto(),
-            s.pair.allow_twist,
-            s.heights_agree.is_none(),
-            &s.pair.id,
-        )
-    });
-    let mut reversed = BTreeMap::new();
-    let mut twists_allowed = vec![];
-    for saying in ordered {
-        let turn = if saying.is_auto() {
-            turn(pattern, saying, &parity, shorter)
-        } else {
-            None
-        };
-        let links = if turn.is_some() {
-            &saying.reversed
-        } else {
-            &saying.picked
-        };
-        let fits = parity.join_all(links);
-        if !fits && saying.pair.allow_twist {
-            twists_allowed.push(saying.seam);
-        }
-        reversed.extend(turn.map(|why| (saying.seam, why)));
-    }
-    Colouring {
-        faces: coloured(pattern, parity),
-        reversed,
-        twists_allowed,
-    }
+/// The panels, those first that a name says are fronts.
+pub(super) fn fronts_first(pattern: &Pattern) -> Vec<usize> {
+    let panels = 0..pattern.panels.len();
+    let (mut fronts, others): (Vec<usize>, Vec<usize>) =
+        panels.partition(|&i| is_front(pattern, i));
+    fronts.extend(others);
+    fronts
 }
 
-/// Whether an `auto` seam is to be reversed: parity decides; where it cannot, where panels start; where that is not
-/// known or does not tell, heights as drawn, and then which order more notches fit.
-fn turn(
-    pattern: &Pattern,
-    saying: &Saying<'_>,
-    parity: &Parity,
-    shorter: Shorter<'_>,
-) -> Option<Why> {
-    match (parity.fits(&saying.picked), parity.fits(&saying.reversed)) {
-        (true, true) => {}
-        (false, true) => return Some(Why::Twisted),
-        (true | false, false) => return None,
-    }
-    let faces = [&saying.picked, &saying.reversed].map(|links| {
-        let mut parity = parity.clone();
-        parity.join_all(links);
-        coloured(pattern, parity)
-    });
-    match shorter(saying, &faces) {
-        Some(Order::Reversed) => return Some(Why::FarApart),
-        Some(Order::AsPicked) => return None,
-        None => {}
-    }
-    match saying.heights_agree {
-        Some(true) => None,
-        Some(false) => Some(Why::UpsideDown),
-        None => (saying.notches[1] > saying.notches[0]).then_some(Why::Notches),
-    }
-}
-
-/// Faces from what is known: the node after the last panel is up; a part that is not tied to it has the face of its front, or else its first panel, up.
-pub(super) fn coloured(pattern: &Pattern, mut parity: Parity) -> Vec<Face> {
-    let count = pattern.panels.len();
+/// Faces from what is known: the node after the last panel is up; a part that is not tied to it has the face of its
+/// front, or else its first panel, up.
+pub(super) fn coloured(fronts_first: &[usize], mut parity: Parity) -> Vec<Face> {
+    let count = fronts_first.len();
     let (stated_head, stated_same) = parity.find(count);
     let mut up = BTreeMap::from([(stated_head, stated_same)]);
-    let (fronts, others): (Vec<usize>, _) = (0..count).partition(|&i| is_front(pattern, i));
-    for panel in fronts.into_iter().chain(others) {
+    for &panel in fronts_first {
         let (head, same) = parity.find(panel);
         up.entry(head).or_insert(same);
     }

@@ -2,6 +2,7 @@
 
 mod check;
 mod chords;
+mod colour;
 mod correct;
 mod cycle;
 mod direction;

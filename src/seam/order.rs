@@ -2,8 +2,9 @@
 //! Where panels start in space tells it.
 
 use super::chords::Chords;
+use super::colour::{Order, Told};
 use super::correct::{Request, reversed};
-use super::faces::{self, Colouring, Order, Saying};
+use super::faces::{self, Colouring, Saying};
 use super::parity::Parity;
 use super::{Face, Routed, SeamFinding, Starts};
 use crate::fault::Warning;
@@ -13,6 +14,7 @@ use crate::pattern::{Match, Pattern, SeamPair};
 pub(super) struct Judge<'a> {
     pub request: &'a Request<'a>,
     pub stated: &'a [Option<Face>],
+    pub fronts_first: &'a [usize],
 }
 
 /// A seam that is far shorter in the other order: chords as sewn and in the other one.
@@ -67,9 +69,9 @@ impl Judge<'_> {
             return None;
         }
         others.join_all(&saying.reversed);
-        let other_faces = faces::coloured(self.request.pattern, others);
+        let other_faces = faces::coloured(self.fronts_first, others);
         let other = chords(&seam.reversed(), &other_faces)?;
-        as_sewn.far_longer_than(&other).then_some(Verdict {
+        as_sewn.left_by(&other).map(|_| Verdict {
             seam: saying.seam,
             as_sewn,
             other,
@@ -89,22 +91,22 @@ impl Judge<'_> {
     }
 }
 
-/// The order in which a seam is far shorter; see [`faces::Shorter`].
+/// What places tell of a seam; see [`super::colour::Shorter`].
 pub(super) fn shorter(
     pattern: &Pattern,
     seam: &Routed,
     faces: &[Vec<Face>; 2],
     starts: Starts<'_>,
-) -> Option<Order> {
+) -> Option<Told> {
     let picked = Chords::of(pattern, seam, &faces[0], starts)?;
     let reversed = Chords::of(pattern, &seam.reversed(), &faces[1], starts)?;
-    if picked.far_longer_than(&reversed) {
-        Some(Order::Reversed)
-    } else if reversed.far_longer_than(&picked) {
-        Some(Order::AsPicked)
-    } else {
-        None
+    if let Some(left) = picked.left_by(&reversed) {
+        let order = Order::Reversed;
+        return Some(Told { order, left });
     }
+    let left = reversed.left_by(&picked)?;
+    let order = Order::AsPicked;
+    Some(Told { order, left })
 }
 
 /// Whether a seam is far shorter in the other order on panels with these faces.
@@ -118,7 +120,8 @@ pub(super) fn is_far_apart(
     };
     let seam = colouring.ordered(seam);
     let faces = [0, 1].map(|_| colouring.faces.clone());
-    shorter(request.pattern, &seam, &faces, request.starts) == Some(Order::Reversed)
+    let told = shorter(request.pattern, &seam, &faces, request.starts);
+    told.is_some_and(|told| told.order == Order::Reversed)
 }
 
 fn routed<'a>(request: &Request<'a>, saying: &Saying<'_>) -> Option<&'a Routed> {

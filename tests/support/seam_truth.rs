@@ -64,6 +64,8 @@ pub(crate) struct Row {
     pub(crate) bridges_found: usize,
     /// Reversed, and offered as they truly are.
     pub(crate) put_right: usize,
+    /// Sewn in the true order where all are `auto` and all are picked reversed.
+    pub(crate) auto_right: usize,
     /// Warned of as likely reversed though they are right.
     pub(crate) false_warnings: usize,
 }
@@ -106,6 +108,13 @@ pub(crate) fn row(garment: &TrueGarment) -> Row {
             .count(),
         ..Row::default()
     };
+    let mut pairs = garment.pairs.clone();
+    for pair in &mut pairs {
+        pair.b = turned_side(&pair.b);
+        pair.matching = Match::Auto;
+    }
+    let found = check(garment, &pairs, &auto);
+    row.auto_right = found.seams.iter().filter(|seam| seam.reversed).count();
     for wrong in 0..garment.pairs.len() {
         let mut pairs = garment.pairs.clone();
         pairs[wrong].b = turned_side(&pairs[wrong].b);
@@ -140,7 +149,7 @@ pub(crate) fn row(garment: &TrueGarment) -> Row {
 /// The rows as text.
 pub(crate) fn table(rows: &[Row]) -> String {
     let mut text = format!(
-        "{:40} {:>8} {:>14} {:>9} {:>14} {:>15} {:>14} {:>9}\n",
+        "{:40} {:>8} {:>14} {:>9} {:>14} {:>15} {:>14} {:>9} {:>8}\n",
         "garment",
         "stitches",
         "accepted",
@@ -148,13 +157,14 @@ pub(crate) fn table(rows: &[Row]) -> String {
         "refused, auto",
         "likely reversed",
         "bridge (short)",
-        "put right"
+        "put right",
+        "all auto"
     );
     for row in rows {
         let n = row.stitches;
         writeln!(
             text,
-            "{:40} {:>8} {:>14} {:>9} {:>14} {:>15} {:>14} {:>9}",
+            "{:40} {:>8} {:>14} {:>9} {:>14} {:>15} {:>14} {:>9} {:>8}",
             row.garment,
             n,
             format!("{}+{}/{n}", row.accepted[0], row.accepted[1]),
@@ -163,6 +173,7 @@ pub(crate) fn table(rows: &[Row]) -> String {
             format!("{}/{}", row.likely_reversed, n - row.on_cycle),
             format!("{}/{} ({})", row.bridges_found, row.bridges, row.short),
             format!("{}/{n}", row.put_right),
+            format!("{}/{n}", row.auto_right),
         )
         .expect("a string takes all");
     }
