@@ -138,6 +138,7 @@ fn only_copies_that_are_named_and_possible_are_made() {
 fn a_copy_is_placed_as_the_mirror_image_of_its_source() {
     let mut stated = whole();
     let placement = Placement {
+        up_deg: Some(80.0),
         at: Some(Anchor::Origin),
         offset_m: [0.4, 1.3, -0.1],
         rotate_deg: [10.0, 20.0, -45.0],

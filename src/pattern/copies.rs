@@ -4,7 +4,7 @@
 //! runs counter-clockwise in its coordinates and its holes clockwise. The drawn side stays the drawn side: a copy has
 //! the face that its source has.
 
-use super::{Corner, Edge, Grain, Hole, Panel, Pattern, Placement};
+use super::{Anchor, Corner, Edge, Grain, Hole, Panel, Pattern, Placement};
 use crate::fault::{Fault, Warning};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -50,7 +50,16 @@ impl Placement {
         let [x, y, z] = self.offset_m;
         let [about_x, about_y, about_z] = self.rotate_deg;
         Self {
-            at: self.at,
+            at: self.at.map(|at| match at {
+                Anchor::ArmLeft => Anchor::ArmRight,
+                Anchor::ArmRight => Anchor::ArmLeft,
+                Anchor::ArmLeftFront => Anchor::ArmRightFront,
+                Anchor::ArmRightFront => Anchor::ArmLeftFront,
+                Anchor::ArmLeftBack => Anchor::ArmRightBack,
+                Anchor::ArmRightBack => Anchor::ArmLeftBack,
+                other => other,
+            }),
+            up_deg: self.up_deg.map(|angle| 180.0 - angle),
             offset_m: [-x, y, z],
             rotate_deg: [about_x, -about_y, -about_z],
             wrap: self.wrap,

@@ -10,6 +10,9 @@ pub struct Placement {
     /// Key point of the body that the panel's key point is put at; found from the panel's name if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<Anchor>,
+    /// Direction on the drawing that is up on the body, counter-clockwise from +x; 90 (+y) if absent \[degrees\].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub up_deg: Option<f64>,
     /// Moved by this after all else \[m\].
     #[serde(default)]
     pub offset_m: [f64; 3],
@@ -39,6 +42,24 @@ pub enum Anchor {
     WaistFront,
     /// Behind the waist (half a waistband).
     WaistBack,
+    /// Round the left arm, hung from the shoulder.
+    ArmLeft,
+    /// Round the right arm, hung from the shoulder.
+    ArmRight,
+    /// In front of the left arm (half a sleeve).
+    ArmLeftFront,
+    /// Behind the left arm.
+    ArmLeftBack,
+    /// In front of the right arm.
+    ArmRightFront,
+    /// Behind the right arm.
+    ArmRightBack,
+    /// Round the neck, standing on it.
+    Neck,
+    /// In front of the neck (half a collar).
+    NeckFront,
+    /// Behind the neck.
+    NeckBack,
     /// The origin of space, between the feet: the panel's centre is put there, flat, facing +z, never mirrored.
     Origin,
 }

@@ -4,8 +4,8 @@ use super::Avatar;
 use crate::fault::{Fault, Faults};
 use crate::pattern::{Anchor, Panel, Placement, Wrap};
 use crate::seam::Face;
-use nalgebra::{Rotation3, Vector3};
-use std::f64::consts::PI;
+use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Room left between the body and a panel at the start \[m\].
 const CLEARANCE: f64 = 0.03;
@@ -14,16 +14,22 @@ const HEIGHT_STEP: f64 = 0.02;
 /// Where a garment without a body starts: heights of shoulders and waist, half a depth \[m\].
 const NO_BODY: Body = Body {
     shoulder: 1.4,
+    neck: 1.42,
     waist: 1.05,
     centre: 0.0,
+    arm: [0.19, 1.37],
 };
+/// A sleeve starts at this angle from the body \[rad\]: so that it clears the sides.
+const ARM_SPREAD: f64 = 0.7;
 
-/// Heights of the key points of a body, and its middle in depth \[m\].
+/// Key points of a body: heights, the middle in depth, half the width of the shoulders \[m\].
 #[derive(Clone, Copy, Debug)]
 struct Body {
     shoulder: f64,
+    neck: f64,
     waist: f64,
     centre: f64,
+    arm: [f64; 2],
 }
 
 impl Body {
@@ -34,10 +40,14 @@ impl Body {
         let centre = avatar
             .section_bounds(waist)
             .map_or(0.0, |[_, z]| 0.5 * (z[0] + z[1]));
+        let shoulder = height("neck_side_l", NO_BODY.shoulder);
+        let tip = avatar.landmarks.get("shoulder_tip_l");
         Self {
-            shoulder: height("neck_side_l", NO_BODY.shoulder),
+            shoulder,
+            neck: height("neck_front", shoulder),
             waist,
             centre,
+            arm: tip.map_or(NO_BODY.arm, |tip| [tip.x, tip.y]),
         }
     }
 }
@@ -56,18 +66,22 @@ pub struct ToPlace<'a> {
 /// The way from pattern coordinates to the start position in space.
 #[derive(Clone, Debug)]
 pub struct Placed {
+    /// Turns the drawing so that up on the body is +y.
+    up: Rotation2<f64>,
+    /// The key point and the middle of the height, in the turned drawing \[m\].
     key: [f64; 2],
     centre_y: f64,
     /// +1 where the drawn +x runs along increasing angle, -1 where it runs against it.
     sense: f64,
     /// Angle of the outward direction from +z towards +x \[rad\].
     outward: f64,
-    /// Height of the key point and middle of the body \[m\].
-    height: f64,
-    centre: f64,
-    /// Distance from the body's axis \[m\].
+    /// Where the key point's height meets the axis \[m\].
+    axis: Vector3<f64>,
+    /// Distance from the axis \[m\].
     radius: f64,
     wrap: Wrap,
+    /// How far the axis leans, about the key point: positive takes its lower end to +x \[rad\].
+    lean: f64,
     rotation: Rotation3<f64>,
     offset: Vector3<f64>,
 }
@@ -75,8 +89,12 @@ pub struct Placed {
 impl Placed {
     /// Start position of the pattern point `uv` \[m\].
     pub fn position(&self, uv: [f64; 2]) -> Vector3<f64> {
+        let upright = self.up * Vector2::from(uv);
         let middle = self.rolled(0.0, self.centre_y - self.key[1]);
-        let p = self.rolled(self.sense * (uv[0] - self.key[0]), uv[1] - self.key[1]);
+        let p = self.rolled(
+            self.sense * (upright.x - self.key[0]),
+            upright.y - self.key[1],
+        );
         middle + self.rotation * (p - middle) + self.offset
     }
 
@@ -88,11 +106,64 @@ impl Placed {
         };
         let (sin, cos) = angle.sin_cos();
         // Outward is (sin, 0, cos); (cos, 0, -sin) runs along increasing angle.
-        Vector3::new(
+        let from_key = Vector3::new(
             self.radius * sin + flat * cos,
-            self.height + up,
-            self.centre + self.radius * cos - flat * sin,
-        )
+            up,
+            self.radius * cos - flat * sin,
+        );
+        self.axis + Rotation3::new(Vector3::z() * self.lean) * from_key
+    }
+}
+
+/// Where an anchor is and how panels lie at it.
+struct Spot {
+    /// Where the key point's height meets the axis \[m\].
+    axis: Vector3<f64>,
+    /// Whether the key point is the top of the panel, not its bottom.
+    hangs: bool,
+    /// Angle of the outward direction from +z towards +x \[rad\].
+    outward: f64,
+    /// The part of a turn that a rolled panel covers at least; nothing where panels lie flat unless told.
+    turn: Option<f64>,
+    lean: f64,
+}
+
+impl Spot {
+    fn of(anchor: Anchor, body: &Body) -> Self {
+        let spot = |height: f64, hangs: bool, outward: f64, turn: Option<f64>| Self {
+            axis: Vector3::new(0.0, height, body.centre),
+            hangs,
+            outward,
+            turn,
+            lean: 0.0,
+        };
+        let arm = |side: f64, outward: f64, turn: f64| Self {
+            axis: Vector3::new(side * body.arm[0], body.arm[1], body.centre),
+            lean: side * ARM_SPREAD,
+            ..spot(0.0, true, outward, Some(turn))
+        };
+        match anchor {
+            Anchor::TorsoFront => spot(body.shoulder, true, 0.0, None),
+            Anchor::TorsoBack => spot(body.shoulder, true, PI, None),
+            Anchor::SkirtFront => spot(body.waist, true, 0.0, None),
+            Anchor::SkirtBack => spot(body.waist, true, PI, None),
+            Anchor::Waist => spot(body.waist, false, 0.0, Some(1.0)),
+            Anchor::WaistFront => spot(body.waist, false, 0.0, Some(0.5)),
+            Anchor::WaistBack => spot(body.waist, false, PI, Some(0.5)),
+            Anchor::Neck => spot(body.neck, false, 0.0, Some(1.0)),
+            Anchor::NeckFront => spot(body.neck, false, 0.0, Some(0.5)),
+            Anchor::NeckBack => spot(body.neck, false, PI, Some(0.5)),
+            Anchor::ArmLeft => arm(1.0, FRAC_PI_2, 1.0),
+            Anchor::ArmRight => arm(-1.0, -FRAC_PI_2, 1.0),
+            Anchor::ArmLeftFront => arm(1.0, 0.0, 0.5),
+            Anchor::ArmRightFront => arm(-1.0, 0.0, 0.5),
+            Anchor::ArmLeftBack => arm(1.0, PI, 0.5),
+            Anchor::ArmRightBack => arm(-1.0, PI, 0.5),
+            Anchor::Origin => Self {
+                axis: Vector3::zeros(),
+                ..spot(0.0, true, 0.0, None)
+            },
+        }
     }
 }
 
@@ -108,56 +179,51 @@ pub fn place(to_place: ToPlace<'_>, avatar: Option<&Avatar>) -> Result<Placed, F
         .or_else(|| guess(panel))
         .ok_or_else(|| unknown(panel))?;
     let body = avatar.map_or(NO_BODY, Body::of);
-    let [[left, right], [bottom, top]] = bounds(panel);
+    let spot = Spot::of(anchor, &body);
+    let up = Rotation2::new((90.0 - placement.up_deg.unwrap_or(90.0)).to_radians());
+    let [[left, right], [bottom, top]] = bounds(panel, &up);
+    let centre_y = 0.5 * (bottom + top);
+    let wrap = placement.wrap.unwrap_or(match spot.turn {
+        Some(_) => Wrap::Cylinder,
+        None => Wrap::Flat,
+    });
     let [rx, ry, rz] = placement.rotate_deg.map(f64::to_radians);
     let turn = |axis: Vector3<f64>, angle: f64| Rotation3::new(axis * angle);
-    let rotation = turn(Vector3::x(), rx) * turn(Vector3::y(), ry) * turn(Vector3::z(), rz);
-    let offset = Vector3::from(placement.offset_m);
-    if anchor == Anchor::Origin {
-        let centre_y = 0.5 * (bottom + top);
-        return Ok(Placed {
-            key: [0.5 * (left + right), centre_y],
-            centre_y,
-            sense: 1.0,
-            outward: 0.0,
-            height: 0.0,
-            centre: 0.0,
-            radius: 0.0,
-            wrap: Wrap::Flat,
-            rotation,
-            offset,
-        });
-    }
-    let (height, key_y) = match anchor {
-        Anchor::TorsoFront | Anchor::TorsoBack => (body.shoulder, top),
-        Anchor::SkirtFront | Anchor::SkirtBack => (body.waist, top),
-        Anchor::Waist | Anchor::WaistFront | Anchor::WaistBack => (body.waist, bottom),
-        Anchor::Origin => (0.0, 0.0),
-    };
-    let behind = matches!(
-        anchor,
-        Anchor::TorsoBack | Anchor::SkirtBack | Anchor::WaistBack
-    );
-    let around = matches!(
-        anchor,
-        Anchor::Waist | Anchor::WaistFront | Anchor::WaistBack
-    );
-    let wrap = placement
-        .wrap
-        .unwrap_or(if around { Wrap::Cylinder } else { Wrap::Flat });
-    let span = [height + bottom - key_y, height + top - key_y];
-    Ok(Placed {
-        key: [0.5 * (left + right), key_y],
-        centre_y: 0.5 * (bottom + top),
+    let mut placed = Placed {
+        up,
+        key: [0.5 * (left + right), if spot.hangs { top } else { bottom }],
+        centre_y,
         sense: if face == Face::Up { 1.0 } else { -1.0 },
-        outward: if behind { PI } else { 0.0 },
-        height,
-        centre: body.centre,
-        radius: radius(avatar, body.centre, span, wrap) + CLEARANCE,
+        outward: spot.outward,
+        axis: spot.axis,
+        radius: 0.0,
         wrap,
-        rotation,
-        offset,
-    })
+        lean: spot.lean,
+        rotation: turn(Vector3::x(), rx) * turn(Vector3::y(), ry) * turn(Vector3::z(), rz),
+        offset: Vector3::from(placement.offset_m),
+    };
+    if anchor == Anchor::Origin {
+        placed.key[1] = centre_y;
+        placed.sense = 1.0;
+        return Ok(placed);
+    }
+    let height = spot.axis.y;
+    let span = [
+        height + bottom - placed.key[1],
+        height + top - placed.key[1],
+    ];
+    let around = spot.turn.map_or(0.0, |turn| (right - left) / (TAU * turn));
+    placed.radius = if spot.lean == 0.0 {
+        let reach = radius(avatar, body.centre, span, wrap) + CLEARANCE;
+        if wrap == Wrap::Cylinder {
+            reach.max(around)
+        } else {
+            reach
+        }
+    } else {
+        around.max(CLEARANCE)
+    };
+    Ok(placed)
 }
 
 /// How far the body reaches from its axis between two heights \[m\]: to the front and back for flat panels, all round for rolled ones.
@@ -179,11 +245,12 @@ fn radius(avatar: Option<&Avatar>, centre: f64, span: [f64; 2], wrap: Wrap) -> f
     reach
 }
 
-/// Bounding box of a panel: `[[min x, max x], [min y, max y]]` \[m\].
-fn bounds(panel: &Panel) -> [[f64; 2]; 2] {
+/// Bounding box of a panel turned by `up`: `[[min x, max x], [min y, max y]]` \[m\].
+fn bounds(panel: &Panel, up: &Rotation2<f64>) -> [[f64; 2]; 2] {
     let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     for point in panel.edges.iter().flat_map(|edge| &edge.points) {
-        for (bound, value) in bounds.iter_mut().zip(point) {
+        let turned = up * Vector2::from(*point);
+        for (bound, value) in bounds.iter_mut().zip(turned.iter()) {
             *bound = [bound[0].min(*value), bound[1].max(*value)];
         }
     }
@@ -222,6 +289,6 @@ fn unknown(panel: &Panel) -> Faults {
         panel.id.replace('~', "~0").replace('/', "~1")
     );
     Fault::new("placement/unknown", pointer, format!("the name of panel {} does not say where on the body it goes", panel.id))
-        .fix("give \"at\": torso_front, torso_back, skirt_front, skirt_back, waist, waist_front, waist_back or origin")
+        .fix("give \"at\": torso_front, torso_back, skirt_front, skirt_back, waist, waist_front, waist_back, neck, arm_left, arm_right or origin, or take suggested placements")
         .into()
 }

@@ -4,7 +4,7 @@ use super::at_line;
 use super::entity::{P, Path};
 use super::load::{smooth, xy};
 use crate::fault::Fault;
-use crate::pattern::outline::{distance, sub};
+use crate::pattern::outline::distance;
 use crate::pattern::spline::{Spline, flatten};
 
 /// A spline as read by the crate.

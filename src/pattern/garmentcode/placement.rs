@@ -56,6 +56,7 @@ pub(super) fn read(
         RotationOrder::Zyx => angles_xyz(rotation),
     };
     Some(Placement {
+        up_deg: None,
         at: Some(Anchor::Origin),
         offset_m: offset.map(|c| c + 0.0),
         rotate_deg: rotate_deg.map(|angle| angle + 0.0),

@@ -29,8 +29,6 @@ const MOST: f64 = 3.0;
 pub(super) fn together(candidates: Vec<Vec<Piece>>) -> Vec<Piece> {
     let candidates: Vec<Vec<Piece>> = candidates.into_iter().filter(|c| !c.is_empty()).collect();
     let table = Table::new(&candidates);
-    #[cfg(debug_choose)]
-    table.print(&candidates);
     let mut chosen = vec![0; candidates.len()];
     for _ in 0..ROUNDS {
         let before = chosen.clone();
@@ -44,8 +42,6 @@ pub(super) fn together(candidates: Vec<Vec<Piece>>) -> Vec<Piece> {
             break;
         }
     }
-    #[cfg(debug_choose)]
-    println!("chosen {chosen:?}");
     candidates
         .into_iter()
         .zip(chosen)
@@ -69,30 +65,6 @@ struct Pair {
 }
 
 impl Table {
-    #[cfg(debug_choose)]
-    fn print(&self, candidates: &[Vec<Piece>]) {
-        for (i, c) in candidates.iter().enumerate() {
-            for (k, p) in c.iter().enumerate() {
-                println!(
-                    "{i}.{k} panel {} {:?} {:?} {:?} half {} cost {:.2} {}",
-                    p.panel,
-                    p.kind,
-                    p.which,
-                    p.lateral,
-                    p.half,
-                    p.cost,
-                    p.segments
-                        .iter()
-                        .map(|s| format!("{:?}{:?}", s.role, s.edges))
-                        .collect::<String>()
-                );
-            }
-        }
-        for pair in &self.pairs {
-            println!("{:?} {:.1?}", pair.ends, pair.cost);
-        }
-    }
-
     fn new(candidates: &[Vec<Piece>]) -> Self {
         let alone = candidates
             .iter()

@@ -124,15 +124,7 @@ impl Garment {
         }
     }
 
-    /// The edges of a role all round the body, from the wearer's left side across the front and back behind;
-    /// nothing unless front and back both have them.
-    pub(super) fn ring(&self, kind: Kind, role: Role) -> Option<Chain> {
-        let mut ring = self.half_ring(kind, role, Which::Front)?;
-        ring.extend(self.half_ring(kind, role, Which::Back)?);
-        Some(ring)
-    }
-
-    /// The part of [`ring`](Self::ring) in front of or behind the body.
+    /// The edges of a role in front of the body from the wearer's left, or behind it from the right.
     pub(super) fn half_ring(&self, kind: Kind, role: Role, which: Which) -> Option<Chain> {
         let from = match which {
             Which::Front => Lateral::Left,

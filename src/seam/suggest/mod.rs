@@ -18,19 +18,24 @@ mod looks;
 mod neck;
 mod piece;
 mod raglan;
+mod settle;
 mod shape;
 mod skirt;
 mod sleeve;
+mod stand;
 mod template;
 mod top;
 mod trousers;
 mod waist;
 mod words;
 
-use crate::pattern::{Direction, Match, Pattern, Place, Run, SeamPair, Side};
+use crate::config::Limits;
+use crate::fault::Warning;
+use crate::pattern::{Direction, Match, Pattern, Place, Placement, Run, SeamPair, Side};
 use garment::{Draft, Garment};
 use piece::{Chain, Step};
 use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, BTreeSet};
 use utoipa::ToSchema;
 
 /// A seam that the rules propose.
@@ -46,14 +51,32 @@ pub struct SuggestedSeam {
 }
 
 /// What the rules propose for a pattern.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Suggestion {
-    /// The seams.
+    /// Seams that can be sewn together. They may name mirrored copies (`sleeve~mirror`) of panels that are drawn once.
     pub seams: Vec<SuggestedSeam>,
+    /// Where panels start, by id, as a garment states it.
+    pub panels: BTreeMap<String, SuggestedPanel>,
+    /// What a user should know, panels that were not recognised among it.
+    pub warnings: Vec<Warning>,
 }
 
-/// Proposes seams for `pattern`.
-pub fn suggest(pattern: &Pattern) -> Suggestion {
+/// What the rules propose for a panel.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct SuggestedPanel {
+    /// Where it starts.
+    pub placement: Placement,
+}
+
+/// Proposes seams and placements for `pattern` from the names, outlines and notches of its panels.
+///
+/// What the pattern itself states (`seams`, `placements`) is not used. Seams are by corner numbers, one for each stretch
+/// between corners that meet. Every seam passes [`check`](crate::seam::check) together with all others.
+///
+/// # Assumptions
+/// Panels are those of one garment; of parts that are drawn in several styles (short and long sleeve) the first is
+/// taken. Lengths are those of the sew line. Sleeves, cuffs and bindings that are drawn once are worn on both sides.
+pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
     let mut garment = Garment {
         pieces: classify::pieces(pattern),
         drafts: vec![],
@@ -69,47 +92,39 @@ pub fn suggest(pattern: &Pattern) -> Suggestion {
     hood::sew(&mut garment);
     neck::sew(&mut garment);
     cuff::sew(&mut garment);
-    let ids = Ids(pattern, &garment);
+    let ids = Ids(pattern);
+    let seams = garment.drafts.iter().map(|draft| ids.seam(draft)).collect();
+    let seams = settle::together(pattern, seams, limits);
+    let sewn: BTreeSet<&str> = seams
+        .iter()
+        .flat_map(|s| s.pair.a.runs().iter().chain(s.pair.b.runs()))
+        .map(|run| run.panel.as_str())
+        .collect();
+    let stands = stand::placements(&garment)
+        .into_iter()
+        .map(|(panel, placement)| (ids.name(panel), SuggestedPanel { placement }));
+    let panels = stands
+        .filter(|(id, _)| sewn.contains(id.as_str()))
+        .collect();
+    let loose = pattern
+        .panels
+        .iter()
+        .filter(|panel| !sewn.contains(panel.id.as_str()));
+    let warnings = loose
+        .map(|panel| {
+            let told = format!("no seam is suggested for panel `{}`: what it is was not recognised, or it is not needed", panel.id);
+            Warning::new("seam/not_suggested", "/seams", told)
+        })
+        .collect();
     Suggestion {
-        seams: garment.drafts.iter().map(|draft| ids.seam(draft)).collect(),
+        seams,
+        panels,
+        warnings,
     }
-}
-
-/// Debug view of what panels were taken for.
-pub fn describe(pattern: &Pattern) -> String {
-    let pieces = classify::pieces(pattern);
-    let mut text = String::new();
-    for p in &pieces {
-        text += &format!(
-            "{} {:?} {:?} {:?} half {} mirrored {} turned {} cost {:.2}",
-            pattern.panels[p.panel % pattern.panels.len()].id,
-            p.kind,
-            p.which,
-            p.lateral,
-            p.half,
-            p.shape.mirrored,
-            p.turned,
-            p.cost
-        );
-        for s in &p.segments {
-            text += &format!(
-                " {:?}{}{:?}",
-                s.role,
-                if s.hand == piece::Hand::Left {
-                    "<"
-                } else {
-                    ">"
-                },
-                s.edges
-            );
-        }
-        text += "\n";
-    }
-    text
 }
 
 /// Names panels, mirrored copies among them.
-struct Ids<'a>(&'a Pattern, &'a Garment);
+struct Ids<'a>(&'a Pattern);
 
 impl Ids<'_> {
     fn seam(&self, draft: &Draft) -> SuggestedSeam {

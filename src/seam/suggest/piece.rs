@@ -97,9 +97,8 @@ pub(super) struct Segment {
     pub(super) hand: Hand,
     /// In order of numbers; darts between them are left out.
     pub(super) edges: Vec<usize>,
-    /// The roles before and after it.
+    /// The role before it.
     pub(super) before: Role,
-    pub(super) after: Role,
 }
 
 /// A panel whose edges have roles.

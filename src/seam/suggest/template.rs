@@ -234,7 +234,6 @@ impl Reading<'_> {
                     .map(|place| self.shape.ring[self.ring(place)])
                     .collect(),
                 before: self.look((k + roles - 1) % roles).role,
-                after: self.look((k + 1) % roles).role,
             });
             from = to;
         }

@@ -1,0 +1,36 @@
+//! Keeps of the proposed seams those that go together: a set that can be sewn, without twist and without overlap.
+
+use super::SuggestedSeam;
+use crate::config::Limits;
+use crate::pattern::{Pattern, SeamPair};
+use crate::seam;
+use std::collections::BTreeMap;
+
+/// Mesh edge length that stitch counts are stated for while checking \[m\]; nothing depends on it.
+const EDGE_LENGTH: f64 = 0.02;
+
+/// The seams that can be sewn together. Of those that cannot, the least sure is left out first.
+pub(super) fn together(
+    pattern: &Pattern,
+    mut seams: Vec<SuggestedSeam>,
+    limits: &Limits,
+) -> Vec<SuggestedSeam> {
+    seams.truncate(limits.seams);
+    let named = seams
+        .iter()
+        .flat_map(|s| s.pair.a.runs().iter().chain(s.pair.b.runs()));
+    let names: Vec<String> = named.map(|run| run.panel.clone()).collect();
+    let whole = pattern.with_copies(names.iter().map(String::as_str));
+    while !seams.is_empty() {
+        let pairs: Vec<SeamPair> = seams.iter().map(|s| s.pair.clone()).collect();
+        let (check, _) = seam::check(&whole, &pairs, &BTreeMap::new(), EDGE_LENGTH, limits);
+        let wrong = (0..seams.len()).filter(|i| !check.seams[*i].ok);
+        let Some(least) =
+            wrong.min_by(|a, b| seams[*a].confidence.total_cmp(&seams[*b].confidence))
+        else {
+            break;
+        };
+        seams.remove(least);
+    }
+    seams
+}
