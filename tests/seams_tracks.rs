@@ -565,3 +565,100 @@ fn lines_that_leave_the_cloth_or_cross_are_refused_at_the_panel() {
 fn tracks_order_as_panels_hold_them() {
     assert!(Track::Outline < Track::Hole(0) && Track::Hole(3) < Track::Line(0));
 }
+
+/// A small linear congruential generator (Knuth, MMIX), so that each case repeats.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, bound: usize) -> usize {
+        self.0 = self
+            .0
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(self.0 >> 33).expect("31 bits") % bound
+    }
+
+    fn share(&mut self) -> f64 {
+        self.below(21) as f64 / 20.0
+    }
+
+    fn place(&mut self) -> Place {
+        match self.below(6) {
+            0 => Place::Corner(self.below(5)),
+            1 => Place::OnEdge {
+                edge: self.below(4),
+                at: self.share(),
+            },
+            2 => Place::HoleCorner {
+                hole: self.below(2),
+                corner: self.below(4),
+            },
+            3 => Place::OnHoleEdge {
+                hole: 0,
+                edge: self.below(4),
+                at: self.share(),
+            },
+            _ => Place::OnLine {
+                line: self.below(4),
+                at: self.share(),
+            },
+        }
+    }
+}
+
+#[test]
+fn whatever_the_check_accepts_is_meshed_or_refused_at_its_panel() {
+    // Lines that end inside, on an edge, on the hole, on each other; one is closed; two cross.
+    let lines: [&[[f64; 2]]; 4] = [
+        &[[0.0, 0.05], [0.15, 0.05], [0.15, 0.1]],
+        &[[0.15, 0.05], [0.28, 0.05]],
+        &[[0.22, 0.22], [0.28, 0.22], [0.28, 0.28], [0.22, 0.22]],
+        &[[0.02, 0.25], [0.02, 0.02]],
+    ];
+    let front = lines
+        .iter()
+        .fold(holed("a"), |panel, line| with_line(panel, line));
+    let copy = mirrored(&front);
+    let ids = [front.id.clone(), copy.id.clone()];
+    let pattern = pattern(vec![front, copy]);
+    let mut random = Random(5);
+    let (mut meshes, mut refusals) = (0, 0);
+    for _ in 0..3_000 {
+        let mut run = || {
+            let ways = [None, Some(Direction::Cw), Some(Direction::Ccw)];
+            let panel = &ids[random.below(2)];
+            let from = random.place();
+            // Mostly of the same kind, so that many runs have a way.
+            let like =
+                |place: &Place| std::mem::discriminant(place) == std::mem::discriminant(&from);
+            let mut draws = (0..6).map(|_| random.place());
+            let to = draws.find(like).unwrap_or(Place::Corner(0));
+            between(panel, from, to, ways[random.below(3)])
+        };
+        let pair = SeamPair {
+            gather: true,
+            ..seam("s", run(), run())
+        };
+        let (check, set) = checked(&pattern, &[pair]);
+        let Ok(set) = set else {
+            assert!(!check.ok && !check.seams[0].errors.is_empty());
+            continue;
+        };
+        match mesh(&pattern, &set) {
+            Ok(mesh) => {
+                meshes += 1;
+                assert!(mesh.triangles.iter().all(|t| area(&mesh, *t) > 0.0));
+                assert!(mesh.stitches.iter().all(|s| s.a != s.b));
+                let count = mesh.stitches.len();
+                assert!(count > 0, "{set:?}");
+            }
+            Err(faults) => {
+                refusals += 1;
+                let codes: Vec<_> = faults.0.iter().map(|f| f.code.as_str()).collect();
+                let known = ["mesh/line_crossing", "mesh/endless_breaks"];
+                assert!(codes.iter().all(|code| known.contains(code)), "{faults}");
+            }
+        }
+    }
+    assert!(meshes > 100 && refusals > 0, "{meshes} {refusals}");
+}
