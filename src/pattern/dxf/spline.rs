@@ -7,6 +7,7 @@ use super::entity::{P, Path};
 use super::load::{smooth, xy};
 use crate::fault::Fault;
 use crate::pattern::outline::{cross, distance, sub};
+use std::ops::Range;
 
 /// By how much of its chord's length a curve may bulge over it: tan(1 degree / 4) / 2.
 const BULGE: f64 = 2.2e-3;
@@ -17,11 +18,11 @@ const FIRST: usize = 4;
 /// How often a chord is halved at most.
 const HALVINGS: usize = 6;
 
-/// A spline as read by the crate.
+/// A spline as read by the crate; where it has more than `most` points, it ends early.
 ///
 /// # Errors
 /// Numbers that make no spline.
-pub(super) fn path(s: &dxf::entities::Spline, line: usize) -> Result<Path, Fault> {
+pub(super) fn path(s: &dxf::entities::Spline, line: usize, most: usize) -> Result<Path, Fault> {
     let refuse = |what: &str| {
         Fault::new("pattern/spline", at_line(line), what.to_owned())
             .fix("export curves as polylines, or draw this one anew")
@@ -37,7 +38,7 @@ pub(super) fn path(s: &dxf::entities::Spline, line: usize) -> Result<Path, Fault
             ));
         }
         let tangents = [&s.start_tangent, &s.end_tangent].map(xy);
-        return Ok(smooth(through(&fit, s.flags & 1 == 1, tangents)));
+        return Ok(smooth(through(&fit, s.flags & 1 == 1, tangents, most)));
     }
     if degree == 0 || controls.len() <= degree || s.knot_values.len() != controls.len() + degree + 1
     {
@@ -63,7 +64,7 @@ pub(super) fn path(s: &dxf::entities::Spline, line: usize) -> Result<Path, Fault
         controls: &controls,
         weights: &s.weight_values,
     };
-    Ok(smooth(curve.points()))
+    Ok(smooth(curve.points(most)))
 }
 
 /// A B-spline, rational where it has weights.
@@ -79,10 +80,13 @@ struct Spline<'a> {
 
 impl Spline<'_> {
     /// Its points, both ends included.
-    fn points(&self) -> Vec<P> {
+    fn points(&self, most: usize) -> Vec<P> {
         let spans = self.degree..self.controls.len();
         let mut points = Vec::new();
         for span in spans.filter(|i| self.knots[*i + 1] > self.knots[*i]) {
+            if points.len() > most {
+                break;
+            }
             let range = [self.knots[span], self.knots[span + 1]];
             flatten(&|t| self.at(span, t), range, &mut points);
         }
@@ -111,7 +115,7 @@ impl Spline<'_> {
 
 /// Points of the cubic spline through `fit`, both ends included: twice differentiable in the length of chords, its ends
 /// along the tangents where those are not zero, else without curvature. A closed one goes round.
-fn through(fit: &[P], closed: bool, tangents: [P; 2]) -> Vec<P> {
+fn through(fit: &[P], closed: bool, tangents: [P; 2], most: usize) -> Vec<P> {
     /// What is this many points away bends a spline by 1e-7 of itself: each halves the influence twice over.
     const WRAP: usize = 12;
     let mut fit: Vec<P> = fit.to_vec();
@@ -125,13 +129,13 @@ fn through(fit: &[P], closed: bool, tangents: [P; 2]) -> Vec<P> {
     }
     if !closed {
         let slopes = slopes(&fit, tangents);
-        return hermite(&fit, &slopes, 0..n - 1);
+        return hermite(&fit, &slopes, 0..n - 1, most);
     }
     let around: Vec<P> = (0..=n + 2 * WRAP)
         .map(|i| fit[(i + n * WRAP - WRAP) % n])
         .collect();
     let slopes = slopes(&around, [[0.0; 2]; 2]);
-    hermite(&around, &slopes, WRAP..WRAP + n)
+    hermite(&around, &slopes, WRAP..WRAP + n, most)
 }
 
 /// Derivatives at the points of an open cubic spline, by the length of chords: the tridiagonal system of equal second
@@ -175,9 +179,12 @@ fn slopes(p: &[P], tangents: [P; 2]) -> Vec<P> {
 }
 
 /// Points of the cubics with these ends and slopes, of some of the stretches.
-fn hermite(p: &[P], slopes: &[P], stretches: std::ops::Range<usize>) -> Vec<P> {
+fn hermite(p: &[P], slopes: &[P], stretches: Range<usize>, most: usize) -> Vec<P> {
     let mut points = Vec::new();
     for i in stretches {
+        if points.len() > most {
+            break;
+        }
         let h = distance(p[i], p[i + 1]);
         let at = |t: f64| {
             let (u, v) = (1.0 - t, t);
@@ -233,6 +240,8 @@ mod tests {
     use crate::pattern::outline::length;
     use std::f64::consts::{PI, TAU};
 
+    const MOST: usize = 1000;
+
     #[test]
     fn cubic_bezier_as_spline_matches_its_polynomial() {
         let controls = [[0.0, 0.0], [0.0, 1.0], [2.0, 1.0], [2.0, 0.0]];
@@ -243,7 +252,7 @@ mod tests {
             controls: &controls,
             weights: &[],
         };
-        let points = spline.points();
+        let points = spline.points(MOST);
         assert_eq!(
             (points[0], *points.last().expect("points")),
             (controls[0], controls[3])
@@ -260,7 +269,7 @@ mod tests {
             controls: &[[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
             weights: &[1.0, w, 1.0],
         };
-        let points = spline.points();
+        let points = spline.points(MOST);
         assert!((length(&points) / (PI / 2.0) - 1.0).abs() < 1.3e-5);
         assert!(
             points
@@ -282,10 +291,10 @@ mod tests {
 
     #[test]
     fn curve_through_fit_points_keeps_to_a_circle() {
-        let half = through(&on_circle(PI), false, [[0.0, 2.0], [0.0, -1.0]]);
+        let half = through(&on_circle(PI), false, [[0.0, 2.0], [0.0, -1.0]], MOST);
         assert!(half.iter().all(|p| (p[0].hypot(p[1]) - 1.0).abs() < OFF));
         assert!(length(&half) > PI * (1.0 - OFF));
-        let whole = through(&on_circle(TAU), true, [[0.0; 2]; 2]);
+        let whole = through(&on_circle(TAU), true, [[0.0; 2]; 2], MOST);
         assert!(whole.iter().all(|p| (p[0].hypot(p[1]) - 1.0).abs() < OFF));
         assert!(distance(whole[0], whole[whole.len() - 1]) < 1e-12);
     }
