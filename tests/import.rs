@@ -283,6 +283,124 @@ fn what_is_left_out_is_said() {
 }
 
 #[test]
+fn depth_of_a_notch_is_its_z_or_its_length() {
+    let file = rectangle(DxfBuilder::metric(), "FRONT")
+        .tag(0, "POINT")
+        .tag(8, "4")
+        .tag(10, "100")
+        .tag(20, "0")
+        .tag(30, "-4")
+        .line("81", [300.0, 50.0], [293.0, 50.0]);
+    let pattern = imported(file);
+    assert_eq!(pattern.warnings, []);
+    let depths: Vec<_> = pattern.panels[0]
+        .notches
+        .iter()
+        .map(|n| n.depth_m)
+        .collect();
+    assert_eq!(depths.len(), 2);
+    for (found, wanted) in depths.into_iter().zip([0.004, 0.007]) {
+        assert!(close(found.expect("a depth"), wanted), "{found:?}");
+    }
+}
+
+#[test]
+fn notch_drawn_on_cut_and_sew_line_is_one() {
+    let sewn = [[10.0, 10.0], [290.0, 10.0], [290.0, 390.0], [10.0, 390.0]];
+    let file = closed(rectangle(DxfBuilder::metric(), "FRONT"), "14", &sewn)
+        .point("4", [100.0, 0.0])
+        .point("4", [100.0, 10.0])
+        .point("4", [300.0, 200.0])
+        .point("4", [150.0, 200.0]);
+    let pattern = imported(file);
+    assert_eq!(codes(&pattern), ["pattern/notch_ignored"]);
+    assert_eq!(pattern.panels[0].notches.len(), 2);
+}
+
+#[test]
+fn texts_beside_a_bent_piece_are_its_own() {
+    let bent = |file: DxfBuilder, x: f64, name: &str| {
+        let points = [
+            [0.0, 0.0],
+            [300.0, 0.0],
+            [300.0, 50.0],
+            [50.0, 50.0],
+            [50.0, 300.0],
+            [0.0, 300.0],
+        ];
+        let file = file.run("CUT", true, &points.map(|p| [p[0] + x, p[1]]));
+        let text = |file: DxfBuilder, y: &str, value: &str| {
+            file.tag(0, "TEXT")
+                .tag(8, "TEXT")
+                .tag(10, &(x + 150.0).to_string())
+                .tag(20, y)
+                .tag(1, value)
+        };
+        text(text(file, "180", "Cut 1 pair"), "150", name)
+    };
+    let pattern = imported(bent(
+        bent(DxfBuilder::metric(), 0.0, "front"),
+        400.0,
+        "back",
+    ));
+    assert_eq!(pattern.warnings, []);
+    let found: Vec<_> = pattern
+        .panels
+        .iter()
+        .map(|p| (p.id.as_str(), p.quantity.map(|q| (q.left, q.right))))
+        .collect();
+    assert_eq!(found, [("front", Some((1, 1))), ("back", Some((1, 1)))]);
+}
+
+#[test]
+fn spline_through_fit_points_is_read() {
+    let knots = [[0.0, 400.0], [150.0, 450.0], [300.0, 400.0]];
+    let file = DxfBuilder::metric()
+        .run(
+            "CUT",
+            false,
+            &[[0.0, 400.0], [0.0, 0.0], [300.0, 0.0], [300.0, 400.0]],
+        )
+        .tag(0, "SPLINE")
+        .tag(8, "CUT")
+        .tag(71, "3");
+    let file = knots.iter().fold(file, |file, p| {
+        file.tag(11, &p[0].to_string()).tag(21, &p[1].to_string())
+    });
+    let panel = &imported(file).panels[0];
+    // By hand: without tangents and with equal chords each half rises as 50 (3 t - t^3) / 2 mm, on average 5/8 of 50.
+    let cap = 0.300 * 0.050 * 5.0 / 8.0;
+    assert!(
+        (panel.area_m2 - 0.12 - cap).abs() < 1e-5,
+        "{}",
+        panel.area_m2
+    );
+}
+
+#[test]
+fn line_that_lies_in_no_piece_is_said() {
+    let file = rectangle(DxfBuilder::metric(), "FRONT").end_block();
+    let square = [[0.0, 0.0], [100.0, 0.0], [100.0, 100.0], [0.0, 100.0]];
+    let file = closed(file, "CUT", &square).line("INTERNAL", [500.0, 0.0], [600.0, 0.0]);
+    let pattern = imported(file);
+    assert_eq!(pattern.panels.len(), 2);
+    assert_eq!(codes(&pattern), ["pattern/entity_ignored"]);
+    assert!(pattern.warnings[0].detail.starts_with("1 of line outside"));
+}
+
+#[test]
+fn records_that_ran_into_one_are_refused() {
+    let file = rectangle(DxfBuilder::metric(), "FRONT")
+        .point("4", [100.0, 0.0])
+        .tag(9, "POINT")
+        .tag(8, "4")
+        .tag(10, "200")
+        .tag(20, "0");
+    let faults = refused(file);
+    assert_eq!(faults.0[0].code, "pattern/malformed_entity");
+}
+
+#[test]
 fn samples_that_ship_are_read_without_a_warning() {
     for (name, panels) in [
         (

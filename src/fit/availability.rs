@@ -1,6 +1,6 @@
 //! What the garment file can say and this version cannot do yet: refused, never ignored.
 
-use super::garment::{Garment, SeamsAsked, SelfContact};
+use super::garment::{Garment, SelfContact};
 use crate::fault::Fault;
 use crate::solver::{Method, Want};
 
@@ -21,12 +21,6 @@ pub(crate) fn check(garment: &Garment) -> Vec<Fault> {
     };
     let asked = &garment.simulate;
     let at = |field: &str| format!("/{field}");
-    refuse(
-        matches!(garment.seams, SeamsAsked::Word(_)),
-        at("seams"),
-        "suggesting seams",
-        "list the seams",
-    );
     refuse(
         garment.wind.is_some(),
         at("wind"),

@@ -9,6 +9,7 @@ mod run;
 mod seams;
 mod sewn;
 mod shape;
+mod suggested;
 
 pub use garment::{
     AvatarAsked, Elastic, FormAsked, Garment, MapKind, PanelAsked, PatternAsked, Pin, SCHEMA,

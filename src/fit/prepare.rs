@@ -3,7 +3,7 @@
 use super::Library;
 use super::availability::{self, escape};
 use super::garment::{AvatarAsked, Garment, PatternAsked, SCHEMA, SeamsAsked};
-use super::{seams, sewn};
+use super::{seams, sewn, suggested};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, Warning};
 use crate::pattern::{self, Pattern};
@@ -65,6 +65,14 @@ pub fn prepare(
             return Err(Faults(faults));
         }
     };
+    let mut pattern = Arc::unwrap_or_clone(pattern);
+    let mut warnings = match suggested::fill(&mut garment, &mut pattern, limits) {
+        Ok(warnings) => warnings,
+        Err(fault) => {
+            faults.push(fault);
+            return Err(Faults(faults));
+        }
+    };
     let whole = sewn::with_copies(&garment, &pattern);
     faults.extend(panel_faults(&garment, &whole));
     // The saved file keeps the outlines as they were given: they are cut anew each time.
@@ -78,7 +86,8 @@ pub fn prepare(
         .map_err(|found| faults.extend(found.0))
         .ok();
     match seams {
-        Some((seams, warnings)) if faults.is_empty() => {
+        Some((seams, found)) if faults.is_empty() => {
+            warnings.extend(found);
             faults.extend(placement_faults(&garment, &pattern, &seams));
             garment.pattern = Some(PatternAsked::Whole(Box::new(whole)));
             Faults(faults).or(Prepared {

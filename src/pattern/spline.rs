@@ -24,11 +24,14 @@ pub(super) struct Spline<'a> {
 }
 
 impl Spline<'_> {
-    /// Its points, both ends included.
-    pub(super) fn points(&self) -> Vec<P> {
+    /// Its points, both ends included; where there are more than `most`, it ends early.
+    pub(super) fn points(&self, most: usize) -> Vec<P> {
         let spans = self.degree..self.controls.len();
         let mut points = Vec::new();
         for span in spans.filter(|i| self.knots[*i + 1] > self.knots[*i]) {
+            if points.len() > most {
+                break;
+            }
             let range = [self.knots[span], self.knots[span + 1]];
             flatten(&|t| self.at(span, t), range, &mut points);
         }
@@ -96,6 +99,8 @@ mod tests {
     use crate::pattern::outline::length;
     use std::f64::consts::PI;
 
+    const MOST: usize = 1000;
+
     #[test]
     fn cubic_bezier_as_spline_matches_its_polynomial() {
         let controls = [[0.0, 0.0], [0.0, 1.0], [2.0, 1.0], [2.0, 0.0]];
@@ -106,7 +111,7 @@ mod tests {
             controls: &controls,
             weights: &[],
         };
-        let points = spline.points();
+        let points = spline.points(MOST);
         assert_eq!(
             (points[0], *points.last().expect("points")),
             (controls[0], controls[3])
@@ -123,7 +128,7 @@ mod tests {
             controls: &[[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],
             weights: &[1.0, w, 1.0],
         };
-        let points = spline.points();
+        let points = spline.points(MOST);
         assert!((length(&points) / (PI / 2.0) - 1.0).abs() < 1.3e-5);
         assert!(
             points

@@ -1,4 +1,8 @@
 //! Damage done to files, the same for the same seed: bytes, lines and groups deleted, doubled, exchanged, cut off.
+#![allow(
+    dead_code,
+    reason = "each program takes this file in as its own and uses some of it"
+)]
 
 /// Numbers by splitmix64.
 pub(crate) struct Dice(pub(crate) u64);
@@ -61,7 +65,7 @@ fn lines(bytes: &[u8], kind: usize, dice: &mut Dice) -> Vec<u8> {
     let group = line / 2 * 2;
     let end = lines.len();
     let entity = |from: usize| {
-        let opens = |i: &usize| i % 2 == 0 && lines[*i].trim_ascii() == b"0";
+        let opens = |i: &usize| i.is_multiple_of(2) && lines[*i].trim_ascii() == b"0";
         let start = (0..=from).rev().find(opens).unwrap_or(0);
         let stop = (start + 1..end).find(opens).unwrap_or(end);
         start..stop

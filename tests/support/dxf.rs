@@ -1,4 +1,8 @@
 //! DXF files written fluently, right ones and hostile ones.
+#![allow(
+    dead_code,
+    reason = "each program takes this file in as its own and uses some of it"
+)]
 
 use std::fmt::Write;
 

@@ -1,7 +1,7 @@
 //! Whether an import lost anything without a word: every line, notch and drill hole of the file is looked for in the
 //! pattern, and what is not there must have been warned about.
 
-use super::raw::{Drawing, Entity, P, read};
+use super::raw::{Entity, P, read};
 use super::rings::{apart, distance};
 use seamster::pattern::Pattern;
 use std::collections::BTreeSet;

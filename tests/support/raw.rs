@@ -1,4 +1,8 @@
 //! A DXF as its tags say, read by a few lines of its own: what the importer is compared with, so none of its code.
+#![allow(
+    dead_code,
+    reason = "each program takes this file in as its own and uses some of it"
+)]
 
 /// A point in drawing units.
 pub(crate) type P = [f64; 2];

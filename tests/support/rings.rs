@@ -1,4 +1,8 @@
 //! Plane geometry for comparisons, apart from the library's own.
+#![allow(
+    dead_code,
+    reason = "each program takes this file in as its own and uses some of it"
+)]
 
 use super::raw::P;
 

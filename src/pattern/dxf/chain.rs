@@ -162,10 +162,10 @@ fn note_gap(chain: &mut Chain, gap: f64) {
     }
 }
 
-/// At most this many free ends of one cell are compared, and this many passed over that are taken: a drawing with more
-/// ends in half a millimetre has no right choice among them.
-const COMPARED: usize = 50;
-const PASSED: usize = 500;
+/// At most this many free ends of three cells are compared, and this many passed over that are taken: a drawing with
+/// more ends in a millimetre has no right choice among them.
+const COMPARED: usize = 30;
+const PASSED: usize = 200;
 
 /// The free ends of open parts, sorted by the cell of a grid that they lie in.
 struct Ends {
@@ -173,7 +173,7 @@ struct Ends {
     free: Vec<bool>,
     /// Cell, part, and whether it is its head.
     ends: Vec<((i64, i64), usize, bool)>,
-    /// Where in `ends` the first may be that is not taken, for the first of each cell.
+    /// Where in `ends` the first may be that is not taken, from each of them on.
     first_free: Vec<usize>,
 }
 
@@ -205,9 +205,8 @@ impl Ends {
     fn near(&mut self, p: P, parts: &[Chain]) -> Option<(usize, bool, f64)> {
         let (x, y) = key(p, self.cell);
         let mut best: Option<(usize, bool, f64)> = None;
-        for (dx, dy) in (-1..=1).flat_map(|dx| (-1..=1).map(move |dy| (dx, dy))) {
-            for end in self.in_cell((x.saturating_add(dx), y.saturating_add(dy))) {
-                let (index, head) = end;
+        for dx in -1..=1 {
+            for (index, head) in self.in_column(x.saturating_add(dx), y) {
                 let points = &parts[index].points;
                 let at = if head { points.first() } else { points.last() };
                 let found = at.map(|at| (index, head, distance(p, *at)));
@@ -223,10 +222,11 @@ impl Ends {
         best
     }
 
-    /// The first free ends of a cell.
-    fn in_cell(&mut self, cell: (i64, i64)) -> Vec<(usize, bool)> {
-        let start = self.ends.partition_point(|end| end.0 < cell);
-        let is_here = |i: usize| self.ends.get(i).is_some_and(|end| end.0 == cell);
+    /// The first free ends of a cell and of those below and above it, which lie together.
+    fn in_column(&mut self, x: i64, y: i64) -> Vec<(usize, bool)> {
+        let (low, high) = ((x, y.saturating_sub(1)), (x, y.saturating_add(1)));
+        let start = self.ends.partition_point(|end| end.0 < low);
+        let is_here = |i: usize| self.ends.get(i).is_some_and(|end| end.0 <= high);
         if !is_here(start) {
             return Vec::new();
         }

@@ -40,7 +40,7 @@ pub(super) fn load(
             findings.faults.push(lost(expected));
             return entities;
         };
-        match shape(&entity.specific, expected.line, findings) {
+        match shape(&entity.specific, expected.line, *points_left, findings) {
             Ok(Some(shape)) => {
                 let count = if let Shape::Path(path) = &shape {
                     path.points.len()
@@ -107,10 +107,12 @@ fn lost(expected: &Expected) -> Fault {
     .fix("export the file again, or report this file")
 }
 
-/// An entity of the crate as ours; `None` for one without extent that is dropped with a warning.
+/// An entity of the crate as ours; `None` for one without extent that is dropped with a warning. Not many more than
+/// `most` points are made.
 fn shape(
     entity: &EntityType,
     line: usize,
+    most: usize,
     findings: &mut Findings,
 ) -> Result<Option<Shape>, Fault> {
     Ok(Some(match entity {
@@ -129,7 +131,7 @@ fn shape(
             xy(&t.insertion_point),
             format!("{}{}", t.extended_text.concat(), t.text),
         ),
-        EntityType::Polyline(p) => return polyline(p, line, findings),
+        EntityType::Polyline(p) => return polyline(p, line, most, findings),
         EntityType::LwPolyline(p) => {
             let flipped = flipped(&p.extrusion_direction, line)?;
             if p.vertices.is_empty() {
@@ -138,7 +140,7 @@ fn shape(
             }
             let vertices: Vec<(P, f64)> =
                 p.vertices.iter().map(|v| ([v.x, v.y], v.bulge)).collect();
-            Shape::Path(bulged(&vertices, p.is_closed(), line)?.mirrored(flipped))
+            Shape::Path(bulged(&vertices, p.is_closed(), most, line)?.mirrored(flipped))
         }
         EntityType::Arc(a) => {
             let Some(radius) = radius(a.radius, line, findings)? else {
@@ -173,7 +175,7 @@ fn shape(
             ];
             Shape::Path(smooth(curve::ellipse(xy(&e.center), major, minor, range)))
         }
-        EntityType::Spline(s) => Shape::Path(spline::path(s, line)?),
+        EntityType::Spline(s) => Shape::Path(spline::path(s, line, most)?),
         EntityType::Insert(i) => Shape::Insert(insert(i, line)?),
         _ => return Ok(None),
     }))
@@ -237,6 +239,7 @@ pub(super) fn smooth(points: Vec<P>) -> Path {
 fn polyline(
     p: &dxf::entities::Polyline,
     line: usize,
+    most: usize,
     findings: &mut Findings,
 ) -> Result<Option<Shape>, Fault> {
     const MESHES: i32 = 16 | 64;
@@ -259,12 +262,12 @@ fn polyline(
         return Ok(None);
     }
     let vertices: Vec<(P, f64)> = kept.iter().map(|v| (xy(&v.location), v.bulge)).collect();
-    let path = bulged(&vertices, p.is_closed(), line)?;
+    let path = bulged(&vertices, p.is_closed(), most, line)?;
     Ok(Some(Shape::Path(path.mirrored(flipped(&p.normal, line)?))))
 }
 
 /// The polyline through vertices with bulges.
-fn bulged(vertices: &[(P, f64)], closed: bool, line: usize) -> Result<Path, Fault> {
+fn bulged(vertices: &[(P, f64)], closed: bool, most: usize, line: usize) -> Result<Path, Fault> {
     /// A bulge of 1000 is an arc that lacks 0.2 degrees of a full circle.
     const LARGEST: f64 = 1000.0;
     if let Some((_, bulge)) = vertices.iter().find(|(_, bulge)| bulge.abs() > LARGEST) {
@@ -278,6 +281,9 @@ fn bulged(vertices: &[(P, f64)], closed: bool, line: usize) -> Result<Path, Faul
     let mut points = Vec::with_capacity(vertices.len());
     let mut made = Vec::new();
     for (i, (a, bulge)) in vertices.iter().enumerate() {
+        if points.len() > most {
+            return Err(too_many_points(line));
+        }
         made.resize(points.len(), true);
         made.push(false);
         match vertices

@@ -6,12 +6,13 @@ use super::load::{smooth, xy};
 use crate::fault::Fault;
 use crate::pattern::outline::distance;
 use crate::pattern::spline::{Spline, flatten};
+use std::ops::Range;
 
-/// A spline as read by the crate.
+/// A spline as read by the crate; where it has more than `most` points, it ends early.
 ///
 /// # Errors
 /// Numbers that make no spline.
-pub(super) fn path(s: &dxf::entities::Spline, line: usize) -> Result<Path, Fault> {
+pub(super) fn path(s: &dxf::entities::Spline, line: usize, most: usize) -> Result<Path, Fault> {
     let refuse = |what: &str| {
         Fault::new("pattern/spline", at_line(line), what.to_owned())
             .fix("export curves as polylines, or draw this one anew")
@@ -27,7 +28,7 @@ pub(super) fn path(s: &dxf::entities::Spline, line: usize) -> Result<Path, Fault
             ));
         }
         let tangents = [&s.start_tangent, &s.end_tangent].map(xy);
-        return Ok(smooth(through(&fit, s.flags & 1 == 1, tangents)));
+        return Ok(smooth(through(&fit, s.flags & 1 == 1, tangents, most)));
     }
     if degree == 0 || controls.len() <= degree || s.knot_values.len() != controls.len() + degree + 1
     {
@@ -53,12 +54,12 @@ pub(super) fn path(s: &dxf::entities::Spline, line: usize) -> Result<Path, Fault
         controls: &controls,
         weights: &s.weight_values,
     };
-    Ok(smooth(curve.points()))
+    Ok(smooth(curve.points(most)))
 }
 
 /// Points of the cubic spline through `fit`, both ends included: twice differentiable in the length of chords, its ends
 /// along the tangents where those are not zero, else without curvature. A closed one goes round.
-fn through(fit: &[P], closed: bool, tangents: [P; 2]) -> Vec<P> {
+fn through(fit: &[P], closed: bool, tangents: [P; 2], most: usize) -> Vec<P> {
     /// What is this many points away bends a spline by 1e-7 of itself: each halves the influence twice over.
     const WRAP: usize = 12;
     let mut fit: Vec<P> = fit.to_vec();
@@ -72,13 +73,13 @@ fn through(fit: &[P], closed: bool, tangents: [P; 2]) -> Vec<P> {
     }
     if !closed {
         let slopes = slopes(&fit, tangents);
-        return hermite(&fit, &slopes, 0..n - 1);
+        return hermite(&fit, &slopes, 0..n - 1, most);
     }
     let around: Vec<P> = (0..=n + 2 * WRAP)
         .map(|i| fit[(i + n * WRAP - WRAP) % n])
         .collect();
     let slopes = slopes(&around, [[0.0; 2]; 2]);
-    hermite(&around, &slopes, WRAP..WRAP + n)
+    hermite(&around, &slopes, WRAP..WRAP + n, most)
 }
 
 /// Derivatives at the points of an open cubic spline, by the length of chords: the tridiagonal system of equal second
@@ -122,9 +123,12 @@ fn slopes(p: &[P], tangents: [P; 2]) -> Vec<P> {
 }
 
 /// Points of the cubics with these ends and slopes, of some of the stretches.
-fn hermite(p: &[P], slopes: &[P], stretches: std::ops::Range<usize>) -> Vec<P> {
+fn hermite(p: &[P], slopes: &[P], stretches: Range<usize>, most: usize) -> Vec<P> {
     let mut points = Vec::new();
     for i in stretches {
+        if points.len() > most {
+            break;
+        }
         let h = distance(p[i], p[i + 1]);
         let at = |t: f64| {
             let (u, v) = (1.0 - t, t);
@@ -145,6 +149,8 @@ mod tests {
     use crate::pattern::outline::length;
     use std::f64::consts::{PI, TAU};
 
+    const MOST: usize = 1000;
+
     /// Points of a circle of radius 1, every 15 degrees, over `turn`.
     fn on_circle(turn: f64) -> Vec<P> {
         (0..=24)
@@ -158,10 +164,10 @@ mod tests {
 
     #[test]
     fn curve_through_fit_points_keeps_to_a_circle() {
-        let half = through(&on_circle(PI), false, [[0.0, 2.0], [0.0, -1.0]]);
+        let half = through(&on_circle(PI), false, [[0.0, 2.0], [0.0, -1.0]], MOST);
         assert!(half.iter().all(|p| (p[0].hypot(p[1]) - 1.0).abs() < OFF));
         assert!(length(&half) > PI * (1.0 - OFF));
-        let whole = through(&on_circle(TAU), true, [[0.0; 2]; 2]);
+        let whole = through(&on_circle(TAU), true, [[0.0; 2]; 2], MOST);
         assert!(whole.iter().all(|p| (p[0].hypot(p[1]) - 1.0).abs() < OFF));
         assert!(distance(whole[0], whole[whole.len() - 1]) < 1e-12);
     }
