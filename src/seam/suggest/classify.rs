@@ -14,6 +14,8 @@ const ANY: [Kind; 5] = [
     Kind::Sleeve,
     Kind::NeckBand,
 ];
+/// What a panel without a telling name may be where other panels of the pattern have one.
+const EXTRA: [Kind; 2] = [Kind::Sleeve, Kind::NeckBand];
 /// What a panel without a telling name must look like at least: mean misfit of a role.
 const RECOGNISED: f64 = 2.5;
 /// Lengths of two panels that mirror each other agree to this share.
@@ -40,19 +42,32 @@ const FROM_INSIDE: f64 = 0.3;
 pub(super) fn pieces(pattern: &Pattern) -> Vec<Piece> {
     let names: Vec<&str> = pattern.panels.iter().map(|p| p.name.as_str()).collect();
     let common = words::common_start(&names);
-    let slits = names
+    let said: Vec<words::Said> = pattern
+        .panels
         .iter()
-        .any(|name| words::said(name, "").kind == Some(Kind::Godet));
-    let candidates: Vec<Vec<Piece>> = (0..names.len())
-        .map(|index| {
-            let panel = &pattern.panels[index];
+        .map(|panel| {
             let name = if panel.name.is_empty() {
                 &panel.id
             } else {
                 &panel.name
             };
-            let said = words::said(name, panel.name.get(common..).unwrap_or_default());
-            candidates(index, Shape::of(panel, slits), said, upright(panel))
+            words::said(name, panel.name.get(common..).unwrap_or_default())
+        })
+        .collect();
+    let slits = said.iter().any(|s| s.kind == Some(Kind::Godet));
+    let telling = said
+        .iter()
+        .any(|s| s.which.is_some() || s.kind.is_some_and(|kind| BODY.contains(&kind)));
+    let candidates: Vec<Vec<Piece>> = (0..names.len())
+        .map(|index| {
+            let panel = &pattern.panels[index];
+            let said = &said[index];
+            candidates(
+                index,
+                Shape::of(panel, slits),
+                said,
+                (upright(panel), telling),
+            )
         })
         .collect();
     let mut pieces = choose::together(candidates);
@@ -69,10 +84,16 @@ pub(super) fn pieces(pattern: &Pattern) -> Vec<Piece> {
 }
 
 /// What a panel may be, the likeliest first.
-fn candidates(panel: usize, shape: Shape, said: words::Said, upright: Option<bool>) -> Vec<Piece> {
+fn candidates(
+    panel: usize,
+    shape: Shape,
+    said: &words::Said,
+    (upright, telling): (Option<bool>, bool),
+) -> Vec<Piece> {
     let kinds: Vec<Kind> = match (said.kind, said.which) {
         (Some(kind), _) => vec![kind],
         (None, Some(_)) => BODY.to_vec(),
+        (None, None) if telling => EXTRA.to_vec(),
         (None, None) => ANY.to_vec(),
     };
     let named = said.kind.is_some() || said.which.is_some();
@@ -80,7 +101,7 @@ fn candidates(panel: usize, shape: Shape, said: words::Said, upright: Option<boo
     let mut found: Vec<Piece> = vec![];
     for kind in kinds {
         for template in looks::of(kind) {
-            let unlikely = template.rare + unlikely(kind, template.half, &said, symmetric);
+            let unlikely = template.rare + unlikely(kind, template.half, said, symmetric);
             for divided in template::divide(&shape, &template).into_iter().take(KEPT) {
                 let mut piece = Piece {
                     panel,
@@ -360,7 +381,7 @@ fn is_partner(a: &Piece, b: &Piece) -> bool {
 /// The mirrored copy of a piece: the same numbers, the other hand.
 fn mirrored(piece: &Piece) -> Piece {
     let mut copy = piece.clone();
-    copy.shape.mirrored = !copy.shape.mirrored;
+    copy.shape = copy.shape.reflected();
     copy.lateral = copy.lateral.map(Lateral::other);
     for segment in &mut copy.segments {
         segment.hand = segment.hand.other();

@@ -91,6 +91,24 @@ impl Shape {
         }
     }
 
+    /// The shape of the mirrored copy: reflected x -> -x, with the same numbers.
+    pub(super) fn reflected(&self) -> Self {
+        let reflect = |[x, y]: [f64; 2]| [-x, y];
+        let points = self
+            .points
+            .iter()
+            .map(|edge| edge.iter().copied().map(reflect).collect());
+        let mut copy = Self {
+            mirrored: !self.mirrored,
+            points: std::rc::Rc::new(points.collect()),
+            ..self.clone()
+        };
+        for edge in &mut copy.edges {
+            edge.ends = edge.ends.map(reflect);
+        }
+        copy
+    }
+
     /// Whether some axis mirrors the outline onto itself.
     pub(super) fn is_symmetric(&self) -> bool {
         let count = self.ring.len();

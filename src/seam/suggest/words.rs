@@ -160,7 +160,7 @@ const KINDS: [Entry; 16] = [
             "рукав",
             "袖",
         ],
-        &["sl", "sls", "slv", "ss", "sa"],
+        &["sl", "sls", "slv", "ss", "ls", "sa"],
     ),
     (
         Kind::Trouser,
