@@ -347,6 +347,7 @@ fn texts_beside_a_bent_piece_are_its_own() {
     let found: Vec<_> = pattern
         .panels
         .iter()
+        .filter(|p| p.copy_of.is_none())
         .map(|p| (p.id.as_str(), p.quantity.map(|q| (q.left, q.right))))
         .collect();
     assert_eq!(found, [("front", Some((1, 1))), ("back", Some((1, 1)))]);
@@ -386,6 +387,19 @@ fn line_that_lies_in_no_piece_is_said() {
     assert_eq!(pattern.panels.len(), 2);
     assert_eq!(codes(&pattern), ["pattern/entity_ignored"]);
     assert!(pattern.warnings[0].detail.starts_with("1 of line outside"));
+}
+
+#[test]
+fn entity_at_an_absurd_distance_is_left_out_and_said() {
+    let far = rectangle(DxfBuilder::metric(), "FRONT").line("8", [10.0, 10.0], [20.0, 1e23]);
+    let pattern = imported(far);
+    assert!(close(pattern.panels[0].area_m2, 0.12));
+    assert!(pattern.panels[0].internal_lines.is_empty());
+    assert!(
+        codes(&pattern).contains(&"pattern/entity_ignored"),
+        "{:?}",
+        pattern.warnings
+    );
 }
 
 #[test]

@@ -118,6 +118,7 @@ pub(super) fn sheets(
     }
     for sheet in &mut sheets {
         sheet.bring_near(findings);
+        sheet.drop_far(findings);
     }
     Ok(sheets)
 }
@@ -154,6 +155,33 @@ impl Sheet {
                 low[0], low[1]
             ),
         );
+    }
+}
+
+impl Sheet {
+    /// Leaves out what lies farther away than any pattern: a slip of a digit. Where all lines do, the units are wrong.
+    fn drop_far(&mut self, findings: &mut Findings) {
+        /// As far as the check of patterns goes \[m\].
+        const FARTHEST: f64 = 1e4;
+        let near = |p: &P| p.iter().all(|c| c.abs() <= FARTHEST);
+        let some_near = self.entities.iter().any(|entity| match &entity.shape {
+            Shape::Path(path) => path.points.iter().all(near),
+            _ => false,
+        });
+        if !some_near {
+            return;
+        }
+        self.entities.retain(|entity| {
+            let is_near = match &entity.shape {
+                Shape::Path(path) => path.points.iter().all(near),
+                Shape::Point(p, _) => near(p),
+                Shape::Text(..) | Shape::Insert(_) => true,
+            };
+            if !is_near {
+                findings.left_out("entity beyond 10 km", entity.line);
+            }
+            is_near
+        });
     }
 }
 

@@ -45,7 +45,11 @@ fn row(folder: &Path, entry: &Value) -> (Row, Vec<String>) {
         |name: &str| std::fs::read(folder.join(name)).unwrap_or_else(|e| panic!("{name}: {e}"));
     let found = import(&read(&name), &ImportOptions::default(), &Limits::default());
     let pattern = match found {
-        Ok(pattern) => pattern,
+        // The truth counts panels before copies.
+        Ok(mut pattern) => {
+            pattern.panels.retain(|panel| panel.copy_of.is_none());
+            pattern
+        }
         Err(faults) => return (refused(name, &faults), Vec::new()),
     };
     // The binary file is another one saved anew: its tags are read there.

@@ -22,6 +22,7 @@ pub(super) fn cell(file: &File<'_>, pairs: &[Pair<'_>]) -> Cell {
         let right = match warning.code.as_str() {
             "pattern/units_assumed" => unsaid,
             "pattern/allowance_mixed" => sewn > 0 && sewn < pairs.len(),
+            "pattern/quantity" => pairs.iter().any(says_no_sides),
             "pattern/fold_ignored" => pairs.iter().any(off_fold),
             // Of truth files, the notches are counted in their own column.
             "pattern/notch_ignored" => file.truth.is_some() || pairs.iter().any(notch_off),
@@ -42,6 +43,12 @@ pub(super) fn cell(file: &File<'_>, pairs: &[Pair<'_>]) -> Cell {
         return Cell::Right(file.pattern.warnings.len().to_string());
     }
     Cell::of(&wrong)
+}
+
+/// Whether several are cut and the file does not say how many of them mirrored.
+fn says_no_sides(pair: &Pair<'_>) -> bool {
+    let stated = pair.piece["quantity"].as_str();
+    stated.is_some_and(|s| !s.contains(',') && s.trim() > "1")
 }
 
 /// Generated files in blocks have the units as text or in the header.
