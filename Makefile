@@ -6,7 +6,7 @@ NPM_CI = npm ci --ignore-scripts --no-audit --no-fund
 
 # Set LISTEN or BIN on the command line: make run LISTEN=127.0.0.1:9000
 
-.PHONY: help run test check bench smoke audit build page browser chromium
+.PHONY: help run test check bench table fuzz smoke audit build page browser chromium
 .DEFAULT_GOAL := help
 
 help:
@@ -14,6 +14,8 @@ help:
 	@echo "make test    all tests (SEAMSTER_TEST_DATA: folder of real patterns, left out without it)"
 	@echo "make check   format, lints, documentation"
 	@echo "make bench   times the samples with the error reached, a JSON line a run in target/bench.jsonl"
+	@echo "make table   what the project makes of the real patterns in SEAMSTER_TEST_DATA, against the truth"
+	@echo "make fuzz    searches for inputs that break the importer and the seam check (T seconds each)"
 	@echo "make smoke   a fresh service sews both samples, a validator reads the result"
 	@echo "make audit   known faults of dependencies (needs the internet)"
 
@@ -55,6 +57,17 @@ test: page browser chromium
 
 bench:
 	cargo run --release --locked --example bench | tee target/bench.jsonl
+
+table: page
+	cargo run --locked --example truth_table $(SECTIONS)
+
+fuzz: page
+	cargo fuzz --version >/dev/null 2>&1 || cargo install --locked cargo-fuzz
+	@for target in import seams; do \
+	  mkdir -p fuzz/corpus/$$target; \
+	  cargo fuzz run -s none $$target fuzz/corpus/$$target tests/corpus/$$target -- \
+	    -max_total_time=$(or $(T),300) -timeout=10 || exit 1; \
+	done
 
 smoke: build browser
 	tests/smoke.sh $(BIN)

@@ -10,7 +10,9 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 fn sample(name: &str) -> Pattern {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("static/samples").join(name);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("static/samples")
+        .join(name);
     let bytes = std::fs::read(path).expect("a sample");
     import(&bytes, &ImportOptions::default(), &Limits::default()).expect("a pattern")
 }
@@ -20,7 +22,11 @@ fn suggested(pattern: &Pattern) -> Suggestion {
 }
 
 fn ids(found: &Suggestion) -> BTreeSet<&str> {
-    found.seams.iter().map(|seam| seam.pair.id.as_str()).collect()
+    found
+        .seams
+        .iter()
+        .map(|seam| seam.pair.id.as_str())
+        .collect()
 }
 
 #[test]
@@ -28,7 +34,12 @@ fn top_is_sewn_at_shoulders_and_sides() {
     let found = suggested(&sample("top.dxf"));
     let wanted = ["shoulder-left", "shoulder-right", "side-left", "side-right"];
     assert_eq!(ids(&found), wanted.into());
-    assert!(found.seams.iter().all(|seam| seam.confidence > 0.5 && !seam.because.is_empty()));
+    assert!(
+        found
+            .seams
+            .iter()
+            .all(|seam| seam.confidence > 0.5 && !seam.because.is_empty())
+    );
     assert_eq!(found.panels.keys().collect::<Vec<_>>(), ["back", "front"]);
     assert_eq!(found.warnings, []);
 }
@@ -38,7 +49,11 @@ fn skirt_gets_its_waistband_and_its_darts() {
     let pattern = sample("skirt.dxf");
     let found = suggested(&pattern);
     for kind in ["skirt-side-left", "skirt-side-right", "waistband"] {
-        assert!(ids(&found).iter().any(|id| id.starts_with(kind)), "{kind}: {:?}", ids(&found));
+        assert!(
+            ids(&found).iter().any(|id| id.starts_with(kind)),
+            "{kind}: {:?}",
+            ids(&found)
+        );
     }
     assert!(found.panels.contains_key("waistband"));
 }
@@ -58,7 +73,9 @@ fn suggestion_does_not_depend_on_how_panels_lie_in_their_drawing() {
         panel.grain = None;
     }
     let turned = suggested(&pattern);
-    let pairs = |found: &Suggestion| -> Vec<_> { found.seams.iter().map(|seam| seam.pair.clone()).collect() };
+    let pairs = |found: &Suggestion| -> Vec<_> {
+        found.seams.iter().map(|seam| seam.pair.clone()).collect()
+    };
     assert_eq!(pairs(&upright), pairs(&turned));
     assert_eq!(turned.panels["front"].placement.up_deg, Some(180.0));
 }
@@ -74,7 +91,8 @@ fn pattern_of_no_garment_gets_no_seams_and_is_told_of() {
 
 #[test]
 fn true_seams_are_suggested() {
-    let Some(data) = truth::data_or_note("true seams against suggestions") else {
+    let Some(data) = truth::data() else {
+        println!("SEAMSTER_TEST_DATA is not set: 1 test left out (suggestions against true seams)");
         return;
     };
     let table = truth::suggest::table(&data);

@@ -17,7 +17,8 @@ const MIRRORED: f64 = 0.03;
 const GATHERED: f64 = 0.7;
 const JOINED: f64 = 0.12;
 const EASED: f64 = 0.3;
-const MOST_JOINED: f64 = 2.0;
+const FULL: f64 = 0.45;
+const MOST_JOINED: f64 = 2.5;
 /// The edges of a band that may be sewn.
 const BAND_EDGES: [Role; 3] = [Role::Long, Role::Hem, Role::Waist];
 /// What it costs if a front is half and its back whole.
@@ -195,6 +196,7 @@ fn joined(a: &Piece, b: &Piece) -> f64 {
                 longer < 0.0
             };
             let spread = match (gathered, a.kind) {
+                (true, Kind::Waistband) => FULL,
                 (true, _) => GATHERED,
                 (false, Kind::Waistband) => EASED,
                 (false, _) => JOINED,

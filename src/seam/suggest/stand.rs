@@ -175,7 +175,7 @@ fn up(piece: &Piece) -> Option<f64> {
     } else {
         up.round()
     };
-    let angle = (angle + 180.0).rem_euclid(360.0) - 180.0;
+    let angle = angle.rem_euclid(360.0);
     ((angle - 90.0).abs() > 1e-9).then_some(angle)
 }
 

@@ -6,6 +6,12 @@ pub(crate) mod import;
 mod raw;
 #[path = "../rings.rs"]
 mod rings;
+#[path = "../seam_truth.rs"]
+pub(crate) mod seam_truth;
+pub(crate) mod seams;
+pub(crate) mod suggest;
+#[path = "../suggest_truth.rs"]
+pub(crate) mod suggest_truth;
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -14,7 +20,11 @@ use std::path::{Path, PathBuf};
 pub(crate) type Section = (&'static str, fn(&Path) -> Table);
 
 /// Every section, in the order of printing.
-pub(crate) const SECTIONS: [Section; 1] = [("import", import::table)];
+pub(crate) const SECTIONS: [Section; 3] = [
+    ("import", import::table),
+    ("seams", seams::table),
+    ("suggestions", suggest::table),
+];
 
 /// One section, made.
 pub(crate) struct Table {

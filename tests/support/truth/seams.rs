@@ -1,16 +1,21 @@
 //! The seams that drafts state: accepted as they are, refused or reported when reversed.
 
+use super::seam_truth::{garments, row};
 use super::{Cell, Row, Table};
-use crate::truth::seam_truth::{garments, row};
 use std::path::Path;
 
 /// Every draft.
 pub(crate) fn table(data: &Path) -> Table {
-    let rows = garments(data).iter().map(row).map(|found| {
+    let garments = garments(data);
+    let rows = garments.iter().map(row).map(|found| {
         let n = found.stitches;
         let counted = |got: usize, of: usize| {
             let text = format!("{got}/{of}");
-            if got == of { Cell::Right(text) } else { Cell::Wrong(text) }
+            if got == of {
+                Cell::Right(text)
+            } else {
+                Cell::Wrong(text)
+            }
         };
         Row {
             cells: vec![

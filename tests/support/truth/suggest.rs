@@ -1,8 +1,8 @@
 //! Suggested seams against the true ones: of drafts whose files state them, and of real garments as written down.
 
+use super::seam_truth::garments;
+use super::suggest_truth::{Score, Truth, score, written};
 use super::{Cell, Row, Table};
-use crate::truth::seam_truth::garments;
-use crate::truth::suggest_truth::{Score, Truth, score, written};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
@@ -33,7 +33,11 @@ pub(crate) fn table(data: &Path) -> Table {
         if truth.complete {
             real.add(&found);
         }
-        let name = file.file_stem().expect("a name").to_string_lossy().into_owned();
+        let name = file
+            .file_stem()
+            .expect("a name")
+            .to_string_lossy()
+            .into_owned();
         rows.push(row(name, &found, truth.complete.then_some(EACH)));
     }
     rows.push(row("all drafts".into(), &drafts, Some(POOLED)));
@@ -49,7 +53,9 @@ pub(crate) fn table(data: &Path) -> Table {
 fn truths() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/truth");
     let entries = std::fs::read_dir(folder).expect("tests/truth");
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("readable").path()).collect();
+    let mut files: Vec<PathBuf> = entries
+        .map(|entry| entry.expect("readable").path())
+        .collect();
     files.sort();
     files
 }
