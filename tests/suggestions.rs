@@ -1,13 +1,15 @@
 //! Suggested seams: of the samples, whose drafts are known, and of real garments against the truth.
 
-#[path = "support/truth/mod.rs"]
-mod truth;
+mod support {
+    pub(crate) mod truth;
+}
 
 use seamster::config::Limits;
 use seamster::pattern::{ImportOptions, Pattern, import};
 use seamster::seam::suggest::{Suggestion, suggest};
 use std::collections::BTreeSet;
 use std::path::Path;
+use support::truth;
 
 fn sample(name: &str) -> Pattern {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -243,6 +243,10 @@ impl Joined {
                 .map(|s| (s.to - s.from).abs() * pattern.panels[s.panel].edges[s.edge].length_m);
             whole += lengths[0];
             joined.edges.extend(stretches.map(|s| (s.panel, s.edge)));
+            #[expect(
+                clippy::cast_possible_truncation,
+                reason = "a length over a step, bounded by the size of panels"
+            )]
             let count = (lengths[0].max(lengths[1]) / STEP).ceil().max(2.0) as usize;
             for k in 0..count {
                 let t = (k as f64 + 0.5) / count as f64;

@@ -38,8 +38,8 @@ pub(super) type Opening = [Chain; 2];
 /// Pieces that go round one opening: one, or a front and a back one.
 #[derive(Clone, Debug)]
 pub(super) enum Bands {
-    One(Piece),
-    Two([Piece; 2]),
+    One(Box<Piece>),
+    Two(Box<[Piece; 2]>),
 }
 
 /// The bands of a kind that `fits` picks, the least numbered first.
@@ -52,8 +52,8 @@ pub(super) fn bands(garment: &Garment, kind: Kind, fits: impl Fn(&Piece) -> bool
             .cloned()
     };
     match (of(Some(Which::Front)), of(Some(Which::Back))) {
-        (Some(front), Some(back)) => Some(Bands::Two([front, back])),
-        _ => of(None).map(Bands::One),
+        (Some(front), Some(back)) => Some(Bands::Two(Box::new([front, back]))),
+        _ => of(None).map(|band| Bands::One(Box::new(band))),
     }
 }
 
@@ -80,10 +80,14 @@ pub(super) fn round(
 ) -> Option<Opening> {
     match bands {
         Bands::One(band) => one(garment, saying, &opening.concat(), band, rim),
-        Bands::Two([front, back]) if opening[1].is_empty() => {
-            on_ring(garment, saying, &opening[0], [front, back], rim)
+        Bands::Two(pair) => {
+            let [front, back] = pair.as_ref();
+            if opening[1].is_empty() {
+                on_ring(garment, saying, &opening[0], [front, back], rim)
+            } else {
+                two(garment, saying, opening, [front, back], rim)
+            }
         }
-        Bands::Two([front, back]) => two(garment, saying, opening, [front, back], rim),
     }
 }
 

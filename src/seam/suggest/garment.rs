@@ -167,13 +167,12 @@ impl Garment {
 
     fn propose(&mut self, saying: Saying<'_>, whole: [&Chain; 2], parts: Vec<join::Joint>) -> bool {
         let ease = ease(whole[0], whole[1]);
-        if !(ease
-            <= if saying.gather {
-                MOST_GATHER
-            } else {
-                MOST_EASE
-            })
-        {
+        let most = if saying.gather {
+            MOST_GATHER
+        } else {
+            MOST_EASE
+        };
+        if ease.is_nan() || ease > most {
             return false;
         }
         let fit = self.fit(whole);

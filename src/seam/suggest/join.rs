@@ -138,8 +138,8 @@ mod tests {
 
     #[test]
     fn closed_chains_turn_until_corners_meet() {
-        let a = chain(0, &[0.30, 0.02, 0.28]);
-        let b = chain(1, &[0.02, 0.28, 0.30]);
+        let a = chain(0, &[0.01, 0.30, 0.29]);
+        let b = chain(1, &[0.30, 0.29, 0.01]);
         let joints = parted_round(&a, &b);
         assert_eq!(lengths(&joints), [[1, 1], [1, 1], [1, 1]]);
         for [a, b] in joints {

@@ -1,8 +1,8 @@
 //! Seams that need not be said: what is known of each class of garment, applied to the panels of a pattern (P13).
 //!
-//! Every panel is taken for what its name and its look say ([`words`], [`looks`], [`template`]), and its edges get roles:
-//! hem, side, armhole. Then each class of garment joins the roles that its tailors join: [`top`], [`sleeve`], [`skirt`],
-//! [`trousers`], [`waist`] (dresses too), [`neck`], [`cuff`]. Where corners of both sides meet, a seam is parted there.
+//! Every panel is taken for what its name and its look say (`words`, `looks`, `template`), and its edges get roles:
+//! hem, side, armhole. Then each class of garment joins the roles that its tailors join: `top`, `sleeve`, `skirt`,
+//! `trousers`, `waist` (dresses too), `neck`, `cuff`. Where corners of both sides meet, a seam is parted there.
 
 mod band;
 mod cap;
@@ -10,6 +10,7 @@ mod choose;
 mod classify;
 mod cuff;
 mod dart;
+mod doubts;
 mod garment;
 mod godet;
 mod hood;
@@ -20,6 +21,7 @@ mod piece;
 mod raglan;
 mod settle;
 mod shape;
+mod sides;
 mod skirt;
 mod sleeve;
 mod stand;

@@ -60,7 +60,7 @@ fn neckband(garment: &mut Garment) {
         .into_iter()
         .min_by(|a, b| (a.0 + LOOK * a.1.cost).total_cmp(&(b.0 + LOOK * b.1.cost)));
     let bands = match one {
-        Some((ease, piece)) if ease <= MOST_EASE => Some(Bands::One(piece.clone())),
+        Some((ease, piece)) if ease <= MOST_EASE => Some(Bands::One(Box::new(piece.clone()))),
         _ => ROUND_NECKS
             .iter()
             .find_map(|kind| band::bands(garment, *kind, |p| p.which.is_some())),
@@ -133,7 +133,7 @@ fn armhole(garment: &mut Garment, lateral: Lateral, side: &str) {
             garment,
             saying,
             &[front, back],
-            &Bands::One(band),
+            &Bands::One(Box::new(band)),
             Rim::Lower,
         );
     }

@@ -125,11 +125,13 @@ impl Reading<'_> {
                     continue;
                 }
                 let mut run = Run::default();
-                for to in from + 1..=edges - (roles - 1 - k) {
+                let last = edges - (roles - 1 - k);
+                let ends = table[k + 1].iter_mut().enumerate();
+                for (to, best) in ends.take(last + 1).skip(from + 1) {
                     self.lengthen(&mut run, k, (from, to));
                     let cost = so_far + self.role_cost(&run, k, to);
-                    if cost < table[k + 1][to].0 {
-                        table[k + 1][to] = (cost, from);
+                    if cost < best.0 {
+                        *best = (cost, from);
                     }
                 }
             }
