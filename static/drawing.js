@@ -1,7 +1,8 @@
 /** Paints one panel: cloth, marks, corners and edges with their numbers. */
 
 import { svg } from "./dom.js";
-import { along } from "./outline.js";
+import { along, outwards } from "./outline.js";
+import { titleOf } from "./panels.js";
 import { boxOf } from "./sheet_layout.js";
 import { centimetres } from "./words.js";
 
@@ -11,7 +12,7 @@ export const pathOf = (points, closed = false) =>
 
 const closedPath = (edges, map) => pathOf(edges.flatMap((edge) => edge.points.slice(0, -1)).map(map.point), true);
 
-/** A point of an edge on the sheet, moved outwards by `px` (inwards where negative). */
+/** A point of an edge on the sheet, moved outwards by `px` (inwards where negative; the other way on a mirrored copy). */
 export function beside(points, fraction, map, px) {
   const { point: [x, y], tangent: [tx, ty] } = along(points, fraction);
   const [sx, sy] = map.point([x, y]);
@@ -27,7 +28,7 @@ function marks(panel, map) {
   });
   const notches = (panel.notches ?? []).filter((notch) => panel.edges[notch.edge]).map((notch) => {
     const points = panel.edges[notch.edge].points;
-    return svg("path", { class: "notch", d: pathOf([beside(points, notch.at, map, 0), beside(points, notch.at, map, -8)]) });
+    return svg("path", { class: "notch", d: pathOf([beside(points, notch.at, map, 0), beside(points, notch.at, map, -8 * outwards(panel))]) });
   });
   return [...lines, ...drills, ...notches];
 }
@@ -59,7 +60,7 @@ function shortName(panel, room) {
   return panel.name.length <= most ? panel.name : `…${panel.name.slice(1 - most)}`;
 }
 
-function label(panel, map, scale) {
+function label(panel, map, scale, spare) {
   const box = boxOf(panel);
   const [x, y] = map.point([(box.left + box.right) / 2, (box.bottom + box.top) / 2]);
   if (isThin(panel, scale, 8 * panel.name.length + 84)) {
@@ -67,7 +68,7 @@ function label(panel, map, scale) {
     const room = (box.right - box.left) * scale + 36;
     return [svg("text", { class: "panel-name", x, y: below }, shortName(panel, room))];
   }
-  const counts = panel.copy_of ? "mirrored copy" : panel.unfolded ? "unfolded" : "";
+  const counts = spare ? "left out" : panel.copy_of ? "mirrored copy" : panel.unfolded ? "unfolded" : "";
   return [
     svg("text", { class: "panel-name", x, y }, panel.name),
     svg("text", { class: "panel-note", x, y: y + 15 }, `${(panel.area_m2 * 1e4).toFixed(0)} cm²${counts && `, ${counts}`}`),
@@ -89,20 +90,21 @@ export function drawCorners(panel, map, scale) {
   });
 }
 
-function edgeNumber(edge, map, scale, thin) {
+function edgeNumber(panel, edge, map, scale) {
   if (edge.length_m * scale < 26) return null;
-  const [x, y] = thin ? beside(edge.points, 0.25, map, 11) : beside(edge.points, 0.5, map, -15);
+  const [at, px] = isThin(panel, scale) ? [0.25, 11] : [0.5, -15];
+  const [x, y] = beside(edge.points, at, map, px * outwards(panel));
   return svg("text", { class: "edge-number", x, y }, String(edge.index));
 }
 
 /** What a screen reader says of an edge. */
 export function edgeLabel(panel, edge, seams) {
   const sewn = seams.length ? `, in seam ${seams.join(" and ")}` : ", not sewn";
-  return `${panel.name}, edge ${edge.index}, corner ${edge.from} to ${edge.to}, ${centimetres(edge.length_m)}${sewn}`;
+  return `${titleOf(panel)}, edge ${edge.index}, corner ${edge.from} to ${edge.to}, ${centimetres(edge.length_m)}${sewn}`;
 }
 
-/** The whole panel; `bind(path, edge)` gives each edge its listeners and state. */
-export function drawPanel(panel, map, scale, bind) {
+/** The whole panel; `bind(path, edge)` gives each edge its listeners and state, a `spare` panel is not sewn. */
+export function drawPanel(panel, map, scale, { bind, spare }) {
   const outline = closedPath(panel.edges, map);
   const holes = (panel.holes ?? []).map((hole) => svg("path", { class: "hole", d: closedPath(hole.edges, map) }));
   const edges = panel.edges.flatMap((edge) => {
@@ -111,8 +113,9 @@ export function drawPanel(panel, map, scale, bind) {
     bind(path, edge);
     return [path, svg("path", { class: "edge-line", d })];
   });
-  return svg("g", { role: "group", "aria-label": `Panel ${panel.name}` },
+  const name = `Panel ${titleOf(panel)}${spare ? ", left out" : ""}`;
+  return svg("g", { role: "group", class: spare && "spare", "aria-label": name },
     svg("path", { class: "cloth", d: outline }), holes, marks(panel, map),
-    grainArrow(panel, map, scale), label(panel, map, scale), edges,
-    panel.edges.map((edge) => edgeNumber(edge, map, scale, isThin(panel, scale))));
+    grainArrow(panel, map, scale), label(panel, map, scale, spare), edges,
+    panel.edges.map((edge) => edgeNumber(panel, edge, map, scale)));
 }

@@ -2,8 +2,10 @@
 
 import { call, getJson } from "./api.js";
 import { byId, el, replaceChildren, setOptions } from "./dom.js";
+import { plainPattern } from "./panels.js";
 import { forgetUndo, say } from "./picking.js";
-import { emptyGarment, plainPattern, state, update, watch } from "./state.js";
+import { emptyGarment, state, update, watch } from "./state.js";
+import { suggest } from "./suggest.js";
 import { faultItem, plural, problemItems } from "./words.js";
 
 let lastFile = null; // to read it again with other units or another size
@@ -25,7 +27,8 @@ const draftKey = (id) => `seamster.draft.${id}`;
 function keepDraft() {
   if (!state.pattern?.stored) return;
   try {
-    const draft = { garment: state.garment, ran: state.ran, fit: state.fit?.id };
+    const { garment, suggested, leftOut, ran } = state;
+    const draft = { garment, suggested, leftOut, ran, fit: state.fit?.id };
     sessionStorage.setItem(draftKey(state.pattern.id), JSON.stringify(draft));
   } catch {
     // A full store only loses the draft.
@@ -45,14 +48,14 @@ function garmentFrom(saved) {
 }
 
 /** Shows a pattern with a garment; the shown fit goes. */
-function show(pattern, garment) {
+function show({ pattern, garment, suggested = {}, leftOut = [] }) {
   forgetUndo();
-  update({ pattern, garment, picked: null, selected: null, check: null, fit: null, report: null, ran: null, zoom: 1 });
+  update({ pattern, garment, suggested, leftOut, picked: null, selected: null, check: null, fit: null, report: null, ran: null, zoom: 1 });
   const unchecked = pattern.stored ? "" : " The service does not hold this pattern: seams are checked when you sew.";
   if (unchecked) say(`${pattern.name}.${unchecked}`);
   else say(garment.seams.length
     ? `${pattern.name}: ${plural(pattern.panels.length, "panel")}, ${plural(garment.seams.length, "seam")}.`
-    : "Pick the first edge of a seam: click it near the end where sewing begins.");
+    : "Pick the first edge of a seam: click it near the end where sewing begins. Or have the seams suggested.");
 }
 
 /** Sends a pattern file; answers the stored pattern. */
@@ -73,7 +76,7 @@ async function load(work) {
   say("Reading…");
   try {
     const found = await work();
-    if (mine === loads) show(found.pattern, found.garment);
+    if (mine === loads) show(found);
     return mine === loads;
   } catch (problem) {
     if (mine !== loads) return false;
@@ -105,24 +108,27 @@ async function openSample(name) {
   });
 }
 
-/** The pattern that a garment names: stored under its id, or whole in the file. */
+/** The pattern that a garment names: stored under its id, or whole in the file; and what the file left out of it. */
 async function patternOf(saved) {
   const named = saved.pattern;
   const id = typeof named === "string" ? named : named?.id;
   if (id) {
     try {
-      return { ...(await getJson(`/v1/patterns/${encodeURIComponent(id)}`)), stored: true };
+      const pattern = { ...(await getJson(`/v1/patterns/${encodeURIComponent(id)}`)), stored: true };
+      const sewn = named.panels && new Set(named.panels.map((panel) => panel.id));
+      return { pattern, leftOut: sewn ? pattern.panels.map((panel) => panel.id).filter((one) => !sewn.has(one)) : [] };
     } catch (problem) {
       if (typeof named === "string" || problem.status !== 404) throw problem;
     }
   }
-  if (named?.panels) return { ...named, stored: false };
-  if (state.pattern) return state.pattern;
+  if (named?.panels) return { pattern: { ...named, stored: false } };
+  if (state.pattern) return { pattern: state.pattern };
   throw new Error("This garment file names no pattern. Open its DXF first, then the garment file.");
 }
 
 async function openGarment(file) {
-  await load(async () => {
+  let asksForSeams = false;
+  const shown = await load(async () => {
     const text = await file.text();
     let saved;
     try {
@@ -130,9 +136,11 @@ async function openGarment(file) {
     } catch (error) {
       throw new Error(`${file.name} is not JSON: ${error.message}`);
     }
-    if (!Array.isArray(saved?.seams)) throw new Error(`${file.name} is not a garment file: it has no list "seams".`);
-    return { pattern: await patternOf(saved), garment: garmentFrom(saved) };
+    asksForSeams = saved?.seams === "suggest";
+    if (!asksForSeams && !Array.isArray(saved?.seams)) throw new Error(`${file.name} is not a garment file: it has no list "seams".`);
+    return { ...(await patternOf(saved)), garment: garmentFrom(saved) };
   });
+  if (shown && asksForSeams) await suggest();
 }
 
 /** Hands bytes to the browser as a file. */
@@ -157,9 +165,10 @@ export async function openFromHash(showFit) {
   let draft = null;
   const shown = await load(async () => {
     const saved = fit ? await getJson(`/v1/fits/${encodeURIComponent(fit)}/garment`) : null;
-    const pattern = await patternOf(saved ?? { pattern: id });
-    draft = draftOf(pattern.id, fit);
-    return { pattern, garment: garmentFrom(draft?.garment ?? saved ?? { seams: pattern.seams }) };
+    const named = await patternOf(saved ?? { pattern: id });
+    draft = draftOf(named.pattern.id, fit);
+    const { suggested, leftOut = named.leftOut } = draft ?? {};
+    return { ...named, suggested, leftOut, garment: garmentFrom(draft?.garment ?? saved ?? { seams: named.pattern.seams }) };
   });
   if (shown && fit) await showFit(fit, draft?.ran);
 }
@@ -212,5 +221,5 @@ export function startFiles() {
   startDrop(byId("drop"));
   watch(["pattern"], drawFacts);
   watch(["pattern", "fit"], () => state.pattern && keepInHash());
-  watch(["garment", "ran", "fit"], keepDraft);
+  watch(["garment", "suggested", "leftOut", "ran", "fit"], keepDraft);
 }

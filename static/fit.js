@@ -4,7 +4,8 @@ import { call, events, getJson, postJson, Problem } from "./api.js";
 import { byId, replaceChildren } from "./dom.js";
 import { fileStem, save } from "./files.js";
 import { reportSummary } from "./report.js";
-import { garmentToSend, state, update, watch } from "./state.js";
+import { garmentToSend, leftOut } from "./panels.js";
+import { state, update, watch } from "./state.js";
 import { distance, problemItems, scientific, seconds } from "./words.js";
 import { showOutcome } from "./stage.js";
 
@@ -122,7 +123,7 @@ async function cancel() {
 }
 
 /** What a result depends on. */
-const asText = () => JSON.stringify([state.pattern?.id, state.garment]);
+const asText = () => JSON.stringify([state.pattern?.id, state.garment, leftOut()]);
 
 function hint(running) {
   if (!state.pattern) return "Choose a pattern first.";

@@ -3,6 +3,7 @@
 import { postJson } from "./api.js";
 import { byId } from "./dom.js";
 import { reversedSide, wayOf } from "./outline.js";
+import { panelOf, titleOf } from "./panels.js";
 import { changeGarment, state, update, watch } from "./state.js";
 import { plural, sentence } from "./words.js";
 
@@ -24,7 +25,10 @@ export function act(text) {
   say(text);
 }
 
-export const panelName = (id) => state.pattern?.panels.find((panel) => panel.id === id)?.name ?? id;
+export function panelName(id) {
+  const panel = panelOf(id);
+  return panel ? titleOf(panel) : id;
+}
 
 const placeName = (place) => {
   if (typeof place === "number") return String(place);
@@ -42,21 +46,34 @@ function freshId(a, b) {
   for (let n = 1; ; n++) if (!used.has(`${stem}-${n}`)) return `${stem}-${n}`;
 }
 
-/** Replaces the seams; the old ones can be brought back. */
-export function changeSeams(seams, selected = state.selected) {
-  undone.push(state.garment.seams);
+/** The panels of the garment with other placements; `null` takes one away. */
+function withPlacements(placements) {
+  const panels = { ...state.garment.panels };
+  for (const [id, placement] of Object.entries(placements)) {
+    const { placement: _, ...rest } = panels[id] ?? {};
+    panels[id] = placement ? { ...rest, placement } : rest;
+    if (Object.keys(panels[id]).length === 0) delete panels[id];
+  }
+  return panels;
+}
+
+/** Replaces the seams, and with them what a suggestion brings; all of it can be brought back. */
+export function changeSeams(seams, selected = state.selected, { placements = {}, leftOut = state.leftOut } = {}) {
+  undone.push({ seams: state.garment.seams, placed: Object.keys(placements), leftOut: state.leftOut });
   if (undone.length > UNDO_DEPTH) undone.shift();
   byId("undo").disabled = false;
-  changeGarment({ seams });
+  changeGarment({ seams, panels: withPlacements(placements) });
+  update({ leftOut });
   update({ selected: seams.some((seam) => seam.id === selected) ? selected : null });
 }
 
 export function undo() {
-  const seams = undone.pop();
+  const last = undone.pop();
   byId("undo").disabled = undone.length === 0;
-  if (!seams) return;
-  changeGarment({ seams });
-  update({ selected: null, picked: null });
+  if (!last) return;
+  const panels = withPlacements(Object.fromEntries(last.placed.map((id) => [id, null])));
+  changeGarment({ seams: last.seams, panels });
+  update({ leftOut: last.leftOut, selected: null, picked: null });
   act("Undone.");
 }
 
@@ -87,8 +104,9 @@ export function letGo() {
 }
 
 const clockwise = (run) => {
-  const panel = state.pattern.panels.find((one) => one.id === run.panel);
-  return wayOf(panel, run) === "ccw" ? "counter-clockwise" : "clockwise";
+  const panel = panelOf(run.panel);
+  // On a mirrored copy the numbers run the other way round.
+  return (wayOf(panel, run) === "ccw") === !panel.copy_of ? "counter-clockwise" : "clockwise";
 };
 
 /** The one way in for pointer and keyboard: the first edge, then its partner. */

@@ -2,10 +2,12 @@
 
 import { byId, el, replaceChildren } from "./dom.js";
 import { runsOf } from "./outline.js";
-import { act, changeSeam, changeSeams, deleteSeam, reverseSeam, runName } from "./picking.js";
+import { leftOut } from "./panels.js";
+import { act, changeSeam, changeSeams, deleteSeam, panelName, reverseSeam, runName } from "./picking.js";
 import { colourClass } from "./seam_marks.js";
 import { state, update, watch } from "./state.js";
-import { centimetres, distance, faultItem, percent, plural, problemItems } from "./words.js";
+import { suggest, suggestionOf } from "./suggest.js";
+import { centimetres, distance, faultItem, percent, plural, problemItems, sentence } from "./words.js";
 
 const sideName = (side) => runsOf(side).map(runName).join(", ");
 
@@ -76,11 +78,18 @@ function options(seam) {
     checkbox(seam, "allow_twist", "Twist on purpose"));
 }
 
+/** How sure the service is of a seam that it suggested, and why. */
+function reason(seam) {
+  const found = suggestionOf(seam);
+  return found && el("p", { class: "note" }, `Suggested, ${percent(found.confidence)} sure: ${sentence(found.because)}`);
+}
+
 function details(seam, finding) {
   const ways = finding?.ok && `${plural(finding.stitch_count, "stitch", "stitches")}; ${centimetres(finding.length_a_m)} on ${centimetres(finding.length_b_m)}; ways ${finding.direction_a ?? "?"} and ${finding.direction_b ?? "?"}${finding.reversed ? " (reversed by the service)" : ""}.`;
   return el("div", { class: "more" },
     (finding?.errors ?? []).map((fault) => faultItem(fault)),
     correction(seam),
+    reason(seam),
     (finding?.warnings ?? []).map((warning) => faultItem(warning, "warning")),
     ways && el("p", { class: "note" }, ways),
     options(seam));
@@ -119,12 +128,13 @@ function row(seam, at, count) {
   const open = seam.id === state.selected;
   const number = state.garment.seams.indexOf(seam);
   const classes = ["seam", colourClass(number), open && "selected", finding?.ok === false && "bad"];
+  const found = suggestionOf(seam);
   const choose = () => update({ selected: open ? null : seam.id, picked: null });
   return el("li", { class: classes.filter(Boolean).join(" ") },
     el("div", { class: "row" },
-      el("button", { type: "button", class: "choose", "aria-expanded": String(open), "data-key": `choose ${seam.id}`, onclick: choose },
+      el("button", { type: "button", class: "choose", "aria-expanded": String(open), "data-key": `choose ${seam.id}`, title: found?.because, onclick: choose },
         el("span", { class: "badge" }, String(number + 1)),
-        el("span", { class: "what" }, seam.id),
+        el("span", { class: "what" }, seam.id, found && [" ", el("span", { class: "tag" }, `suggested, ${percent(found.confidence)}`)]),
         figures(finding),
         el("small", { class: "sides" }, `${sideName(seam.a)} with ${sideName(seam.b)}`)),
       iconButton(seam, "Reverse", "⇄", () => reverseSeam(seam.id)),
@@ -134,17 +144,33 @@ function row(seam, at, count) {
     open && details(seam, finding));
 }
 
+/** How many there are, and the button that finds more. */
+function head(count) {
+  const stored = state.pattern.stored;
+  const title = stored ? "Adds the seams that garments of this kind have; yours stay" : "The service does not hold this pattern: open its file first";
+  return el("div", { class: "head" },
+    el("span", {}, count ? `${plural(count, "seam")} in order of sewing` : "No seams yet"),
+    el("button", { type: "button", class: "small", "data-key": "suggest", title, disabled: !stored, onclick: suggest }, "Suggest seams"));
+}
+
+/** Panels that stay out. */
+function spareNote() {
+  const spare = leftOut();
+  return spare.length > 0 && el("p", { class: "note" },
+    `Left out when it is sewn, because no seam is suggested for them: ${spare.map(panelName).join(", ")}. Sew one on to keep it.`);
+}
+
 function draw() {
   const seams = inOrder();
   const problem = state.check?.problem;
   replaceChildren(byId("seam-list"),
     problem && el("div", { class: "faults" }, problemItems(problem)),
-    seams.length > 0 && el("div", { class: "head" }, el("span", {}, plural(seams.length, "seam")), el("span", {}, "in order of sewing")),
-    seams.length > 0 && el("ol", { "aria-label": "Seams in order of sewing" }, seams.map((seam, at) => row(seam, at, seams.length))),
-    seams.length === 0 && state.pattern && el("p", { class: "empty" }, "No seams yet."));
+    state.pattern && head(seams.length),
+    spareNote(),
+    seams.length > 0 && el("ol", { "aria-label": "Seams in order of sewing" }, seams.map((seam, at) => row(seam, at, seams.length))));
 }
 
 export function startSeamList() {
-  watch(["pattern", "garment", "check", "selected"], draw);
+  watch(["pattern", "garment", "suggested", "leftOut", "check", "selected"], draw);
   watch(["selected", "check"], () => byId("seam-list").querySelector(".selected")?.scrollIntoView({ block: "nearest" }));
 }

@@ -1,7 +1,7 @@
 /** Paints seams over the panels: matched colours, arrows of direction, threads between matched ends. */
 
 import { svg } from "./dom.js";
-import { along, runPoints, runsOf } from "./outline.js";
+import { along, outwards, runPoints, runsOf } from "./outline.js";
 import { beside, pathOf } from "./drawing.js";
 
 /** Colour class of the seam at `index` of the list. */
@@ -21,8 +21,8 @@ function runMark(panel, map, run, number) {
   if (points.length < 2) return [];
   const mark = [svg("path", { class: "seam-line", d: pathOf(points.map(map.point)) }), arrow(points, map)];
   if (number === undefined) return mark;
-  const outwards = run.direction === "ccw" || (!run.direction && run.to === (run.from + panel.corners.length - 1) % panel.corners.length) ? -1 : 1;
-  const [cx, cy] = beside(points, 0.5, map, 20 * outwards);
+  const way = run.direction === "ccw" || (!run.direction && run.to === (run.from + panel.corners.length - 1) % panel.corners.length) ? -1 : 1;
+  const [cx, cy] = beside(points, 0.5, map, 20 * way * outwards(panel));
   return [...mark,
     svg("circle", { class: "badge-disc", cx, cy, r: 9 }),
     svg("text", { class: "badge-text", x: cx, y: cy }, String(number))];

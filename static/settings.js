@@ -2,6 +2,7 @@
 
 import { getJson } from "./api.js";
 import { byId, el, replaceChildren, setOptions } from "./dom.js";
+import { panelsShown, titleOf } from "./panels.js";
 import { changeGarment, DEFAULT_FORM, state, update, watch } from "./state.js";
 
 /** Measurements in the order in which they are asked, with what a person may have [cm]. */
@@ -38,14 +39,14 @@ function select(panel, field, text, pairs) {
   const chosen = state.garment.panels[panel.id]?.[field] ?? pairs[0][0];
   const key = `${field} ${panel.id}`;
   return el("label", {}, text,
-    el("select", { "data-key": key, "aria-label": `${text} of ${panel.name}`, onchange: (event) => setPanel(panel.id, { [field]: event.target.value }) },
+    el("select", { "data-key": key, "aria-label": `${text} of ${titleOf(panel)}`, onchange: (event) => setPanel(panel.id, { [field]: event.target.value }) },
       pairs.map(([value, label]) => el("option", { value, selected: value === chosen }, label))));
 }
 
 function panelRow(panel) {
   const found = state.check?.faces?.[panel.id];
   const auto = found ? `Found: ${found}` : "Found";
-  return el("div", { class: "panel-row" }, el("strong", {}, panel.name),
+  return el("div", { class: "panel-row" }, el("strong", {}, titleOf(panel)),
     select(panel, "fabric", "Fabric", [["", "As all"], ...fabricOptions()]),
     select(panel, "face", "Face", [["auto", auto], ["up", "Up"], ["down", "Down"]]));
 }
@@ -58,7 +59,7 @@ function drawFabric() {
   const fabric = allFabrics()[id];
   byId("fabric-note").textContent = fabric?.density_kg_m2 ? `${(fabric.density_kg_m2 * 1000).toFixed(0)} g/m²` : "";
   byId("by-panel").hidden = !state.pattern;
-  replaceChildren(byId("panel-rows"), (state.pattern?.panels ?? []).map(panelRow));
+  replaceChildren(byId("panel-rows"), panelsShown().map(panelRow));
 }
 
 function measure([field, text, least, most]) {

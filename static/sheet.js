@@ -3,6 +3,7 @@
 import { byId, el, replaceChildren, svg } from "./dom.js";
 import { edgesOf, nearestFraction, runOfEdge, runsOf } from "./outline.js";
 import { drawCorners, drawPanel, edgeLabel } from "./drawing.js";
+import { leftOut, panelsShown } from "./panels.js";
 import { drawRun, drawSeam } from "./seam_marks.js";
 import { layOut } from "./sheet_layout.js";
 import { state, update, watch } from "./state.js";
@@ -100,13 +101,16 @@ function draw() {
     host.replaceChildren(el("p", { class: "empty" }, "The panels of the pattern appear here."));
     return;
   }
-  const plan = layOut(pattern.panels, host.clientWidth - 2, host.clientHeight - 2, state.zoom);
-  const panels = new Map(pattern.panels.map((panel) => [panel.id, panel]));
+  const all = panelsShown();
+  const spare = new Set(leftOut());
+  const plan = layOut(all, host.clientWidth - 2, host.clientHeight - 2, state.zoom);
+  const panels = new Map(all.map((panel) => [panel.id, panel]));
   sheet = { ...plan, panels, preview: svg("g", { class: "overlay", "aria-hidden": "true" }) };
   const seams = seamsByEdge(panels);
-  const drawn = pattern.panels.map((panel) =>
-    drawPanel(panel, plan.maps.get(panel.id), plan.scale, (path, edge) => bindEdge(panel, edge, path, seams)));
-  const corners = svg("g", { "aria-hidden": "true" }, pattern.panels.map((panel) => drawCorners(panel, plan.maps.get(panel.id), plan.scale)));
+  const drawn = all.map((panel) => drawPanel(panel, plan.maps.get(panel.id), plan.scale, {
+    bind: (path, edge) => bindEdge(panel, edge, path, seams), spare: spare.has(panel.id),
+  }));
+  const corners = svg("g", { "aria-hidden": "true" }, all.map((panel) => drawCorners(panel, plan.maps.get(panel.id), plan.scale)));
   // Floored: a fraction of a pixel would bring a scroll bar, which changes the size again.
   const size = { width: Math.floor(plan.width), height: Math.floor(plan.height) };
   replaceChildren(host, svg("svg", { ...size, role: "group", "aria-label": "Panels of the pattern", "aria-describedby": "keys" },
@@ -121,7 +125,7 @@ export function startSheet(onSelect, onLetGo) {
   byId("zoom-in").addEventListener("click", () => zoomTo(state.zoom * 1.4));
   byId("zoom-out").addEventListener("click", () => zoomTo(state.zoom / 1.4));
   byId("zoom-fit").addEventListener("click", () => zoomTo(1));
-  watch(["pattern", "garment", "check", "picked", "selected", "zoom"], draw);
+  watch(["pattern", "garment", "leftOut", "check", "picked", "selected", "zoom"], draw);
   let size = "";
   new ResizeObserver(() => {
     const now = `${byId("sheet").offsetWidth} ${byId("sheet").offsetHeight}`;

@@ -18,6 +18,8 @@ export const state = {
   fabrics: {},
   picked: null, // the first edge of a pair: a run
   selected: null, // id of the seam shown in full
+  suggested: {}, // what the service said of seams that it suggested, by id: {confidence, because, sides}
+  leftOut: [], // ids of panels that no seam was suggested for
   check: null, // the answer of seams/check, or {problem}
   fit: null,
   report: null,
@@ -51,16 +53,4 @@ export function update(patch) {
 /** Changes the garment; `patch` replaces its top-level fields. */
 export function changeGarment(patch) {
   update({ garment: { ...state.garment, ...patch } });
-}
-
-/** The garment as it is sent: the pattern by id where the service has it. */
-export function garmentToSend() {
-  const { pattern, garment } = state;
-  return { ...garment, pattern: pattern.stored ? pattern.id : plainPattern() };
-}
-
-/** The pattern without what only the page knows. */
-export function plainPattern() {
-  const { stored, ...pattern } = state.pattern;
-  return pattern;
 }

@@ -89,6 +89,77 @@ fn sew_writes_mesh_report_and_scene() {
     assert!(scene.is_object());
 }
 
+/// The lines that tell what was suggested.
+fn suggested(output: &Output) -> Vec<String> {
+    let told = stderr(output);
+    let lines = told
+        .lines()
+        .filter_map(|line| line.strip_prefix("suggested: "));
+    lines.map(str::to_owned).collect()
+}
+
+#[test]
+fn sew_tells_the_seams_that_it_suggests() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut asked = garment();
+    asked["seams"] = json!("suggest");
+    asked["panels"] = json!({});
+    let asked = written(folder.path(), "suggest.json", &asked);
+    let mesh = folder.path().join("out.glb");
+    let output = run(&[
+        "sew",
+        &sample("skirt.dxf"),
+        &asked,
+        "-o",
+        mesh.to_str().unwrap(),
+    ]);
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+    let lines = suggested(&output);
+    assert!(!lines.is_empty(), "{}", stderr(&output));
+    for (i, line) in lines.iter().enumerate() {
+        let (place, why) = line.split_once(": confidence ").unwrap();
+        assert!(
+            place.contains(&format!("suggest.json /seams/{i}: ")),
+            "{line}"
+        );
+        let (confidence, because) = why.split_once(": ").unwrap();
+        assert!((0.0..=1.0).contains(&confidence.parse::<f64>().unwrap()));
+        assert!(!because.is_empty());
+    }
+    assert!(mesh.exists());
+}
+
+/// A skirt of two trapezia as `GarmentCode` writes it, without stitches \[cm\].
+fn drafted_skirt() -> Value {
+    let edge = |from: usize| json!({"endpoints": [from, (from + 1) % 4]});
+    let panel = |z: f64, turn: f64| {
+        json!({
+            "translation": [0, 100, z], "rotation": [0, turn, 0],
+            "vertices": [[-19, 0], [19, 0], [35, -50], [-35, -50]],
+            "edges": [edge(0), edge(1), edge(2), edge(3)],
+        })
+    };
+    json!({
+        "pattern": {"panels": {"skirt_front": panel(25.0, 0.0), "skirt_back": panel(-25.0, 180.0)}, "stitches": []},
+        "properties": {"units_in_meter": 100},
+    })
+}
+
+#[test]
+fn sew_takes_a_specification_and_finds_its_seams() {
+    let folder = tempfile::tempdir().unwrap();
+    let pattern = written(folder.path(), "skirt_specification.json", &drafted_skirt());
+    let mut asked = garment();
+    asked["seams"] = json!("suggest");
+    asked["panels"] = json!({});
+    let asked = written(folder.path(), "suggest.json", &asked);
+    let mesh = folder.path().join("out.glb");
+    let output = run(&["sew", &pattern, &asked, "-o", mesh.to_str().unwrap()]);
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+    assert_eq!(suggested(&output).len(), 2, "{}", stderr(&output));
+    assert!(mesh.exists());
+}
+
 #[test]
 fn sew_tells_every_fault_with_its_place() {
     let folder = tempfile::tempdir().unwrap();

@@ -630,6 +630,159 @@ fn seams_are_checked_with_all_their_faults() {
         .problem(404);
 }
 
+/// The seams of a suggestion as a garment takes them.
+fn as_garment_takes(suggestion: &Value) -> Vec<Value> {
+    let seams = suggestion["seams"].as_array().unwrap().iter();
+    let plain = seams.map(|seam| {
+        let mut seam = seam.as_object().unwrap().clone();
+        let confidence = seam.remove("confidence").unwrap().as_f64().unwrap();
+        assert!((0.0..=1.0).contains(&confidence), "{confidence}");
+        let because = seam.remove("because").unwrap();
+        assert!(!because.as_str().unwrap().is_empty());
+        Value::Object(seam)
+    });
+    plain.collect()
+}
+
+/// Panels that seams run along, sorted.
+fn sewn_panels(seams: &[Value]) -> Vec<String> {
+    let sides = seams.iter().flat_map(|seam| [&seam["a"], &seam["b"]]);
+    let runs = sides.flat_map(|side| match side {
+        Value::Array(runs) => runs.iter().collect(),
+        run => vec![run],
+    });
+    let mut panels: Vec<_> = runs
+        .map(|run| run["panel"].as_str().unwrap().to_owned())
+        .collect();
+    panels.sort();
+    panels.dedup();
+    panels
+}
+
+#[test]
+fn suggested_seams_can_be_sewn_as_they_are() {
+    let server = Server::with(config(), 0);
+    for name in ["skirt", "top"] {
+        let kept = server.send("POST", "/v1/patterns", &[], &sample(&format!("{name}.dxf")));
+        let at = kept.header("location");
+        let found = server.post_json(&format!("{at}/seams/suggest"), &json!({}));
+        assert_eq!(found.status, 200, "{}", found.text());
+        let found = found.json();
+        assert_eq!(found["warnings"], json!([]), "{name}");
+        let seams = as_garment_takes(&found);
+        let pattern = kept.json();
+        let panels = pattern["panels"].as_array().unwrap().iter();
+        let mut panels: Vec<_> = panels.map(|panel| panel["id"].as_str().unwrap()).collect();
+        panels.sort_unstable();
+        assert_eq!(sewn_panels(&seams), panels);
+        for panel in panels {
+            assert!(found["panels"][panel]["placement"].is_object(), "{found}");
+        }
+        let garment = json!({"seams": seams, "panels": found["panels"]});
+        let check = server
+            .post_json(&format!("{at}/seams/check"), &garment)
+            .json();
+        assert_eq!(check["ok"], true, "{check}");
+        let mut garment = garment;
+        garment["pattern"] = pattern["id"].clone();
+        let fit = server.post_json("/v1/fits", &garment);
+        assert_eq!(fit.status, 202, "{}", fit.text());
+    }
+}
+
+#[test]
+fn suggestions_are_asked_for_with_nothing_or_an_empty_object() {
+    let server = Server::with(config(), 0);
+    let kept = server.send("POST", "/v1/patterns", &[], &sample("skirt.dxf"));
+    let path = format!("{}/seams/suggest", kept.header("location"));
+    let plain = server.ask("POST", &path, &[]);
+    assert_eq!(plain.status, 200, "{}", plain.text());
+    assert_eq!(plain.bytes, server.post_json(&path, &json!({})).bytes);
+    assert_eq!(
+        server.post_json(&path, &json!({"sleeves": 2})).faults(422),
+        ["request/unknown_field /sleeves"]
+    );
+    assert_eq!(
+        server.post_json(&path, &json!([])).faults(422),
+        ["request/wrong_type "]
+    );
+    server
+        .send("POST", &path, &[("content-type", "text/plain")], b"{}")
+        .problem(415);
+    server
+        .post_json(&format!("/v1/patterns/{NO_ID}/seams/suggest"), &json!({}))
+        .problem(404);
+}
+
+/// The pattern of the skirt with a square patch beside it that goes nowhere.
+fn skirt_and_patch(server: &Server) -> Value {
+    let kept = server.send("POST", "/v1/patterns", &[], &sample("skirt.dxf"));
+    let mut pattern = kept.json();
+    let corners = [[0.0, 0.0], [0.0, 0.03], [0.03, 0.03], [0.03, 0.0]];
+    let edge = |i: usize| json!({"index": i, "from": i, "to": (i + 1) % 4, "length_m": 0.03, "points": [corners[i], corners[(i + 1) % 4]]});
+    let corner = |i: usize| json!({"index": i, "x": corners[i][0], "y": corners[i][1]});
+    let patch = json!({"id": "patch", "name": "PATCH", "area_m2": 9e-4, "drawn_area_m2": 9e-4, "perimeter_m": 0.12,
+        "corners": [corner(0), corner(1), corner(2), corner(3)], "edges": [edge(0), edge(1), edge(2), edge(3)]});
+    pattern["panels"].as_array_mut().unwrap().push(patch);
+    pattern
+}
+
+#[test]
+fn a_garment_may_leave_its_seams_to_the_service() {
+    let server = Server::start();
+    let mut garment = skirt();
+    garment["seams"] = json!("suggest");
+    garment["panels"] = json!({});
+    garment["pattern"] = skirt_and_patch(&server);
+    let headers = [JSON, ("prefer", "wait=60")];
+    let fit = server.send("POST", "/v1/fits", &headers, garment.to_string().as_bytes());
+    assert_eq!(fit.status, 200, "{}", fit.text());
+    assert_eq!(fit.json()["status"], "succeeded", "{}", fit.text());
+    let at = fit.header("location");
+
+    let pattern = server.get("/v1/patterns").json()["patterns"][0]["id"].clone();
+    let path = format!("/v1/patterns/{}/seams/suggest", pattern.as_str().unwrap());
+    let found = server.post_json(&path, &json!({})).json();
+    let saved = server.get(&format!("{at}/garment")).json();
+    assert_eq!(saved["seams"], json!(as_garment_takes(&found)));
+    for (id, panel) in found["panels"].as_object().unwrap() {
+        assert_eq!(saved["panels"][id]["placement"], panel["placement"], "{id}");
+    }
+    assert_eq!(saved["pattern"]["panels"].as_array().unwrap().len(), 3);
+
+    let report = server.get(&format!("{at}/report")).json();
+    assert_eq!(report["converged"], true, "{report}");
+    let left_out = |report: &Value| {
+        let warnings = report["warnings"].as_array().unwrap().iter();
+        let mut found = warnings.filter(|warning| warning["code"] == "seam/left_out");
+        found.next().map(|warning| warning["detail"].to_string())
+    };
+    assert!(left_out(&report).unwrap().contains("patch"), "{report}");
+    the_saved_garment_gives_the_same_mesh(&server, at);
+    let again = server.send("POST", "/v1/fits", &headers, saved.to_string().as_bytes());
+    let again = server.get(&format!("{}/report", again.header("location")));
+    assert_eq!(left_out(&again.json()), left_out(&report));
+}
+
+#[test]
+fn seams_of_what_is_no_garment_are_not_suggested() {
+    let server = Server::with(config(), 0);
+    let mut pattern = skirt_and_patch(&server);
+    let mut patch = pattern["panels"].as_array_mut().unwrap().pop().unwrap();
+    // A triangle is no part of anything.
+    patch["corners"].as_array_mut().unwrap().pop();
+    let corners = patch["corners"].clone();
+    let edges = patch["edges"].as_array_mut().unwrap();
+    edges.pop();
+    edges[2]["to"] = json!(0);
+    edges[2]["points"][1] = json!([corners[0]["x"], corners[0]["y"]]);
+    pattern["panels"] = json!([patch]);
+    let faults = server
+        .post_json("/v1/fits", &json!({"pattern": pattern, "seams": "suggest"}))
+        .faults(422);
+    assert_eq!(faults, ["seam/none_suggested /seams"]);
+}
+
 #[test]
 fn an_avatar_is_made_from_measurements() {
     let server = Server::with(config(), 0);

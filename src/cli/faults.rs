@@ -1,6 +1,7 @@
 //! Faults as lines for a person or a script.
 
 use seamster::fault::{Fault, Faults, Warning};
+use seamster::seam::suggest::SuggestedSeam;
 use std::path::Path;
 
 /// One line: the file, where in it, what kind, what is wrong and what to do.
@@ -16,7 +17,11 @@ fn line(file: &Path, fault: &Fault) -> String {
         line.push_str("; fix: ");
         line.push_str(fix);
     }
-    // One fault is one line, whatever a name in a file holds.
+    plain(&line)
+}
+
+/// One fault is one line, whatever a name in a file holds.
+fn plain(line: &str) -> String {
     line.replace(|c: char| c.is_control(), " ")
 }
 
@@ -36,6 +41,23 @@ pub(super) fn warn(file: &Path, warnings: &[Warning]) {
     for warning in warnings {
         let fault = Fault::new(&warning.code, &warning.pointer, &warning.detail);
         eprintln!("warning: {}", line(file, &fault));
+    }
+}
+
+/// Writes every seam that was suggested to stderr: the garment's file, its place, its id, how sure it is and why.
+pub(super) fn tell_suggested(file: &Path, seams: &[SuggestedSeam]) {
+    for (i, seam) in seams.iter().enumerate() {
+        let file = file.display();
+        let SuggestedSeam {
+            pair,
+            confidence,
+            because,
+        } = seam;
+        let line = format!(
+            "{file} /seams/{i}: {}: confidence {confidence}: {because}",
+            pair.id
+        );
+        eprintln!("suggested: {}", plain(&line));
     }
 }
 

@@ -95,6 +95,7 @@ fn prepared<'a>(asked: &'a SewAsked, limits: &Limits) -> Result<Prepared, Refuse
         garment.pattern = Some(PatternAsked::Whole(Box::new(pattern)));
     }
     let prepared = fit::prepare(garment, &Shipped, limits).map_err(in_garment)?;
+    faults::tell_suggested(file, prepared.suggested());
     faults::warn(file, prepared.warnings());
     Ok(prepared)
 }

@@ -51,6 +51,10 @@ fn tighten(schema: &mut Value, depth: usize) {
     if let Some(Value::String(reference)) = object.get_mut("$ref") {
         *reference = reference.replace("#/components/schemas/", "#/$defs/");
     }
+    if object.get("additionalProperties") == Some(&json!(false)) {
+        // Without it the validator does not say which field was not expected.
+        object.entry("properties").or_insert(json!({}));
+    }
     if object.contains_key("properties") {
         object
             .entry("additionalProperties")

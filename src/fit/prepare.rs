@@ -8,6 +8,7 @@ use crate::config::Limits;
 use crate::fault::{Fault, Faults, Warning};
 use crate::pattern::{self, Pattern};
 use crate::scene::{self, Fabric, ToPlace};
+use crate::seam::suggest::SuggestedSeam;
 use crate::seam::{self, SeamSet};
 use crate::solver::{Method, Simulate};
 use std::collections::BTreeSet;
@@ -19,6 +20,7 @@ pub struct Prepared {
     pub(super) garment: Garment,
     pub(super) pattern: Arc<Pattern>,
     pub(super) seams: SeamSet,
+    suggested: Vec<SuggestedSeam>,
     warnings: Vec<Warning>,
 }
 
@@ -26,6 +28,11 @@ impl Prepared {
     /// The garment, complete in itself: pattern, avatar and fabrics that it referred to are inside.
     pub fn garment(&self) -> &Garment {
         &self.garment
+    }
+
+    /// The seams with their reasons, where the garment left them to the service; else none.
+    pub fn suggested(&self) -> &[SuggestedSeam] {
+        &self.suggested
     }
 
     /// What a user should know about its seams.
@@ -66,8 +73,8 @@ pub fn prepare(
         }
     };
     let mut pattern = Arc::unwrap_or_clone(pattern);
-    let mut warnings = match suggested::fill(&mut garment, &mut pattern, limits) {
-        Ok(warnings) => warnings,
+    let suggested = match suggested::fill(&mut garment, &mut pattern, limits) {
+        Ok(suggested) => suggested,
         Err(fault) => {
             faults.push(fault);
             return Err(Faults(faults));
@@ -87,6 +94,7 @@ pub fn prepare(
         .ok();
     match seams {
         Some((seams, found)) if faults.is_empty() => {
+            let mut warnings = suggested::warnings(&pattern);
             warnings.extend(found);
             faults.extend(placement_faults(&garment, &pattern, &seams));
             garment.pattern = Some(PatternAsked::Whole(Box::new(whole)));
@@ -94,6 +102,7 @@ pub fn prepare(
                 garment,
                 pattern,
                 seams,
+                suggested,
                 warnings,
             })
         }

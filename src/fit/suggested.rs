@@ -3,11 +3,17 @@
 use super::garment::{Garment, SeamsAsked};
 use crate::config::Limits;
 use crate::fault::{Fault, Warning};
-use crate::pattern::Pattern;
+use crate::pattern::{MIRROR, Pattern};
 use crate::seam::suggest::{self, SuggestedSeam};
+
+/// That no seam is suggested for a panel.
+const NOT_SUGGESTED: &str = "seam/not_suggested";
+/// That panels were taken out of the pattern.
+const LEFT_OUT: &str = "seam/left_out";
 
 /// Puts suggested seams and placements into a garment that asks for them, and takes the panels that no seam was found
 /// for, and that the garment says nothing of, out of the pattern: spare sleeves and linings would only fall down.
+/// Returns the seams with their reasons.
 ///
 /// # Errors
 /// No seam could be suggested.
@@ -15,7 +21,7 @@ pub(crate) fn fill(
     garment: &mut Garment,
     pattern: &mut Pattern,
     limits: &Limits,
-) -> Result<Vec<Warning>, Fault> {
+) -> Result<Vec<SuggestedSeam>, Fault> {
     if !matches!(garment.seams, SeamsAsked::Word(_)) {
         return Ok(vec![]);
     }
@@ -29,22 +35,48 @@ pub(crate) fn fill(
         let asked = garment.panels.entry(id).or_default();
         asked.placement.get_or_insert(panel.placement);
     }
-    let seams: Vec<_> = found
-        .seams
-        .into_iter()
-        .map(|SuggestedSeam { pair, .. }| pair)
-        .collect();
-    let sewn = |id: &str| {
-        let mut runs = seams
-            .iter()
-            .flat_map(|pair| pair.a.runs().iter().chain(pair.b.runs()));
-        runs.any(|run| {
-            run.panel == id || run.panel.strip_suffix(crate::pattern::MIRROR) == Some(id)
-        })
+    pattern.warnings.retain(|warning| !is_ours(warning));
+    pattern.warnings.extend(found.warnings);
+    leave_out(garment, pattern, &found.seams);
+    let pairs = found.seams.iter().map(|seam| seam.pair.clone());
+    garment.seams = SeamsAsked::Pairs(pairs.collect());
+    Ok(found.seams)
+}
+
+/// What was told when the seams of a garment were suggested. It stays with the pattern, so that a saved garment tells it
+/// again.
+pub(crate) fn warnings(pattern: &Pattern) -> Vec<Warning> {
+    let told = pattern.warnings.iter();
+    told.filter(|warning| is_ours(warning)).cloned().collect()
+}
+
+fn is_ours(warning: &Warning) -> bool {
+    [NOT_SUGGESTED, LEFT_OUT].contains(&warning.code.as_str())
+}
+
+/// Takes panels that nothing mentions out of the pattern, and says so.
+fn leave_out(garment: &Garment, pattern: &mut Pattern, seams: &[SuggestedSeam]) {
+    let is_of = |panel: &str, id: &str| panel == id || panel.strip_suffix(MIRROR) == Some(id);
+    let mentioned = |id: &str| {
+        let sides = seams.iter().flat_map(|seam| [&seam.pair.a, &seam.pair.b]);
+        let mut runs = sides.flat_map(|side| side.runs());
+        runs.any(|run| is_of(&run.panel, id)) || garment.panels.keys().any(|panel| is_of(panel, id))
     };
-    let mentioned = |id: &str| sewn(id) || garment.panels.contains_key(id);
-    pattern.panels.retain(|panel| mentioned(&panel.id));
-    pattern.placements.retain(|id, _| mentioned(id));
-    garment.seams = SeamsAsked::Pairs(seams);
-    Ok(found.warnings)
+    let (kept, spare): (Vec<_>, Vec<_>) = std::mem::take(&mut pattern.panels)
+        .into_iter()
+        .partition(|panel| mentioned(&panel.id));
+    pattern.panels = kept;
+    if spare.is_empty() {
+        return;
+    }
+    let ids: Vec<_> = spare.iter().map(|panel| panel.id.as_str()).collect();
+    for id in &ids {
+        pattern.placements.remove(*id);
+    }
+    let told = format!(
+        "left out, because no seam is suggested for them and the garment says nothing of them: {}",
+        ids.join(", ")
+    );
+    let warning = Warning::new(LEFT_OUT, "/pattern/panels", told);
+    pattern.warnings.push(warning);
 }

@@ -1,6 +1,7 @@
 //! Request bodies: JSON checked against its schema, uploads, multipart.
 
 use super::problem::Problem;
+use super::seams::SuggestAsked;
 use super::state::App;
 use crate::config::Limits;
 use crate::fault::Fault;
@@ -56,7 +57,7 @@ macro_rules! small {
         }
     )*};
 }
-small!(AvatarRecord, Fabric);
+small!(AvatarRecord, Fabric, SuggestAsked);
 
 impl From<Misshapen> for Problem {
     fn from(misshapen: Misshapen) -> Self {
@@ -76,6 +77,24 @@ impl<T: Asked> FromRequest<App> for Checked<T> {
     async fn from_request(request: Request, app: &App) -> Result<Self, Problem> {
         json_type(request.headers())?;
         let bytes = read(request, T::most(app.limits())).await?;
+        let read = app.heavy(move |_| T::read(&bytes)).await?;
+        Ok(Self(read?))
+    }
+}
+
+/// A JSON body of the right shape, or none at all.
+pub(super) struct CheckedOrNone<T>(pub(super) T);
+
+impl<T: Asked + Default> FromRequest<App> for CheckedOrNone<T> {
+    type Rejection = Problem;
+
+    async fn from_request(request: Request, app: &App) -> Result<Self, Problem> {
+        let typed = json_type(request.headers());
+        let bytes = read(request, T::most(app.limits())).await?;
+        if bytes.is_empty() {
+            return Ok(Self(T::default()));
+        }
+        typed?;
         let read = app.heavy(move |_| T::read(&bytes)).await?;
         Ok(Self(read?))
     }
@@ -246,6 +265,7 @@ mod tests {
         assert!(Garment::read(br#"{"seams": []}"#).is_ok());
         assert!(AvatarRecord::read(b"[]").is_err());
         assert!(Fabric::read(b"[]").is_err());
+        assert!(SuggestAsked::read(b"{}").is_ok());
     }
 
     #[test]

@@ -27,7 +27,7 @@ pub(super) fn router() -> Router<App> {
         license(name = "MIT", identifier = "MIT")
     ),
     paths(
-        patterns::create, patterns::list, patterns::show, patterns::drawing, patterns::remove, seams::check,
+        patterns::create, patterns::list, patterns::show, patterns::drawing, patterns::remove, seams::check, seams::suggest,
         fabrics::list, fabrics::create, fabrics::show,
         avatars::create, avatars::list, avatars::show, avatars::remove, avatars::mesh,
         fits::create, fits::list, fits::show, fits::cancel, events::events,
@@ -37,7 +37,7 @@ pub(super) fn router() -> Router<App> {
     ),
     components(schemas(crate::progress::Progress)),
     security(("token" = []), ()),
-    modifiers(&Token, &ClosedPlaces)
+    modifiers(&Token, &ClosedPlaces, &WholeSuggestedSeam)
 )]
 struct Document;
 
@@ -69,6 +69,35 @@ impl Modify for ClosedPlaces {
                 object.additional_properties =
                     Some(Box::new(AdditionalProperties::FreeForm(false)));
             }
+        }
+    }
+}
+
+/// A suggested seam has the fields of a seam and more, but a seam is closed: it has to be said in one piece.
+struct WholeSuggestedSeam;
+
+impl Modify for WholeSuggestedSeam {
+    fn modify(&self, document: &mut utoipa::openapi::OpenApi) {
+        let Some(all) = document.components.as_mut().map(|all| &mut all.schemas) else {
+            return;
+        };
+        let pair = all.get("SeamPair").cloned();
+        let suggested = all.get_mut("SuggestedSeam");
+        let (Some(RefOr::T(Schema::Object(pair))), Some(RefOr::T(Schema::AllOf(parts)))) =
+            (pair, suggested.as_deref().cloned())
+        else {
+            return;
+        };
+        let mut whole = pair;
+        whole.description = parts.description;
+        for part in parts.items {
+            if let RefOr::T(Schema::Object(own)) = part {
+                whole.properties.extend(own.properties);
+                whole.required.extend(own.required);
+            }
+        }
+        if let Some(suggested) = suggested {
+            *suggested = RefOr::T(Schema::Object(whole));
         }
     }
 }

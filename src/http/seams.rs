@@ -1,6 +1,6 @@
-//! `/v1/patterns/{id}/seams`: what is right and wrong about a set of seams.
+//! `/v1/patterns/{id}/seams`: what is right and wrong about a set of seams, and what seams the service would sew.
 
-use super::body::Checked;
+use super::body::{Checked, CheckedOrNone};
 use super::listing::Id;
 use super::patterns;
 use super::problem::Problem;
@@ -9,13 +9,23 @@ use crate::fault::{Fault, Faults};
 use crate::fit::{self, Garment, SeamsAsked};
 use crate::pattern::{Pattern, SeamPair};
 use crate::seam::SeamCheck;
+use crate::seam::suggest::{self, Suggestion};
 use axum::extract::State;
 use axum::routing::post;
 use axum::{Json, Router};
+use serde::Deserialize;
+use utoipa::ToSchema;
 
 pub(super) fn router() -> Router<App> {
-    Router::new().route("/v1/patterns/{id}/seams/check", post(check))
+    Router::new()
+        .route("/v1/patterns/{id}/seams/check", post(check))
+        .route("/v1/patterns/{id}/seams/suggest", post(suggest))
 }
+
+/// What suggestions are to be like: there is nothing to say yet.
+#[derive(Clone, Copy, Debug, Default, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct SuggestAsked {}
 
 /// Check seams against a pattern: every fault of every seam, and how to mend it
 #[utoipa::path(post, path = "/v1/patterns/{id}/seams/check", tag = "patterns", params(("id" = Uuid, Path)),
@@ -36,6 +46,25 @@ pub(super) async fn check(
     Ok(Json(checked?))
 }
 
+/// Suggest the seams of a pattern and where its panels start, each seam with how sure it is and why
+///
+/// Without `confidence` and `because` the seams are what a garment takes, and `panels` is what its `panels` takes.
+#[utoipa::path(post, path = "/v1/patterns/{id}/seams/suggest", tag = "patterns", params(("id" = Uuid, Path)),
+    request_body(content = Option<SuggestAsked>, description = "`{}`, or nothing"),
+    responses(
+        (status = 200, description = "What was found; no seams where no panel was recognised", body = Suggestion),
+        (status = 404, description = "There is no such pattern", body = Problem, content_type = "application/problem+json"),
+        (status = 422, description = "The request has fields that are not known", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn suggest(
+    State(app): State<App>,
+    Id(id): Id,
+    CheckedOrNone(SuggestAsked {}): CheckedOrNone<SuggestAsked>,
+) -> Result<Json<Suggestion>, Problem> {
+    let pattern = patterns::find(&app, id).await?;
+    let found = app.heavy(move |app| suggest::suggest(&pattern, app.limits()));
+    Ok(Json(found.await?))
+}
+
 fn checked(app: &Shared, pattern: &Pattern, garment: &Garment) -> Result<SeamCheck, Faults> {
     let pairs = pairs(garment)?;
     let edge_length = edge_length(app, garment)?;
@@ -54,7 +83,8 @@ fn pairs(garment: &Garment) -> Result<&[SeamPair], Fault> {
         SeamsAsked::Pairs(pairs) => Ok(pairs),
         SeamsAsked::Word(_) => {
             let detail = "suggested seams have nothing to check";
-            Err(Fault::new("seam/nothing_to_check", "/seams", detail).fix("give the list of seams"))
+            Err(Fault::new("seam/nothing_to_check", "/seams", detail)
+                .fix("give the list of seams; POST seams/suggest finds one"))
         }
     }
 }

@@ -282,6 +282,128 @@ test("a saved garment opens again", async () => {
   assert.equal(await seams().count(), 6);
 });
 
+const suggested = () => page.locator("#seam-list .tag");
+
+async function choosePattern(name, buffer) {
+  await page.setInputFiles("#pattern-file", { name, mimeType: "application/octet-stream", buffer });
+}
+
+/** Presses the button by keyboard; the answer of the service. */
+async function suggest() {
+  const answered = page.waitForResponse((response) => response.url().endsWith("/seams/suggest"));
+  await page.getByRole("button", { name: "Suggest seams" }).press("Enter");
+  return (await answered).json();
+}
+
+test("seams of a bare pattern are suggested with how sure they are and why, and undone", async () => {
+  await choosePattern("skirt.dxf", await readFile(new URL("../../static/samples/skirt.dxf", import.meta.url)));
+  await until("have the seams suggested");
+  assert.equal(await seams().count(), 0);
+  let found;
+  const body = await checkedAfter(async () => { found = await suggest(); });
+  const plain = found.seams.map(({ confidence, because, ...seam }) => seam);
+  assert.ok(plain.length > 0);
+  assert.deepEqual(body.seams, plain);
+  for (const { id } of body.seams) assert.ok(found.seams.some((seam) => seam.id === id && seam.because));
+  assert.deepEqual(body.panels, found.panels);
+  await until("can be sewn");
+  assert.match(await status(), new RegExp(`^${plain.length} seams suggested`));
+  assert.equal(await suggested().count(), plain.length);
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.key), "suggest", "the focus stays on the button");
+  const [first] = found.seams;
+  const row = page.locator("#seam-list .seam").first();
+  assert.equal(await row.locator(".choose").getAttribute("title"), first.because);
+  await row.locator(".choose").click();
+  assert.match(await row.locator(".more").textContent(), /Suggested, \d+ % sure: /);
+  await assertNoAxeFaults();
+  await page.getByRole("button", { name: "Undo" }).click();
+  await page.waitForFunction(() => document.querySelectorAll("#seam-list .seam").length === 0);
+  await checkedAfter(suggest);
+  assert.equal(await suggested().count(), plain.length);
+});
+
+test("what was picked stays, and a suggestion that was changed is no longer one", async () => {
+  await until("can be sewn");
+  const count = await seams().count();
+  const id = (await page.locator("#seam-list .choose").first().getAttribute("data-key")).replace("choose ", "");
+  await deleteSeam(id);
+  const body = await checkedAfter(suggest);
+  assert.equal(body.seams.length, count);
+  await until(`1 seam suggested, ${count - 1} left as they were picked`);
+  await suggest();
+  await until("Nothing to add");
+  assert.equal(await seams().count(), count);
+  await checkedAfter(() => page.getByRole("button", { name: `Reverse ${id}`, exact: true }).click());
+  assert.equal(await suggested().count(), count - 1);
+  await checkedAfter(() => page.getByRole("button", { name: "Undo" }).click());
+  await page.waitForFunction((all) => document.querySelectorAll("#seam-list .tag").length === all, count);
+});
+
+test("suggested seams are sewn, and a reload still says that they were suggested", async () => {
+  await page.locator("#edge-length").selectOption("0.02");
+  const count = await seams().count();
+  await page.getByRole("button", { name: "Sew and drape" }).click();
+  await page.locator("#report .verdict").waitFor({ timeout: FIT_MS });
+  assert.match(await page.locator("#report").textContent(), /The garment came to rest.*All seams are closed/s);
+  await page.reload();
+  await page.locator("#report .verdict").waitFor();
+  assert.equal(await suggested().count(), count);
+  assert.equal(await page.locator("#run-note").textContent(), "");
+});
+
+/** A top with one sleeve drawn and a pole beside it, as GarmentCode writes it [cm]. */
+function topWithSleeve() {
+  const edge = (from, count, curve) => ({ endpoints: [from, (from + 1) % count], ...(curve && { curvature: { type: "quadratic", params: [curve] } }) });
+  const half = [[-24, 0], [-24, 42], [-18, 64], [-8, 68], [8, 68], [18, 64], [24, 42], [24, 0]];
+  const hollow = { 1: [0.5, -0.15], 5: [0.5, -0.15] };
+  const panel = (vertices, curves = {}, z = 0) => ({
+    translation: [0, 90, z], rotation: [0, 0, 0], vertices,
+    edges: vertices.map((_, i) => edge(i, vertices.length, curves[i])),
+  });
+  const front = panel(half, { ...hollow, 3: [0.5, -0.4] }, 25);
+  const back = panel(half, { ...hollow, 3: [0.5, -0.1] }, -25);
+  const sleeve = panel([[-15, 0], [-20, 12], [0, 27], [20, 12], [15, 0]], { 1: [0.5, 0.12], 2: [0.5, 0.12] });
+  const pole = panel([[0, 0], [3, 40], [1, -10]]);
+  return { pattern: { panels: { front, back, sleeve, pole }, stitches: [] }, properties: { units_in_meter: 100 } };
+}
+
+test("a specification opens, its sleeve is mirrored and its spare panel left out", async () => {
+  await choosePattern("top_specification.json", Buffer.from(JSON.stringify(topWithSleeve())));
+  await until("have the seams suggested");
+  assert.equal(await page.locator("#sheet [aria-label^='Panel ']").count(), 4);
+  const body = await checkedAfter(suggest);
+  await until("can be sewn");
+  assert.ok(JSON.stringify(body.seams).includes("sleeve~mirror"));
+  assert.equal(await page.locator("#sheet [aria-label='Panel sleeve, mirrored']").count(), 1);
+  assert.equal(await page.locator("#sheet [aria-label='Panel pole, left out']").count(), 1);
+  const points = (panel) => edge(panel, 1).evaluate((path) => path.getTotalLength());
+  assert.ok(Math.abs(await points("sleeve") - await points("sleeve~mirror")) < 1);
+  await edge("sleeve~mirror", 0).focus();
+  await page.keyboard.press("Enter");
+  assert.match(await status(), /sleeve, mirrored 0 → 1, counter-clockwise/);
+  await page.keyboard.press("Escape");
+  await assertNoAxeFaults();
+  const asked = page.waitForRequest((request) => request.url().endsWith("/v1/fits") && request.method() === "POST");
+  await page.getByRole("button", { name: "Sew and drape" }).click();
+  const request = await asked;
+  assert.deepEqual(request.postDataJSON().pattern.panels.map((panel) => panel.id).sort(), ["back", "front", "sleeve"]);
+  assert.equal((await request.response()).status(), 202);
+  await page.getByRole("button", { name: "Cancel", exact: true }).click();
+  await page.locator("#progress").waitFor({ state: "hidden", timeout: 10_000 });
+  const missing = tab.record.errors.splice(0);
+  assert.ok(missing.every((text) => / 404 /.test(text)), missing.join("\n"));
+});
+
+test("a garment file that leaves its seams to the service has them suggested", async () => {
+  const garment = JSON.parse(await readFile(new URL("../../static/samples/skirt.garment.json", import.meta.url)));
+  await page.getByRole("button", { name: "Skirt sample" }).click();
+  await until("All 6 seams can be sewn");
+  const buffer = Buffer.from(JSON.stringify({ ...garment, seams: "suggest" }));
+  await page.setInputFiles("#open-garment-file", { name: "suggest.json", mimeType: "application/json", buffer });
+  await until("seams suggested");
+  assert.ok(await suggested().count() > 0);
+});
+
 test("names from files are text, never markup", async () => {
   const pattern = await page.evaluate(() => fetch(`/v1/patterns/${new URLSearchParams(location.hash.slice(1)).get("pattern")}`).then((r) => r.json()));
   pattern.name = "<img src=x onerror=document.title='broken'>";
