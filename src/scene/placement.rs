@@ -212,7 +212,8 @@ pub fn place(to_place: ToPlace<'_>, avatar: Option<&Avatar>) -> Result<Placed, F
         height + bottom - placed.key[1],
         height + top - placed.key[1],
     ];
-    let around = spot.turn.map_or(0.0, |turn| (right - left) / (TAU * turn));
+    // Rolled, a panel meets itself at most; half a band covers half a turn.
+    let around = (right - left) / (TAU * spot.turn.unwrap_or(1.0));
     placed.radius = if spot.lean == 0.0 {
         let reach = radius(avatar, body.centre, span, wrap) + CLEARANCE;
         if wrap == Wrap::Cylinder {

@@ -2,7 +2,7 @@
 
 use super::garment::Garment;
 use super::piece::{Kind, Lateral, Piece, Role, Which};
-use crate::pattern::{Anchor, Placement};
+use crate::pattern::{Anchor, Placement, Wrap};
 
 /// The placement of each piece that has a place, with the number of its panel.
 pub(super) fn placements(garment: &Garment) -> Vec<(usize, Placement)> {
@@ -23,6 +23,7 @@ fn placement(garment: &Garment, piece: &Piece) -> Option<Placement> {
             pick(behind, Anchor::TorsoFront, Anchor::TorsoBack),
             beside(piece, side),
         ),
+        Kind::Skirt if is_all_round(garment, piece) => (Anchor::SkirtFront, [0.0; 3]),
         Kind::Skirt if piece.which.is_none() => gore(garment, piece),
         Kind::Skirt | Kind::Trouser => {
             let [x, ..] = beside(piece, side);
@@ -68,8 +69,13 @@ fn placement(garment: &Garment, piece: &Piece) -> Option<Placement> {
         up_deg: up(piece),
         offset_m: offset_m.map(|c| (1e4 * c).round() / 1e4),
         rotate_deg: [0.0; 3],
-        wrap: None,
+        wrap: is_all_round(garment, piece).then_some(Wrap::Cylinder),
     })
+}
+
+/// Whether a panel is a whole skirt, closed on itself.
+fn is_all_round(garment: &Garment, piece: &Piece) -> bool {
+    piece.kind == Kind::Skirt && piece.which.is_none() && garment.of(Kind::Skirt).count() == 1
 }
 
 fn pick(behind: bool, front: Anchor, back: Anchor) -> Anchor {

@@ -1,5 +1,9 @@
 //! The truth table: what the project makes of real data against what is known of it, a section a subject. The example
 //! `truth_table` prints it, the tests assert the same rows. The data is found by `SEAMSTER_TEST_DATA`.
+#![allow(
+    dead_code,
+    reason = "each test program takes this in as its own and uses some of it"
+)]
 
 pub(crate) mod import;
 #[path = "../raw.rs"]
