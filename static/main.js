@@ -1,4 +1,4 @@
-/** Puts the parts of the page together. Read on: state.js, files.js, sheet.js, picking.js, fit.js, viewer.js. */
+/** Puts the parts of the page together. Read on: state.js, files.js, panels.js, sheet.js, picking.js, suggest.js, fit.js, viewer.js. */
 
 import { openFromHash, startFiles } from "./files.js";
 import { showFit, startFit } from "./fit.js";

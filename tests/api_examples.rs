@@ -87,6 +87,7 @@ fn every_example_is_run_by_a_test() {
         [
             "pattern.sh",
             "seams.sh",
+            "suggest.sh",
             "fit.sh",
             "events.sh",
             "cancel.sh",
@@ -150,6 +151,22 @@ fn seams_are_checked_and_a_wrong_corner_is_found() {
     assert_eq!(answers[1]["ok"], false);
     let fault = &answers[1]["seams"][0]["errors"][0];
     assert_eq!(fault["pointer"], "/seams/0/b/to", "{}", answers[1]);
+}
+
+#[test]
+fn seams_are_suggested_and_sewn() {
+    let program = Program::start();
+    let answers = lines(&program.run("suggest.sh"));
+    let found = answers[0]["seams"].as_array().unwrap();
+    assert!(!found.is_empty());
+    assert!(found.iter().all(|seam| seam["because"].is_string()));
+    assert_eq!(answers[1]["status"], "succeeded", "{}", answers[1]);
+    let garment: Value = serde_json::from_slice(&program.file("skirt.garment.json")).unwrap();
+    let ids = |seams: &Value| -> Vec<_> {
+        let seams = seams.as_array().unwrap().iter();
+        seams.map(|seam| seam["id"].clone()).collect()
+    };
+    assert_eq!(ids(&garment["seams"]), ids(&answers[0]["seams"]));
 }
 
 #[test]
