@@ -633,15 +633,13 @@ fn seams_are_checked_with_all_their_faults() {
 /// The seams of a suggestion as a garment takes them.
 fn as_garment_takes(suggestion: &Value) -> Vec<Value> {
     let seams = suggestion["seams"].as_array().unwrap().iter();
-    let plain = seams.map(|seam| {
-        let mut seam = seam.as_object().unwrap().clone();
-        let confidence = seam.remove("confidence").unwrap().as_f64().unwrap();
+    let told = seams.map(|seam| {
+        let confidence = seam["confidence"].as_f64().unwrap();
         assert!((0.0..=1.0).contains(&confidence), "{confidence}");
-        let because = seam.remove("because").unwrap();
-        assert!(!because.as_str().unwrap().is_empty());
-        Value::Object(seam)
+        assert!(!seam["because"].as_str().unwrap().is_empty());
+        seam.clone()
     });
-    plain.collect()
+    told.collect()
 }
 
 /// Panels that seams run along, sorted.

@@ -21,6 +21,8 @@ pub struct Limits {
     pub panel_size_m: [f64; 2],
     /// Seams of one garment.
     pub seams: usize,
+    /// Panels of a pattern that seams are suggested for.
+    pub suggested_panels: usize,
     /// Bytes of one JSON request.
     pub json_bytes: usize,
     /// Characters of a name.
@@ -55,6 +57,7 @@ impl Default for Limits {
             panel_vertices: 20_000,
             panel_size_m: [1e-3, 20.0],
             seams: 2_000,
+            suggested_panels: 100,
             json_bytes: 32 << 20,
             name_chars: 256,
             mesh_vertices: 300_000,

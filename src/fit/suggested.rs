@@ -3,7 +3,7 @@
 use super::garment::{Garment, SeamsAsked};
 use crate::config::Limits;
 use crate::fault::{Fault, Warning};
-use crate::pattern::{MIRROR, Pattern};
+use crate::pattern::{MIRROR, Pattern, SeamPair};
 use crate::seam::suggest::{self, SuggestedSeam};
 
 /// That no seam is suggested for a panel.
@@ -32,13 +32,20 @@ pub(crate) fn fill(
             .fix("list the seams, or give the panels telling names (front, back, sleeve)"));
     }
     for (id, panel) in found.panels {
+        if pattern.placements.contains_key(&id) {
+            continue; // The file knows better.
+        }
         let asked = garment.panels.entry(id).or_default();
         asked.placement.get_or_insert(panel.placement);
     }
     pattern.warnings.retain(|warning| !is_ours(warning));
     pattern.warnings.extend(found.warnings);
     leave_out(garment, pattern, &found.seams);
-    let pairs = found.seams.iter().map(|seam| seam.pair.clone());
+    let pairs = found.seams.iter().map(|seam| SeamPair {
+        confidence: Some(seam.confidence),
+        because: Some(seam.because.clone()),
+        ..seam.pair.clone()
+    });
     garment.seams = SeamsAsked::Pairs(pairs.collect());
     Ok(found.seams)
 }

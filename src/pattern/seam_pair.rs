@@ -28,6 +28,12 @@ pub struct SeamPair {
     /// Whether it may make the surface one-sided.
     #[serde(default)]
     pub allow_twist: bool,
+    /// Of a suggested seam: how sure it is, from 0 (a guess) to 1 (certain).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub confidence: Option<f64>,
+    /// Of a suggested seam: why, in words.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub because: Option<String>,
 }
 
 /// One side of a seam: a run, or several one after another.

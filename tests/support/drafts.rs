@@ -48,6 +48,8 @@ pub(crate) fn garment(folder: &Path, name: &str) -> Garment {
         gather: false,
         layered: false,
         allow_twist: false,
+        confidence: None,
+        because: None,
     });
     Garment {
         pairs: pairs.collect(),

@@ -247,5 +247,7 @@ pub fn many(id: &str, a: Vec<Run>, b: Vec<Run>) -> SeamPair {
         gather: false,
         layered: false,
         allow_twist: false,
+        confidence: None,
+        because: None,
     }
 }

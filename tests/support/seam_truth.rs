@@ -384,6 +384,8 @@ fn of_dxf(folder: &Path, stem: &str) -> TrueGarment {
             gather: true,
             layered: false,
             allow_twist: false,
+            confidence: None,
+            because: None,
         }
     });
     let pairs = pairs.collect();

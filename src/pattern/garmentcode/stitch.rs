@@ -54,6 +54,8 @@ fn stitch(
         gather: longer > (1.0 + GATHERED) * shorter,
         layered: false,
         allow_twist: false,
+        confidence: None,
+        because: None,
     })
 }
 

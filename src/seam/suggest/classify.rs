@@ -19,8 +19,10 @@ const ANY: [Kind; 5] = [
 const EXTRA: [Kind; 2] = [Kind::Sleeve, Kind::NeckBand];
 /// What a panel without a telling name must look like at least: mean misfit of a role.
 const RECOGNISED: f64 = 2.5;
+/// The same for its size: side of the square of its area \[m\].
+const SMALLEST: f64 = 0.08;
 /// How many readings of a panel are weighed.
-const KEPT: usize = 24;
+const KEPT: usize = 16;
 
 /// The pieces of a pattern.
 pub(super) fn pieces(pattern: &Pattern) -> Vec<Piece> {
@@ -108,7 +110,8 @@ fn candidates(
             }
         }
     }
-    found.retain(|piece| named || piece.cost < RECOGNISED);
+    let large = shape.size >= SMALLEST;
+    found.retain(|piece| named || large && piece.cost < RECOGNISED);
     found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     found.truncate(KEPT);
     found

@@ -7,6 +7,8 @@ const NEAR_SHARE: f64 = 0.012;
 const NEAR_M: f64 = 0.004;
 /// A closed seam may begin this share of its length away from where it is expected before that counts like a corner missed.
 const AWAY: f64 = 0.06;
+/// Closed seams of more corners than this, those of both sides multiplied, are not turned: each way costs their product again.
+const MOST_TURNS: usize = 2_500;
 
 /// Two chains of edges that are sewn together, beginning at the same point.
 pub(super) type Joint = [Chain; 2];
@@ -38,7 +40,8 @@ fn parted_turned(a: &[Step], b: &[Step], usual: f64) -> Vec<Joint> {
     let (at_a, at_b) = (corners(a), corners(b));
     let tolerance = tolerance(a, b);
     let mut best = (score(&at_a, &at_b, 0.0, tolerance), 0, 0);
-    for i in 0..a.len() {
+    let few = a.len() * b.len() <= MOST_TURNS;
+    for i in (0..a.len()).filter(|_| few) {
         for j in 0..b.len() {
             let start = |at: &[f64], k: usize| if k == 0 { 0.0 } else { at[k - 1] };
             let away = start(&at_a, i) - start(&at_b, j);

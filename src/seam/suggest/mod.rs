@@ -79,6 +79,9 @@ pub struct SuggestedPanel {
 /// Panels are those of one garment; of parts that are drawn in several styles (short and long sleeve) the first is
 /// taken. Lengths are those of the sew line. Sleeves, cuffs and bindings that are drawn once are worn on both sides.
 pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
+    if pattern.panels.len() > limits.suggested_panels {
+        return too_many(pattern.panels.len(), limits.suggested_panels);
+    }
     let mut garment = Garment {
         pieces: classify::pieces(pattern),
         drafts: vec![],
@@ -125,6 +128,16 @@ pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
     }
 }
 
+fn too_many(count: usize, most: usize) -> Suggestion {
+    let told = format!(
+        "the pattern has {count} panels; seams are suggested for one garment of at most {most}"
+    );
+    Suggestion {
+        warnings: vec![Warning::new("seam/not_suggested", "/seams", told)],
+        ..Suggestion::default()
+    }
+}
+
 /// Names panels, mirrored copies among them.
 struct Ids<'a>(&'a Pattern);
 
@@ -141,6 +154,8 @@ impl Ids<'_> {
                 gather: draft.gather,
                 layered: false,
                 allow_twist: false,
+                confidence: None,
+                because: None,
             },
             confidence: (1e3 * draft.confidence).round() / 1e3,
             because: draft.because.clone(),

@@ -9,6 +9,9 @@ use std::collections::BTreeMap;
 /// Mesh edge length that stitch counts are stated for while checking \[m\]; nothing depends on it.
 const EDGE_LENGTH: f64 = 0.02;
 
+/// How often one seam is left out by itself; then all that are still wrong go.
+const ONE_BY_ONE: usize = 30;
+
 /// The seams that can be sewn together. Of those that cannot, the least sure is left out first.
 pub(super) fn together(
     pattern: &Pattern,
@@ -21,16 +24,20 @@ pub(super) fn together(
         .flat_map(|s| s.pair.a.runs().iter().chain(s.pair.b.runs()));
     let names: Vec<String> = named.map(|run| run.panel.clone()).collect();
     let whole = pattern.with_copies(names.iter().map(String::as_str));
-    while !seams.is_empty() {
+    for round in 0.. {
         let pairs: Vec<SeamPair> = seams.iter().map(|s| s.pair.clone()).collect();
         let (check, _) = seam::check(&whole, &pairs, &BTreeMap::new(), EDGE_LENGTH, limits);
-        let wrong = (0..seams.len()).filter(|i| !check.seams[*i].ok);
-        let Some(least) =
-            wrong.min_by(|a, b| seams[*a].confidence.total_cmp(&seams[*b].confidence))
-        else {
-            break;
-        };
-        seams.remove(least);
+        let wrong: Vec<usize> = (0..seams.len()).filter(|i| !check.seams[*i].ok).collect();
+        let least = wrong
+            .iter()
+            .min_by(|a, b| seams[**a].confidence.total_cmp(&seams[**b].confidence));
+        let Some(&least) = least else { break };
+        if round < ONE_BY_ONE {
+            seams.remove(least);
+        } else {
+            let mut at = 0..;
+            seams.retain(|_| at.next().is_some_and(|i| !wrong.contains(&i)));
+        }
     }
     seams
 }

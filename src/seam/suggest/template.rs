@@ -37,7 +37,7 @@ pub(super) struct Divided {
 }
 
 /// Outlines of more edges than this have no usual look.
-const MOST_EDGES: usize = 60;
+const MOST_EDGES: usize = 40;
 /// No single feature may count for more than this.
 const MOST: f64 = 3.0;
 /// A corner inside a role costs nothing up to this turn, then grows in these steps \[degrees\].
