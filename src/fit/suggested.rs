@@ -27,13 +27,22 @@ pub(crate) fn fill(
     }
     let found = suggest::suggest(pattern, limits);
     if found.seams.is_empty() {
-        let told = "no panel of this pattern was recognised, so that no seam can be suggested";
+        let told = found
+            .warnings
+            .first()
+            .map_or_else(String::new, |w| format!(": {}", w.detail));
+        let told = format!("no seam can be suggested for this pattern{told}");
         return Err(Fault::new("seam/none_suggested", "/seams", told)
             .fix("list the seams, or give the panels telling names (front, back, sleeve)"));
     }
     for (id, panel) in found.panels {
-        if pattern.placements.contains_key(&id) {
-            continue; // The file knows better.
+        let source = id.strip_suffix(MIRROR).unwrap_or(&id);
+        let placed = garment
+            .panels
+            .get(source)
+            .is_some_and(|asked| asked.placement.is_some());
+        if pattern.placements.contains_key(source) || placed && source != id {
+            continue; // The file or the client knows better, and a copy follows its source.
         }
         let asked = garment.panels.entry(id).or_default();
         asked.placement.get_or_insert(panel.placement);

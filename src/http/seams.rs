@@ -48,7 +48,7 @@ pub(super) async fn check(
 
 /// Suggest the seams of a pattern and where its panels start, each seam with how sure it is and why
 ///
-/// Without `confidence` and `because` the seams are what a garment takes, and `panels` is what its `panels` takes.
+/// The seams are what a garment takes, as they are, and `panels` is what its `panels` takes.
 #[utoipa::path(post, path = "/v1/patterns/{id}/seams/suggest", tag = "patterns", params(("id" = Uuid, Path)),
     request_body(content = Option<SuggestAsked>, description = "`{}`, or nothing"),
     responses(

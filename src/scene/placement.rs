@@ -11,7 +11,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 const CLEARANCE: f64 = 0.03;
 /// Steps in height at which the body is asked how wide it is \[m\].
 const HEIGHT_STEP: f64 = 0.02;
-/// Where a garment without a body starts: heights of shoulders and waist, half a depth \[m\].
+/// Where a garment without a body starts.
 const NO_BODY: Body = Body {
     shoulder: 1.4,
     neck: 1.42,
@@ -22,7 +22,7 @@ const NO_BODY: Body = Body {
 /// A sleeve starts at this angle from the body \[rad\]: so that it clears the sides.
 const ARM_SPREAD: f64 = 0.7;
 
-/// Key points of a body: heights, the middle in depth, half the width of the shoulders \[m\].
+/// Key points of a body: heights, the middle in depth, x and y of the left shoulder's tip \[m\].
 #[derive(Clone, Copy, Debug)]
 struct Body {
     shoulder: f64,
@@ -268,7 +268,7 @@ fn guess(panel: &Panel) -> Option<Anchor> {
     let front = any(&["front", "fr", "frt", "f"]) || within(&["front", "ftorso"]);
     let band = any(&["wb", "band", "waistband"]) || within(&["waistband"]);
     let skirt = within(&["skirt"]);
-    // No key points for these yet; "sleeve_f" must not pass for a front.
+    // Which arm, which opening: a name alone does not tell, and "sleeve_f" must not pass for a front.
     if within(&["sleeve", "collar", "cuff", "hood"]) {
         return None;
     }

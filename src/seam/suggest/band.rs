@@ -104,7 +104,9 @@ fn one(
         return None;
     }
     let (a, b) = (laid.end(true), laid.end(false));
-    garment.sew(ends(saying, &format!("{}-ends", saying.id)), a, b);
+    if !is_sewn(garment, a.as_ref()) {
+        garment.sew(ends(saying, &format!("{}-ends", saying.id)), a, b);
+    }
     Some([laid.free()?, vec![]])
 }
 
@@ -164,12 +166,21 @@ fn close(garment: &mut Garment, saying: Saying<'_>, a: &Laid, b: &Laid) {
         ("left", a.end(true), b.end(false)),
         ("right", a.end(false), b.end(true)),
     ] {
+        if is_sewn(garment, first.as_ref()) {
+            continue;
+        }
         garment.sew(
             ends(saying, &format!("{}-end-{name}", saying.id)),
             first,
             second,
         );
     }
+}
+
+/// Whether the end of a band is part of a seam already: a band that goes round two openings has it sewn once.
+fn is_sewn(garment: &Garment, end: Option<&Chain>) -> bool {
+    let first = end.and_then(|chain| chain.first());
+    first.is_some_and(|step| garment.is_sewn(step.panel, step.edge))
 }
 
 pub(super) fn ends<'a>(saying: Saying<'_>, id: &'a str) -> Saying<'a> {

@@ -5,6 +5,8 @@ use super::piece::{Hand, Kind, Lateral, Piece, Role, Segment, Which};
 
 /// Notches fit when they lie as far from the underarm up to this \[m\]: caps are eased in.
 const NEAR: f64 = 0.015;
+/// Notches of one edge that are looked at.
+const MOST_NOTCHES: usize = 64;
 
 /// The part of a cap's width next to the underarm, and how much both sides must differ there.
 const OUTER: f64 = 0.35;
@@ -91,6 +93,9 @@ fn notches(piece: &Piece, segment: &Segment, from_start: bool) -> Vec<f64> {
         }
         before += length;
     }
+    found.sort_by(f64::total_cmp);
+    found.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
+    found.truncate(MOST_NOTCHES);
     found
 }
 

@@ -1,10 +1,11 @@
 //! From panels to pieces: what each panel is, by its name and by its look.
 
 use super::doubts::{unlikely, unusual, upright};
-use super::piece::{Kind, Piece};
+use super::piece::{Kind, Lateral, Piece};
 use super::shape::Shape;
 use super::{choose, looks, sides, template, words};
 use crate::pattern::Pattern;
+use std::rc::Rc;
 
 /// Kinds that a panel may be whose name says only front or back, or nothing.
 pub(super) const BODY: [Kind; 3] = [Kind::Bodice, Kind::Skirt, Kind::Trouser];
@@ -28,6 +29,7 @@ const KEPT: usize = 16;
 pub(super) fn pieces(pattern: &Pattern) -> Vec<Piece> {
     let names: Vec<&str> = pattern.panels.iter().map(|p| p.name.as_str()).collect();
     let common = words::common_start(&names);
+    let shared = words::shared(&names);
     let said: Vec<words::Said> = pattern
         .panels
         .iter()
@@ -37,7 +39,12 @@ pub(super) fn pieces(pattern: &Pattern) -> Vec<Piece> {
             } else {
                 &panel.name
             };
-            words::said(name, panel.name.get(common..).unwrap_or_default())
+            let code = panel.name.get(common..).unwrap_or_default();
+            let mut said = words::said(name, code, &shared);
+            if panel.copy_of.is_some() {
+                said.lateral = said.lateral.map(Lateral::other);
+            }
+            said
         })
         .collect();
     let slits = said.iter().any(|s| s.kind == Some(Kind::Godet));
@@ -50,14 +57,14 @@ pub(super) fn pieces(pattern: &Pattern) -> Vec<Piece> {
             let said = &said[index];
             candidates(
                 index,
-                Shape::of(panel, slits),
+                Rc::new(Shape::of(panel, slits)),
                 said,
                 (upright(panel), telling),
             )
         })
         .collect();
     let mut pieces = choose::together(candidates);
-    sides::tell_front_from_back(&mut pieces);
+    sides::tell_front_from_back(pattern, &mut pieces);
     let turned: Vec<bool> = pieces
         .iter()
         .map(|p| sides::is_turned(pattern, &pieces, p))
@@ -65,14 +72,14 @@ pub(super) fn pieces(pattern: &Pattern) -> Vec<Piece> {
     for (piece, turned) in pieces.iter_mut().zip(turned) {
         piece.turned = turned;
     }
-    sides::tell_left_from_right(&mut pieces, pattern.panels.len());
+    sides::tell_left_from_right(pattern, &mut pieces);
     pieces
 }
 
 /// What a panel may be, the likeliest first.
 fn candidates(
     panel: usize,
-    shape: Shape,
+    shape: Rc<Shape>,
     said: &words::Said,
     (upright, telling): (Option<bool>, bool),
 ) -> Vec<Piece> {
@@ -99,7 +106,7 @@ fn candidates(
                     lateral_said: said.lateral.is_some(),
                     half: template.half,
                     turned: false,
-                    shape: shape.clone(),
+                    shape: Rc::clone(&shape),
                     segments: divided.segments,
                     cost: divided.cost + unlikely,
                     named,

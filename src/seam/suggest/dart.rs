@@ -5,10 +5,13 @@ use super::piece::{Chain, Kind, Piece, Role, Step};
 use super::shape::Dart;
 use crate::pattern::Pattern;
 
+/// Darts of one panel that are sewn.
+const MOST: usize = 40;
+
 /// Sews every dart.
 pub(super) fn sew(garment: &mut Garment, pattern: &Pattern) {
     for piece in garment.pieces.clone() {
-        for (i, dart) in piece.shape.darts.iter().enumerate() {
+        for (i, dart) in piece.shape.darts.iter().take(MOST).enumerate() {
             if garment.is_sewn(piece.panel, dart.inward) || is_slit(&piece, *dart) {
                 continue;
             }

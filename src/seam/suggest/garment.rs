@@ -78,6 +78,9 @@ impl Garment {
     ) -> Option<(&Piece, &Segment)> {
         let (role, lateral) = place;
         let piece = self.piece(kind, which, lateral)?;
+        if !piece.half && piece.all(role).count() < 2 {
+            return None; // It lies on both sides.
+        }
         let hand = if piece.half {
             None
         } else {

@@ -23,10 +23,15 @@ pub(super) fn sew(garment: &mut Garment) {
                 length: host.shape.edges[edge].length,
             }]
         };
+        let right = if host.shape.mirrored {
+            Hand::Left
+        } else {
+            Hand::Right
+        };
         // The slit's first leg meets the side of the godet that lies on the right: both outer sides are out.
         for (leg, hand, name) in [
-            (leg(slit.inward, true), Hand::Right, "a"),
-            (leg(slit.outward, false), Hand::Left, "b"),
+            (leg(slit.inward, true), right, "a"),
+            (leg(slit.outward, false), right.other(), "b"),
         ] {
             let side = godet
                 .segment(Role::Side, Some(hand))

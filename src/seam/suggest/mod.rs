@@ -2,7 +2,7 @@
 //!
 //! Every panel is taken for what its name and its look say (`words`, `looks`, `template`), and its edges get roles:
 //! hem, side, armhole. Then each class of garment joins the roles that its tailors join: `top`, `sleeve`, `skirt`,
-//! `trousers`, `waist` (dresses too), `neck`, `cuff`. Where corners of both sides meet, a seam is parted there.
+//! `raglan`, `trousers`, `waist` (dresses too), `neck`, `hood`, `cuff`, `godet`, `dart`. Where corners of both sides meet, a seam is parted there.
 
 mod band;
 mod cap;

@@ -86,6 +86,7 @@ fn quarters(garment: &mut Garment) -> bool {
     };
     let sides = [(Lateral::Left, "left"), (Lateral::Right, "right")];
     let mut laid: Vec<[Option<Laid>; 2]> = vec![];
+    let mut any = false;
     for (lateral, side) in sides {
         let parts = [Which::Front, Which::Back].map(|which| lay(garment, which, lateral));
         for (which, name, part) in [
@@ -94,7 +95,7 @@ fn quarters(garment: &mut Garment) -> bool {
         ] {
             let neck = garment.chain(Kind::Bodice, which, (Role::Neck, lateral), Role::Shoulder);
             let id = format!("collar-{name}-{side}");
-            garment.sew(
+            any |= garment.sew(
                 saying(&id, "the collar goes round the neck"),
                 neck,
                 part.as_ref().map(|l| l.chain.clone()),
@@ -115,7 +116,7 @@ fn quarters(garment: &mut Garment) -> bool {
         let of = |side: usize| laid[side][i].as_ref().and_then(|l| l.end(false));
         garment.sew(band::ends(saying("", ""), id), of(0), of(1));
     }
-    laid.iter().flatten().any(Option::is_some)
+    any
 }
 
 fn armhole(garment: &mut Garment, lateral: Lateral, side: &str) {

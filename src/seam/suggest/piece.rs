@@ -1,6 +1,7 @@
 //! A panel as a part of a garment: what it is, and which of its edges are its hem, its side, its armhole.
 
 use super::shape::Shape;
+use std::rc::Rc;
 
 /// What a panel is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -119,11 +120,11 @@ pub(super) struct Piece {
     pub(super) half: bool,
     /// Whether it is drawn as seen through the body: not with its outer side up.
     pub(super) turned: bool,
-    pub(super) shape: Shape,
+    pub(super) shape: Rc<Shape>,
     pub(super) segments: Vec<Segment>,
     /// How badly it fits what such a panel looks like; 0 is best.
     pub(super) cost: f64,
-    /// Whether its kind was said by its name.
+    /// Whether its name says its kind, or front or back.
     pub(super) named: bool,
     /// Whether its name says its kind, not only front or back.
     pub(super) kind_said: bool,

@@ -18,6 +18,9 @@ pub(super) fn together(
     mut seams: Vec<SuggestedSeam>,
     limits: &Limits,
 ) -> Vec<SuggestedSeam> {
+    // Of two that clash the later one is refused: the surest come first, and their order comes back at the end.
+    let order: Vec<String> = seams.iter().map(|s| s.pair.id.clone()).collect();
+    seams.sort_by(|a, b| b.confidence.total_cmp(&a.confidence));
     seams.truncate(limits.seams);
     let named = seams
         .iter()
@@ -39,5 +42,6 @@ pub(super) fn together(
             seams.retain(|_| at.next().is_some_and(|i| !wrong.contains(&i)));
         }
     }
+    seams.sort_by_key(|s| order.iter().position(|id| *id == s.pair.id));
     seams
 }

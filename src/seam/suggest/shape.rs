@@ -1,5 +1,6 @@
 //! What the outline of a panel looks like to one who sews: how each edge bends, how corners turn, with darts taken in.
 
+use super::template::MOST_EDGES;
 use crate::pattern::{Edge, Panel};
 use std::f64::consts::{PI, TAU};
 
@@ -114,17 +115,18 @@ impl Shape {
         let count = self.ring.len();
         let edge = |k: usize| self.edges[self.ring[k % count]];
         // An axis goes through a corner or the middle of an edge: reading on from it is reading back from it.
-        (0..2 * count).any(|axis| {
-            let (on, back) = (axis / 2 + axis % 2, (axis / 2 + count - 1) % count);
-            (0..count / 2).all(|k| {
-                let (a, b) = (edge(on + k), edge(back + count - k));
-                let joint = |k: usize| self.joints[k % count];
-                let (turn_a, turn_b) = (joint(on + k), joint(back + 2 * count - k - 1));
-                (a.length - b.length).abs() <= TWIN * a.length.max(b.length) + 1e-3
-                    && (a.bend - b.bend).abs() < TWIN_TURN
-                    && (turn_a - turn_b).abs() < TWIN_TURN
+        count <= MOST_EDGES
+            && (0..2 * count).any(|axis| {
+                let (on, back) = (axis / 2 + axis % 2, (axis / 2 + count - 1) % count);
+                (0..count / 2).all(|k| {
+                    let (a, b) = (edge(on + k), edge(back + count - k));
+                    let joint = |k: usize| self.joints[k % count];
+                    let (turn_a, turn_b) = (joint(on + k), joint(back + 2 * count - k - 1));
+                    (a.length - b.length).abs() <= TWIN * a.length.max(b.length) + 1e-3
+                        && (a.bend - b.bend).abs() < TWIN_TURN
+                        && (turn_a - turn_b).abs() < TWIN_TURN
+                })
             })
-        })
     }
 
     /// Whether edges run across the drawing rather than up.
@@ -250,8 +252,9 @@ fn darts(edges: &[EdgeShape], turns: &[f64], [opening, mouth]: [f64; 2]) -> Vec<
             .any(|d| d.outward == dart.inward || d.inward == dart.outward);
         let [x, y] = sub(edges[dart.inward].ends[0], edges[tip].ends[1]);
         let wide = x.hypot(y);
-        let neck = wide > NECK && mouth < SLIT[1] && is_axis(edges, tip);
-        let narrow = turns[tip] < opening - PI && wide <= mouth && !neck;
+        let narrow = turns[tip] < opening - PI && wide <= mouth;
+        let neck = narrow && wide > NECK && mouth < SLIT[1] && is_axis(edges, tip);
+        let narrow = narrow && !neck;
         if !taken && narrow && are_legs(edges[dart.inward], edges[tip]) {
             darts.push(dart);
         }

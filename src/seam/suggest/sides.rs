@@ -2,6 +2,7 @@
 
 use super::piece::{Hand, Kind, Lateral, Piece, Role, Which};
 use crate::pattern::{Face, Pattern};
+use std::rc::Rc;
 
 /// Lengths of two panels that mirror each other agree to this share.
 const TWINS: f64 = 0.01;
@@ -38,14 +39,17 @@ pub(super) fn side_hand(piece: &Piece) -> Option<Hand> {
 }
 
 /// Gives fronts and backs to body panels whose names do not say: the deeper neck, the shorter crotch is the front.
-pub(super) fn tell_front_from_back(pieces: &mut [Piece]) {
+pub(super) fn tell_front_from_back(pattern: &Pattern, pieces: &mut [Piece]) {
     for (kind, role, front_is_longer) in [
         (Kind::Bodice, Role::Neck, true),
         (Kind::Trouser, Role::Crotch, false),
         (Kind::Skirt, Role::Waist, true),
     ] {
         let unsaid: Vec<usize> = (0..pieces.len())
-            .filter(|i| pieces[*i].kind == kind && pieces[*i].which.is_none())
+            .filter(|i| {
+                let p: &Piece = &pieces[*i];
+                p.kind == kind && p.which.is_none() && !p.shape.mirrored
+            })
             .collect();
         let length = |i: usize| -> f64 {
             let p: &Piece = &pieces[i];
@@ -71,11 +75,18 @@ pub(super) fn tell_front_from_back(pieces: &mut [Piece]) {
             pieces[i].which = Some(which);
         }
     }
+    // A mirrored copy of the file's own is what its source is.
+    for i in 0..pieces.len() {
+        let source = pattern.panels[pieces[i].panel].copy_of.as_deref();
+        let source = source.and_then(|id| pattern.panel_index(id));
+        let which = source.and_then(|at| pieces.iter().find(|p| p.panel == at)?.which);
+        pieces[i].which = pieces[i].which.or(which);
+    }
 }
 
 /// Gives every half a side of the wearer, adding the mirrored copy of those that are drawn once. Of pieces that are
 /// neither drawn as a pair nor called left or right the first is taken: others are other styles of the same part.
-pub(super) fn tell_left_from_right(pieces: &mut Vec<Piece>, panels: usize) {
+pub(super) fn tell_left_from_right(pattern: &Pattern, pieces: &mut Vec<Piece>) {
     let mut taken: Vec<usize> = vec![];
     let mut spare: Vec<usize> = vec![];
     for i in 0..pieces.len() {
@@ -116,9 +127,14 @@ pub(super) fn tell_left_from_right(pieces: &mut Vec<Piece>, panels: usize) {
         let other = piece.lateral.map(Lateral::other);
         let lone =
             other.is_some() && !piece.lateral_said && !pieces.iter().any(|p| is_partner(p, piece));
-        if lone && !piece.shape.mirrored {
+        let id = &pattern.panels[piece.panel].id;
+        let there = pattern
+            .panels
+            .iter()
+            .any(|p| p.copy_of.as_ref() == Some(id));
+        if lone && !there && !piece.shape.mirrored {
             copies.push(Piece {
-                panel: piece.panel + panels,
+                panel: piece.panel + pattern.panels.len(),
                 ..mirrored(piece)
             });
         }
@@ -165,7 +181,7 @@ fn is_partner(a: &Piece, b: &Piece) -> bool {
 /// The mirrored copy of a piece: the same numbers, the other hand.
 fn mirrored(piece: &Piece) -> Piece {
     let mut copy = piece.clone();
-    copy.shape = copy.shape.reflected();
+    copy.shape = Rc::new(copy.shape.reflected());
     copy.lateral = copy.lateral.map(Lateral::other);
     for segment in &mut copy.segments {
         segment.hand = segment.hand.other();

@@ -19,17 +19,26 @@ pub(super) fn sew(garment: &mut Garment) {
 /// Gives sleeves that are called neither left nor right the side that their front belongs to: a sleeve drawn hem down
 /// and face up is a left one if its front lies on the left.
 fn tell_left_from_right(garment: &mut Garment) {
+    let mut done: Vec<usize> = vec![];
     for i in 0..garment.pieces.len() {
         let piece = &garment.pieces[i];
         if piece.kind != Kind::Sleeve || piece.half || piece.lateral_said || piece.lateral.is_none()
         {
             continue;
         }
-        let lateral = match cap::front_hand(garment, piece) {
-            Some(Hand::Left) => Lateral::Left,
-            Some(Hand::Right) => Lateral::Right,
-            None => continue,
+        let partner = done
+            .iter()
+            .find(|j: &&usize| garment.pieces[**j].kind == Kind::Sleeve);
+        let lateral = match (partner, cap::front_hand(garment, piece)) {
+            (Some(j), _) => match garment.pieces[*j].lateral {
+                Some(lateral) => lateral.other(),
+                None => continue,
+            },
+            (None, Some(Hand::Left)) => Lateral::Left,
+            (None, Some(Hand::Right)) => Lateral::Right,
+            (None, None) => continue,
         };
+        done.push(i);
         garment.pieces[i].lateral = Some(lateral);
     }
 }

@@ -37,7 +37,7 @@ pub(super) struct Divided {
 }
 
 /// Outlines of more edges than this have no usual look.
-const MOST_EDGES: usize = 40;
+pub(super) const MOST_EDGES: usize = 40;
 /// No single feature may count for more than this.
 const MOST: f64 = 3.0;
 /// A corner inside a role costs nothing up to this turn, then grows in these steps \[degrees\].
@@ -159,8 +159,12 @@ impl Reading<'_> {
                 }
             }
         }
-        if !half {
-            all.extend(evened(&best));
+        if !half && best.len() % 2 == 0 {
+            for ends in evened(&best) {
+                if !all.contains(&ends) {
+                    all.push(ends);
+                }
+            }
         }
         all.iter().map(|ends| self.with_cost(ends, half)).collect()
     }

@@ -38,9 +38,11 @@ pub(super) fn centre(garment: &mut Garment, kind: Kind, which: Which) {
     let halves = [Lateral::Left, Lateral::Right]
         .map(|lateral| garment.chain(kind, which, (Role::Centre, lateral), Role::Hem));
     let [a, b] = halves;
-    let id = match which {
-        Which::Front => "centre-front",
-        Which::Back => "centre-back",
+    let id = match (kind, which) {
+        (Kind::Skirt, Which::Front) => "skirt-centre-front",
+        (Kind::Skirt, Which::Back) => "skirt-centre-back",
+        (_, Which::Front) => "centre-front",
+        (_, Which::Back) => "centre-back",
     };
     let saying = Saying {
         id,

@@ -1,6 +1,7 @@
 //! What the name of a panel says of it: pattern makers' words in several languages, and the short codes of pattern CAD.
 
 use super::piece::{Kind, Lateral, Which};
+use std::collections::BTreeSet;
 
 /// What a name says.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -209,11 +210,13 @@ const RIGHT: (&[&str], &[&str]) = (
     &["r", "rgt", "rh"],
 );
 
-/// What `name` says; `code` is what is left of it without what all names of the pattern begin with.
-pub(super) fn said(name: &str, code: &str) -> Said {
+/// What `name` says; `code` is what is left of it without what all names of the pattern begin with, `shared` are the words
+/// that all of them have: those are the garment's and say nothing of one panel, but for the kind of body panels.
+pub(super) fn said(name: &str, code: &str, shared: &BTreeSet<String>) -> Said {
     let mut words = split(name);
+    words.retain(|word| !shared.contains(word));
+    let joined: String = words.concat();
     words.extend(split(code));
-    let joined: String = split(name).concat();
     let says = |(parts, codes): (&[&str], &[&str])| {
         let part =
             |p: &&str| words.iter().any(|w| w.contains(*p)) || p.len() > 6 && joined.contains(*p);
@@ -238,11 +241,17 @@ pub(super) fn said(name: &str, code: &str) -> Said {
         .iter()
         .filter(|(_, parts, codes)| says((parts, codes)))
         .map(|(kind, ..)| *kind);
+    let kind = kinds
+        .next()
+        .or_else(|| ends(&["co"]).then_some(Kind::Collar))
+        .or_else(|| body_kind(shared));
+    let mut of: Vec<Kind> = kinds.collect();
+    if of.contains(&Kind::Sleeve) {
+        of.retain(|kind| *kind != Kind::Trouser); // "short sleeve cuff"
+    }
     Said {
-        kind: kinds
-            .next()
-            .or_else(|| ends(&["co"]).then_some(Kind::Collar)),
-        of: kinds.collect(),
+        kind,
+        of,
         number: number(name),
         which: either(front, back, Which::Front, Which::Back),
         lateral: either(left, right, Lateral::Left, Lateral::Right),
@@ -259,6 +268,18 @@ fn letters_before(words: &[String]) -> &str {
         .unwrap_or_default()
 }
 
+/// The kind of body panel that words say.
+fn body_kind(words: &BTreeSet<String>) -> Option<Kind> {
+    let says = |parts: &[&str], codes: &[&str]| {
+        let part = |p: &&str| words.iter().any(|w| w.contains(*p));
+        parts.iter().any(part) || words.iter().any(|w| codes.contains(&w.as_str()))
+    };
+    let body = [Kind::Trouser, Kind::Skirt];
+    let found = KINDS.iter().filter(|(kind, ..)| body.contains(kind));
+    let mut found = found.filter(|(_, parts, codes)| says(parts, codes));
+    found.next().map(|(kind, ..)| *kind)
+}
+
 fn either<T>(first: bool, second: bool, a: T, b: T) -> Option<T> {
     match (first, second) {
         (true, false) => Some(a),
@@ -273,6 +294,17 @@ fn number(name: &str) -> u32 {
     name[name.len() - digits..]
         .parse::<u32>()
         .map_or(0, |n| n.saturating_add(1))
+}
+
+/// Words that all names have, where there are several names.
+pub(super) fn shared(names: &[&str]) -> BTreeSet<String> {
+    let mut all = names
+        .iter()
+        .map(|name| split(name).into_iter().collect::<BTreeSet<_>>());
+    let first = all.next().filter(|_| names.len() > 1).unwrap_or_default();
+    all.fold(first, |shared, words| {
+        shared.intersection(&words).cloned().collect()
+    })
 }
 
 /// Words of a name: parted at what is no letter and where a capital follows a small letter.
@@ -319,7 +351,7 @@ mod tests {
     #[test]
     fn names_of_many_tools_are_understood() {
         let all = |name: &str, code: &str| {
-            let s = said(name, code);
+            let s = said(name, code, &BTreeSet::new());
             (s.kind, s.which, s.lateral)
         };
         assert_eq!(
@@ -344,6 +376,18 @@ mod tests {
             (Some(Kind::Waistband), Some(Which::Front), None)
         );
         assert_eq!(all("后片", ""), (None, Some(Which::Back), None));
+    }
+
+    #[test]
+    fn words_that_all_names_share_say_nothing_of_one_panel() {
+        let names = ["HOODIE-FRONT_L", "HOODIE-SLEEVE_L"];
+        let shared = shared(&names);
+        let front = said(names[0], "", &shared);
+        assert_eq!(
+            (front.kind, front.which, front.lateral),
+            (None, Some(Which::Front), None)
+        );
+        assert_eq!(said(names[1], "", &shared).kind, Some(Kind::Sleeve));
     }
 
     #[test]
