@@ -30,6 +30,8 @@ impl Rim {
 /// How much a corner that meets counts against ease and against the way a band is drawn.
 const EASE_WEIGHT: f64 = 6.0;
 const DRAWN_WEIGHT: f64 = 0.4;
+/// How much it counts that both bands of an opening are sewn at the same edge as drawn.
+const ALIKE_WEIGHT: f64 = 1.5;
 
 /// An opening that something goes round, as the part in front and the part behind; all in the first where it is not
 /// known which part is in front.
@@ -118,8 +120,7 @@ fn two(
     bands: [&Piece; 2],
     rim: Rim,
 ) -> Option<Opening> {
-    let a = lay(garment, &opening[0], bands[0], rim)?;
-    let b = lay(garment, &opening[1], bands[1], rim)?;
+    let [a, b] = lay_both(garment, [&opening[0], &opening[1]], bands, rim)?;
     let whole = (
         opening.concat(),
         [a.chain.clone(), b.chain.clone()].concat(),
@@ -150,10 +151,7 @@ fn on_ring(
     bands: [&Piece; 2],
     rim: Rim,
 ) -> Option<Opening> {
-    let [a, b] = [
-        lay(garment, opening, bands[0], rim)?,
-        lay(garment, opening, bands[1], rim)?,
-    ];
+    let [a, b] = lay_both(garment, [opening, opening], bands, rim)?;
     let both = [a.chain.clone(), b.chain.clone()].concat();
     garment.sew_anyhow(saying, opening, &both);
     close(garment, saying, &a, &b);
@@ -194,6 +192,13 @@ pub(super) fn ends<'a>(saying: Saying<'_>, id: &'a str) -> Saying<'a> {
 
 /// The long edge that fits an opening best, laid so that both outer sides are out.
 pub(super) fn lay(garment: &Garment, opening: &Chain, band: &Piece, rim: Rim) -> Option<Laid> {
+    let ways = ways_to_lay(garment, opening, band, rim).into_iter();
+    ways.max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, laid)| laid)
+}
+
+/// Every free long edge of a band along an opening, with how well it fits.
+fn ways_to_lay(garment: &Garment, opening: &Chain, band: &Piece, rim: Rim) -> Vec<(f64, Laid)> {
     let free = |long: &&Segment| !long.edges.iter().any(|e| garment.is_sewn(band.panel, *e));
     let long = band
         .segments
@@ -204,16 +209,32 @@ pub(super) fn lay(garment: &Garment, opening: &Chain, band: &Piece, rim: Rim) ->
         long: long.clone(),
         chain: facing(garment, opening, band, long),
     });
-    let score = |laid: &Laid| {
-        let drawn = if rim.is_lower() == is_lower(band, &laid.long) {
-            rim.weight()
-        } else {
-            0.0
-        };
-        join::agreement(opening, &laid.chain) - EASE_WEIGHT * ease(opening, &laid.chain).min(0.5)
-            + drawn
-    };
-    laid.max_by(|a, b| score(a).total_cmp(&score(b)))
+    let with_score = laid.map(|laid| (laid.fits(opening, rim), laid));
+    with_score.collect()
+}
+
+/// The long edges of two bands that fit their openings best, and each other: front and back are drawn alike.
+fn lay_both(
+    garment: &Garment,
+    openings: [&Chain; 2],
+    bands: [&Piece; 2],
+    rim: Rim,
+) -> Option<[Laid; 2]> {
+    let [first, second] = [0, 1].map(|i| ways_to_lay(garment, openings[i], bands[i], rim));
+    let mut best: Option<(f64, [&Laid; 2])> = None;
+    for (a, x) in &first {
+        for (b, y) in &second {
+            let alike = if x.is_lower() == y.is_lower() {
+                ALIKE_WEIGHT
+            } else {
+                0.0
+            };
+            if best.is_none_or(|(most, _)| a + b + alike > most) {
+                best = Some((a + b + alike, [x, y]));
+            }
+        }
+    }
+    best.map(|(_, both)| both.map(Laid::clone))
 }
 
 /// A long edge gone the way that has both outer sides out: against the order of numbers where the opening goes with it,
@@ -233,12 +254,23 @@ fn facing(garment: &Garment, opening: &[Step], band: &Piece, long: &Segment) -> 
     }
 }
 
-/// Whether a long edge lies in the lower half of the drawing.
-fn is_lower(band: &Piece, long: &Segment) -> bool {
-    band.shape.height(&long.edges) < band.shape.height(&band.shape.ring)
-}
-
 impl Laid {
+    /// How well it fits an opening, more being better.
+    fn fits(&self, opening: &Chain, rim: Rim) -> f64 {
+        let drawn = if rim.is_lower() == self.is_lower() {
+            rim.weight()
+        } else {
+            0.0
+        };
+        let ease = ease(opening, &self.chain).min(0.5);
+        join::agreement(opening, &self.chain) - EASE_WEIGHT * ease + drawn
+    }
+
+    /// Whether the edge lies in the lower half of the band as drawn.
+    fn is_lower(&self) -> bool {
+        self.band.shape.height(&self.long.edges) < self.band.shape.height(&self.band.shape.ring)
+    }
+
     /// The end of the band where the laid edge begins or ends, going away from that edge.
     pub(super) fn end(&self, at_start: bool) -> Option<Chain> {
         let forward = self.chain.first()?.forward;
