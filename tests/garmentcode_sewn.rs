@@ -1,15 +1,13 @@
 //! Specifications sewn by their own stitches from their own placements, on a body of the size that they were drafted for.
 
 use seamster::config::Limits;
-use seamster::fit::{self, AvatarAsked, Garment, Library, Outcome, PatternAsked};
+use seamster::fit::{self, AvatarAsked, Garment, Outcome, PatternAsked, Shipped};
 use seamster::job::thread_cpu_s;
 use seamster::pattern::{ImportOptions, Pattern, import};
 use seamster::progress::CancelToken;
-use seamster::scene::{self, DressForm, Fabric};
+use seamster::scene::DressForm;
 use seamster::solver::{Context, Simulate};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use uuid::Uuid;
 
 /// The body that `GarmentCode` drafts for where nothing else is said: its mean female.
 const MEAN_FEMALE: DressForm = DressForm {
@@ -23,23 +21,6 @@ const MEAN_FEMALE: DressForm = DressForm {
 /// What is promised of a sewn garment \[m\].
 const SEAM_GAP: f64 = 1e-3;
 const PENETRATION: f64 = 1e-3;
-
-/// Fabrics that ship, and nothing stored.
-struct Shipped;
-
-impl Library for Shipped {
-    fn pattern(&self, _id: Uuid) -> Option<Arc<Pattern>> {
-        None
-    }
-
-    fn form(&self, _id: Uuid) -> Option<DressForm> {
-        None
-    }
-
-    fn fabric(&self, id: &str) -> Option<Fabric> {
-        scene::library().remove(id)
-    }
-}
 
 fn specification(folder: &Path, name: &str) -> Pattern {
     let file = folder.join(format!("dxf/{name}_specification.json"));

@@ -6,31 +6,12 @@ mod support {
 
 use seamster::config::Limits;
 use seamster::fault::Faults;
-use seamster::fit::{self, Garment, Library, Outcome, PatternAsked};
+use seamster::fit::{self, Garment, Outcome, PatternAsked, Shipped};
 use seamster::pattern::{Pattern, Place, Run, SeamPair};
 use seamster::progress::CancelToken;
-use seamster::scene::{self, DressForm, Fabric};
 use seamster::solver::Context;
 use serde_json::{Value, json};
-use std::sync::Arc;
 use support::panels::{many, pattern, polygon, rectangle, run, seam, with_hole, with_line};
-use uuid::Uuid;
-
-struct Shipped;
-
-impl Library for Shipped {
-    fn pattern(&self, _id: Uuid) -> Option<Arc<Pattern>> {
-        None
-    }
-
-    fn form(&self, _id: Uuid) -> Option<DressForm> {
-        None
-    }
-
-    fn fabric(&self, id: &str) -> Option<Fabric> {
-        scene::library().remove(id)
-    }
-}
 
 /// A garment without a body, hung up by these corners.
 fn garment(pattern: Pattern, pairs: &[SeamPair], more: &Value) -> Garment {

@@ -6,15 +6,13 @@ mod drafts;
 use drafts::{data, garment};
 use seamster::config::Limits;
 use seamster::export::PanelMesh;
-use seamster::fit::{self, AvatarAsked, Garment, Library, Outcome, PatternAsked};
+use seamster::fit::{self, AvatarAsked, Garment, Outcome, PatternAsked, Shipped};
 use seamster::job::thread_cpu_s;
 use seamster::pattern::{Pattern, SeamPair};
 use seamster::progress::CancelToken;
-use seamster::scene::{self, DressForm, Fabric};
+use seamster::scene::DressForm;
 use seamster::solver::{Context, Simulate};
 use std::collections::BTreeMap;
-use std::sync::Arc;
-use uuid::Uuid;
 
 /// The body that GarmentCode drafts for where nothing else is said: its mean female (`mean_all` of its data set).
 const MEAN_FEMALE: DressForm = DressForm {
@@ -32,23 +30,6 @@ const Z: usize = 2;
 /// What is promised of a sewn garment \[m\].
 const SEAM_GAP: f64 = 1e-3;
 const PENETRATION: f64 = 1e-3;
-
-/// Fabrics that ship, and nothing stored.
-struct Shipped;
-
-impl Library for Shipped {
-    fn pattern(&self, _id: Uuid) -> Option<Arc<Pattern>> {
-        None
-    }
-
-    fn form(&self, _id: Uuid) -> Option<DressForm> {
-        None
-    }
-
-    fn fabric(&self, id: &str) -> Option<Fabric> {
-        scene::library().remove(id)
-    }
-}
 
 fn asked(pattern: Pattern, pairs: Vec<SeamPair>) -> Garment {
     Garment {

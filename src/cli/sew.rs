@@ -5,19 +5,16 @@ use super::{BAD_INPUT, FAILED, faults};
 use clap::Args;
 use seamster::config::Limits;
 use seamster::fault::{Fault, Faults};
-use seamster::fit::{self, Garment, Library, Outcome, PatternAsked, Prepared};
+use seamster::fit::{self, Garment, Outcome, PatternAsked, Prepared, Shipped};
 use seamster::job::thread_cpu_s;
 use seamster::pattern::{self, ImportOptions, Pattern, RotationOrder, Units};
 use seamster::progress::{CancelToken, Progress};
-use seamster::scene::{self, DressForm, Fabric};
 use seamster::solver::Context;
 use serde::de::DeserializeOwned;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::Arc;
-use uuid::Uuid;
 
 /// What to sew, and where to write it.
 #[derive(Args)]
@@ -176,21 +173,4 @@ fn write_all(asked: &SewAsked, outcome: &Outcome) -> Result<(), String> {
         write(path, &json)?;
     }
     Ok(())
-}
-
-/// What a garment may refer to where nothing is stored.
-struct Shipped;
-
-impl Library for Shipped {
-    fn pattern(&self, _id: Uuid) -> Option<Arc<Pattern>> {
-        None
-    }
-
-    fn form(&self, _id: Uuid) -> Option<DressForm> {
-        None
-    }
-
-    fn fabric(&self, id: &str) -> Option<Fabric> {
-        scene::library().remove(id)
-    }
 }

@@ -9,6 +9,7 @@ mod run;
 mod seams;
 mod sewn;
 mod shape;
+mod shipped;
 mod suggested;
 
 pub use garment::{
@@ -22,6 +23,7 @@ pub(crate) use seams::check_seams;
 pub(crate) use sewn::{with_copies, without_allowances};
 pub(crate) use shape::Shape;
 pub use shape::{Misshapen, read_garment};
+pub use shipped::Shipped;
 
 use crate::pattern::Pattern;
 use crate::scene::{DressForm, Fabric};

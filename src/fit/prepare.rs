@@ -231,7 +231,7 @@ fn panel_faults(garment: &Garment, pattern: &Pattern) -> Vec<Fault> {
         let numbers = asked
             .placement
             .iter()
-            .flat_map(|p| p.offset_m.iter().chain(&p.rotate_deg))
+            .flat_map(|p| p.offset_m.iter().chain(&p.rotate_deg).chain(&p.up_deg))
             .chain(asked.grain_deg.iter());
         if numbers.clone().any(|n| !n.is_finite() || n.abs() > 1e4) {
             faults.push(

@@ -98,6 +98,9 @@ pub(crate) fn without_allowances(garment: &Garment, pattern: Pattern) -> Result<
                 .push(Fault::new("garment/number", pointer, detail).fix(fix));
             continue;
         }
+        if width == 0.0 {
+            continue;
+        }
         match panel.without_allowance(width) {
             Ok(net) => *panel = net,
             Err(fault) => faults.0.extend(Faults(vec![fault]).under(&pointer).0),

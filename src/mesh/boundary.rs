@@ -5,6 +5,9 @@ use super::geometry::{self, Point};
 use crate::pattern::Panel;
 use std::ops::Range;
 
+/// The number of a point that lies on another edge, until that edge is known.
+const UNKNOWN: usize = usize::MAX;
+
 /// A panel's boundary as closed rings of points, the outline first, then the holes; after them its sewn lines.
 #[derive(Debug)]
 pub(super) struct Boundary {
@@ -104,7 +107,7 @@ impl Boundary {
         self.rings.push(first..end);
     }
 
-    /// Adds a line's points; those at its joints are put in for now and taken out again by [`Self::join`].
+    /// Adds a line's points; those at its joints are known to [`Self::join`] only.
     fn add_line(&mut self, panel: &Panel, divided: &PanelDivision, edge: usize) {
         let division = &divided.divisions[edge];
         let points = divided.points(panel, edge);
@@ -120,7 +123,7 @@ impl Boundary {
         let mut numbers = vec![];
         for (i, point) in starts.into_iter().enumerate() {
             if i == 0 && joint(false) {
-                numbers.push(usize::MAX);
+                numbers.push(UNKNOWN);
                 continue;
             }
             numbers.push(self.points.len());
@@ -129,7 +132,7 @@ impl Boundary {
         if divided.is_closed(panel, edge) {
             numbers.push(first);
         } else if joint(true) {
-            numbers.push(usize::MAX);
+            numbers.push(UNKNOWN);
         } else {
             numbers.push(self.points.len());
             self.points.extend(points.last());

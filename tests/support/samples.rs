@@ -3,31 +3,11 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use seamster::config::Limits;
-use seamster::fit::{Garment, Library, PatternAsked, Prepared, prepare};
-use seamster::pattern::{ImportOptions, Pattern, import};
+use seamster::fit::{Garment, PatternAsked, Prepared, Shipped, prepare};
+use seamster::pattern::{ImportOptions, import};
 use seamster::progress::{CancelToken, Progress};
-use seamster::scene::{DressForm, Fabric, library};
 use seamster::solver::Context;
 use serde_json::Value;
-use std::sync::Arc;
-use uuid::Uuid;
-
-/// Nothing stored; the shipped fabrics.
-struct Shipped;
-
-impl Library for Shipped {
-    fn pattern(&self, _id: Uuid) -> Option<Arc<Pattern>> {
-        None
-    }
-
-    fn form(&self, _id: Uuid) -> Option<DressForm> {
-        None
-    }
-
-    fn fabric(&self, id: &str) -> Option<Fabric> {
-        library().remove(id)
-    }
-}
 
 /// The sample `name` with the fields of `changes` put over those of its garment file.
 pub(crate) fn sample(name: &str, changes: Value) -> Prepared {
