@@ -107,7 +107,7 @@ fn one(
     }
     let (a, b) = (laid.end(true), laid.end(false));
     if !is_sewn(garment, a.as_ref()) {
-        garment.sew(ends(saying, &format!("{}-ends", saying.id)), a, b);
+        garment.sew(ends(&format!("{}-ends", saying.id)), a, b);
     }
     Some([laid.free()?, vec![]])
 }
@@ -132,11 +132,12 @@ fn two(
         garment.sew_round(saying, Some(whole.0), Some(whole.1));
     } else {
         for (name, part, laid) in [("front", &opening[0], &a), ("back", &opening[1], &b)] {
-            let part_saying = Saying {
-                id: &format!("{}-{name}", saying.id),
-                ..saying
-            };
-            garment.sew(part_saying, Some(part.clone()), Some(laid.chain.clone()));
+            let id = format!("{}-{name}", saying.id);
+            garment.sew(
+                Saying { id: &id, ..saying },
+                Some(part.clone()),
+                Some(laid.chain.clone()),
+            );
         }
     }
     close(garment, saying, &a, &b);
@@ -167,11 +168,7 @@ fn close(garment: &mut Garment, saying: Saying<'_>, a: &Laid, b: &Laid) {
         if is_sewn(garment, first.as_ref()) {
             continue;
         }
-        garment.sew(
-            ends(saying, &format!("{}-end-{name}", saying.id)),
-            first,
-            second,
-        );
+        garment.sew(ends(&format!("{}-end-{name}", saying.id)), first, second);
     }
 }
 
@@ -181,13 +178,8 @@ fn is_sewn(garment: &Garment, end: Option<&Chain>) -> bool {
     first.is_some_and(|step| garment.is_sewn(step.panel, step.edge))
 }
 
-pub(super) fn ends<'a>(saying: Saying<'_>, id: &'a str) -> Saying<'a> {
-    Saying {
-        id,
-        because: "the ends of the band meet",
-        stage: saying.stage,
-        gather: false,
-    }
+pub(super) fn ends(id: &str) -> Saying<'_> {
+    Saying::new(id, "the ends of the band meet")
 }
 
 /// The long edge that fits an opening best, laid so that both outer sides are out.

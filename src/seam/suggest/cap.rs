@@ -16,7 +16,7 @@ const UNEVEN: f64 = 0.03;
 pub(super) fn front_hand(garment: &Garment, sleeve: &Piece) -> Option<Hand> {
     let cap = sleeve.segment(Role::Cap, None)?;
     let ends =
-        [Hand::Left, Hand::Right].map(|hand| notches(sleeve, cap, hand == first_hand(sleeve)));
+        [Hand::Left, Hand::Right].map(|hand| notches(sleeve, cap, hand == sleeve.first_hand()));
     let holes = [Which::Front, Which::Back].map(|which| {
         let (piece, segment) =
             garment.segment(Kind::Bodice, which, (Role::Armhole, Lateral::Left))?;
@@ -63,21 +63,12 @@ fn cut_out(sleeve: &Piece, cap: &Segment) -> Option<Hand> {
     if (area[0] - area[1]).abs() < UNEVEN * area[0].max(area[1]) {
         return None;
     }
-    let hand = first_hand(sleeve);
+    let hand = sleeve.first_hand();
     Some(if area[0] < area[1] {
         hand
     } else {
         hand.other()
     })
-}
-
-/// The hand at which a segment on the upper side begins, in order of numbers.
-fn first_hand(piece: &Piece) -> Hand {
-    if piece.shape.mirrored {
-        Hand::Right
-    } else {
-        Hand::Left
-    }
 }
 
 /// Distances of the notches on a segment from its beginning or its end \[m\].

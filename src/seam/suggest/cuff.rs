@@ -14,12 +14,8 @@ pub(super) fn sew(garment: &mut Garment) {
                 else {
                     continue;
                 };
-                let saying = Saying {
-                    id: &format!("{}-{side}", name(host, flared)),
-                    because: "the cuff goes round the hem",
-                    stage: 0,
-                    gather: true,
-                };
+                let id = format!("{}-{side}", name(host, flared));
+                let saying = Saying::new(&id, "the cuff goes round the hem").gathered();
                 opening = band::round(garment, saying, at, &bands, Rim::Upper);
             }
         }

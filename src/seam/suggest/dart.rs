@@ -16,12 +16,7 @@ pub(super) fn sew(garment: &mut Garment, pattern: &Pattern) {
                 continue;
             }
             let id = format!("dart-{}-{}", name(pattern, &piece), i + 1);
-            let saying = Saying {
-                id: &id,
-                because: "two edges of the panel that meet at a tip are a dart",
-                stage: 0,
-                gather: false,
-            };
+            let saying = Saying::new(&id, "two edges of the panel that meet at a tip are a dart");
             let leg = |edge: usize, forward| -> Chain {
                 vec![Step {
                     panel: piece.panel,

@@ -1,9 +1,7 @@
 //! The pieces of a garment as they lie round the body, and the seams that the rules have found so far.
 
 use super::join;
-use super::piece::{
-    Chain, Hand, Kind, Lateral, Piece, Role, Segment, Step, Which, length, reversed,
-};
+use super::piece::{Chain, Kind, Lateral, Piece, Role, Segment, Step, Which, length, reversed};
 
 /// Ease above which two edges are no seam, unless one of them may be gathered; and then.
 const MOST_EASE: f64 = 0.30;
@@ -17,7 +15,6 @@ pub(super) struct Draft {
     pub(super) id: String,
     pub(super) sides: [Chain; 2],
     pub(super) gather: bool,
-    pub(super) stage: u32,
     pub(super) confidence: f64,
     pub(super) because: String,
 }
@@ -29,9 +26,27 @@ pub(super) struct Saying<'a> {
     pub(super) id: &'a str,
     /// Why these edges belong together.
     pub(super) because: &'a str,
-    pub(super) stage: u32,
     /// Whether much ease is usual here.
     pub(super) gather: bool,
+}
+
+impl<'a> Saying<'a> {
+    /// Edges of one length.
+    pub(super) fn new(id: &'a str, because: &'a str) -> Self {
+        Self {
+            id,
+            because,
+            gather: false,
+        }
+    }
+
+    /// The same where much ease is usual.
+    pub(super) fn gathered(self) -> Self {
+        Self {
+            gather: true,
+            ..self
+        }
+    }
 }
 
 /// The pieces of a garment round the body.
@@ -115,11 +130,8 @@ impl Garment {
             };
         }
         let top = segment.role != Role::Hem;
-        let begins = if top == piece.shape.mirrored {
-            Hand::Right
-        } else {
-            Hand::Left
-        };
+        let first = piece.first_hand();
+        let begins = if top { first } else { first.other() };
         if piece.lateral_of(begins) == from {
             chain
         } else {
@@ -196,7 +208,6 @@ impl Garment {
                 id,
                 sides,
                 gather: ease > MOST_EASE,
-                stage: saying.stage,
                 confidence: (fit * (0.4 + 0.6 * usual)).clamp(0.01, 0.99),
                 because: format!(
                     "{}; the lengths agree to {:.1} %",

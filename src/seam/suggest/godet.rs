@@ -36,12 +36,8 @@ pub(super) fn sew(garment: &mut Garment) {
             let side = godet
                 .segment(Role::Side, Some(hand))
                 .map(|s| godet.chain_from(s, Role::Hem));
-            let saying = Saying {
-                id: &format!("godet-{}-{name}", godet.panel),
-                because: "the godet is set into the slit",
-                stage: 0,
-                gather: false,
-            };
+            let id = format!("godet-{}-{name}", godet.panel);
+            let saying = Saying::new(&id, "the godet is set into the slit");
             garment.sew(saying, Some(leg), side);
         }
     }

@@ -15,24 +15,14 @@ pub(super) fn sew(garment: &mut Garment) {
     else {
         return;
     };
-    let saying = Saying {
-        id: "hood-centre",
-        because: "the halves of the hood meet over the head",
-        stage: 0,
-        gather: false,
-    };
+    let saying = Saying::new("hood-centre", "the halves of the hood meet over the head");
     let [a, b] = [&left, &right].map(|p| edge(p, Role::Centre));
     garment.sew(saying, a, b);
     for (piece, lateral, id) in [
         (&left, Lateral::Left, "hood-left"),
         (&right, Lateral::Right, "hood-right"),
     ] {
-        let saying = Saying {
-            id,
-            because: "the hood is sewn to the neck",
-            stage: 0,
-            gather: true,
-        };
+        let saying = Saying::new(id, "the hood is sewn to the neck").gathered();
         let neck = neck(garment, lateral);
         garment.sew(saying, neck, edge(piece, Role::Neck));
     }

@@ -150,7 +150,7 @@ impl Ids<'_> {
                 a,
                 b,
                 matching: Match::AsPicked,
-                stage: draft.stage,
+                stage: 0,
                 gather: draft.gather,
                 layered: false,
                 allow_twist: false,

@@ -22,15 +22,6 @@ pub(super) fn sew(garment: &mut Garment) {
     }
 }
 
-fn saying<'a>(id: &'a str, because: &'a str) -> Saying<'a> {
-    Saying {
-        id,
-        because,
-        stage: 0,
-        gather: true,
-    }
-}
-
 /// The neck's front and back part.
 fn neck(garment: &Garment) -> Option<Opening> {
     if let Some(ring) = raglan::neck(garment) {
@@ -68,7 +59,7 @@ fn neckband(garment: &mut Garment) {
     if let Some(bands) = bands {
         band::round(
             garment,
-            saying("neckband", "it goes round the neck"),
+            Saying::new("neckband", "it goes round the neck").gathered(),
             &neck,
             &bands,
             Rim::Lower,
@@ -96,7 +87,7 @@ fn quarters(garment: &mut Garment) -> bool {
             let neck = garment.chain(Kind::Bodice, which, (Role::Neck, lateral), Role::Shoulder);
             let id = format!("collar-{name}-{side}");
             any |= garment.sew(
-                saying(&id, "the collar goes round the neck"),
+                Saying::new(&id, "the collar goes round the neck").gathered(),
                 neck,
                 part.as_ref().map(|l| l.chain.clone()),
             );
@@ -106,7 +97,7 @@ fn quarters(garment: &mut Garment) -> bool {
             .map(|p| p.as_ref().and_then(|l| l.end(true)));
         let [a, b] = shoulder;
         let id = format!("collar-shoulder-{side}");
-        garment.sew(band::ends(saying("", ""), &id), a, b);
+        garment.sew(band::ends(&id), a, b);
         laid.push(parts);
     }
     for (i, id) in ["collar-centre-front", "collar-centre-back"]
@@ -114,7 +105,7 @@ fn quarters(garment: &mut Garment) -> bool {
         .enumerate()
     {
         let of = |side: usize| laid[side][i].as_ref().and_then(|l| l.end(false));
-        garment.sew(band::ends(saying("", ""), id), of(0), of(1));
+        garment.sew(band::ends(id), of(0), of(1));
     }
     any
 }
@@ -129,7 +120,7 @@ fn armhole(garment: &mut Garment, lateral: Lateral, side: &str) {
         .cloned();
     if let (Some(front), Some(back), Some(band)) = (front, back, band) {
         let id = format!("armband-{side}");
-        let saying = saying(&id, "the band goes round the armhole");
+        let saying = Saying::new(&id, "the band goes round the armhole").gathered();
         band::round(
             garment,
             saying,

@@ -167,6 +167,15 @@ impl Piece {
         }
     }
 
+    /// The hand at which a segment on the upper side begins, in order of numbers.
+    pub(super) fn first_hand(&self) -> Hand {
+        if self.shape.mirrored {
+            Hand::Right
+        } else {
+            Hand::Left
+        }
+    }
+
     /// The hand of it that lies on the wearer's side.
     pub(super) fn hand_of(&self, lateral: Lateral) -> Hand {
         if self.lateral_of(Hand::Left) == lateral {

@@ -19,12 +19,11 @@ pub(super) fn sew(garment: &mut Garment) {
                 .segment(Role::Armhole, Some(hand))
                 .map(|s| piece.chain_from(s, Role::Underarm));
             let b = garment.chain(Kind::Bodice, which, (Role::Armhole, lateral), Role::Side);
-            let saying = Saying {
-                id: &format!("raglan-{name}-{side}"),
-                because: "the raglan sleeve meets front and back from the underarm to the neck",
-                stage: 0,
-                gather: false,
-            };
+            let id = format!("raglan-{name}-{side}");
+            let saying = Saying::new(
+                &id,
+                "the raglan sleeve meets front and back from the underarm to the neck",
+            );
             garment.sew(saying, a, b);
         }
     }
@@ -81,13 +80,8 @@ pub(super) fn neck(garment: &Garment) -> Option<Chain> {
 fn across(garment: &Garment, lateral: Lateral) -> Option<Chain> {
     let piece = piece(garment, lateral)?;
     let chain = piece.chain(piece.segment(Role::Neck, None)?);
-    let begins = if piece.shape.mirrored {
-        Hand::Right
-    } else {
-        Hand::Left
-    };
     let front = front_hand(garment, piece, lateral);
-    Some(if begins == front {
+    Some(if piece.first_hand() == front {
         chain
     } else {
         super::piece::reversed(&chain)

@@ -17,15 +17,6 @@ pub(super) fn sew(garment: &mut Garment) {
     on_itself(garment);
 }
 
-fn saying<'a>(id: &'a str, because: &'a str) -> Saying<'a> {
-    Saying {
-        id,
-        because,
-        stage: 0,
-        gather: false,
-    }
-}
-
 /// Fronts and backs, the uppermost first, with halves of one side only.
 fn stack(garment: &Garment, which: Which, lateral: Lateral) -> Vec<Piece> {
     let here = |p: &&Piece| p.which == Some(which) && (!p.half || p.lateral == Some(lateral));
@@ -55,7 +46,7 @@ fn levels(garment: &mut Garment) {
                 format!("level-{i}-side-{side}")
             };
             garment.sew(
-                saying(&id, "front and back of the skirt meet at the side"),
+                Saying::new(&id, "front and back of the skirt meet at the side"),
                 of(front),
                 of(back),
             );
@@ -74,13 +65,11 @@ fn levels(garment: &mut Garment) {
             };
             let (a, b) = (of(&pair[0], Role::Hem), of(&pair[1], Role::Waist));
             let id = format!("level-{}-{name}", i + 1);
-            let saying = Saying {
-                gather: true,
-                ..saying(
-                    &id,
-                    "a level of the skirt hangs from the hem of the one above",
-                )
-            };
+            let saying = Saying::new(
+                &id,
+                "a level of the skirt hangs from the hem of the one above",
+            )
+            .gathered();
             garment.sew(saying, a, b);
         }
     }
@@ -118,7 +107,7 @@ fn gores(garment: &mut Garment) {
         };
         let id = format!("gore-{}", i + 1);
         garment.sew(
-            saying(&id, "gores meet side to side"),
+            Saying::new(&id, "gores meet side to side"),
             side(gore, Hand::Right),
             side(next, Hand::Left),
         );
@@ -140,7 +129,7 @@ fn on_itself(garment: &mut Garment) {
             .map(|s| piece.chain_from(s, Role::Waist))
     });
     garment.sew(
-        saying("skirt-back", "a skirt of one panel is closed on itself"),
+        Saying::new("skirt-back", "a skirt of one panel is closed on itself"),
         a,
         b,
     );

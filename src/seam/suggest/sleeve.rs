@@ -43,15 +43,6 @@ fn tell_left_from_right(garment: &mut Garment) {
     }
 }
 
-fn saying<'a>(id: &'a str, because: &'a str) -> Saying<'a> {
-    Saying {
-        id,
-        because,
-        stage: 0,
-        gather: false,
-    }
-}
-
 /// The armhole from the shoulder down the front and up the back.
 fn armhole(garment: &Garment, lateral: Lateral) -> Option<Chain> {
     let place = (Role::Armhole, lateral);
@@ -79,32 +70,20 @@ fn halves(garment: &mut Garment, lateral: Lateral, side: &str) {
     ] {
         let a = part(garment, Which::Front, role, Role::Hem);
         let b = part(garment, Which::Back, role, Role::Hem);
-        garment.sew(saying(&format!("{name}-{side}"), because), a, b);
+        garment.sew(Saying::new(&format!("{name}-{side}"), because), a, b);
     }
     let cap = part(garment, Which::Front, Role::Cap, Role::Top).and_then(|mut cap| {
         cap.extend(part(garment, Which::Back, Role::Cap, Role::Underarm)?);
         Some(cap)
     });
     let hole = armhole(garment, lateral);
-    garment.sew_round(set_in(side).as_saying(), hole, cap);
+    set_in(garment, side, hole, cap);
 }
 
-struct SetIn(String);
-
-fn set_in(side: &str) -> SetIn {
-    SetIn(format!("armhole-{side}"))
-}
-
-impl SetIn {
-    fn as_saying(&self) -> Saying<'_> {
-        Saying {
-            gather: true,
-            ..saying(
-                &self.0,
-                "the sleeve is set into the armhole, front to front and underarm to underarm",
-            )
-        }
-    }
+fn set_in(garment: &mut Garment, side: &str, hole: Option<Chain>, cap: Option<Chain>) {
+    let id = format!("armhole-{side}");
+    let because = "the sleeve is set into the armhole, front to front and underarm to underarm";
+    garment.sew_round(Saying::new(&id, because).gathered(), hole, cap);
 }
 
 /// A sleeve in one piece.
@@ -123,7 +102,7 @@ fn whole(garment: &mut Garment, lateral: Lateral, side: &str) {
     };
     let (a, b) = (under(Hand::Left), under(Hand::Right));
     garment.sew(
-        saying(
+        Saying::new(
             &format!("underarm-{side}"),
             "the sleeve is closed under the arm",
         ),
@@ -137,12 +116,7 @@ fn whole(garment: &mut Garment, lateral: Lateral, side: &str) {
     let hole = armhole(garment, lateral);
     let cap = piece.segment(Role::Cap, None).map(|segment| {
         let chain = piece.chain(segment);
-        let begins = if piece.shape.mirrored {
-            Hand::Right
-        } else {
-            Hand::Left
-        };
-        if begins == front {
+        if piece.first_hand() == front {
             reversed(&chain)
         } else {
             chain
@@ -150,7 +124,7 @@ fn whole(garment: &mut Garment, lateral: Lateral, side: &str) {
     });
     // From the underarm up the back: the armhole turned to begin there.
     let hole = hole.map(|hole| from_underarm(garment, lateral, hole));
-    garment.sew_round(set_in(side).as_saying(), hole, cap);
+    set_in(garment, side, hole, cap);
 }
 
 /// The armhole from the underarm up the back and down the front.

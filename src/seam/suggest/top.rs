@@ -11,19 +11,15 @@ pub(super) fn sew(garment: &mut Garment) {
                 .map(|which| garment.chain(Kind::Bodice, which, (role, lateral), from))
         };
         let [a, b] = both(garment, Role::Shoulder, Role::Neck);
-        let saying = Saying {
-            id: &format!("shoulder-{side}"),
-            because: "front and back meet at the shoulder",
-            stage: 0,
-            gather: false,
-        };
+        let id = format!("shoulder-{side}");
+        let saying = Saying::new(&id, "front and back meet at the shoulder");
         garment.sew(saying, a, b);
         let [a, b] = both(garment, Role::Side, Role::Hem);
-        let saying = Saying {
-            id: &format!("side-{side}"),
-            because: "front and back meet at the side, hem to hem and armhole to armhole",
-            ..saying
-        };
+        let id = format!("side-{side}");
+        let saying = Saying::new(
+            &id,
+            "front and back meet at the side, hem to hem and armhole to armhole",
+        );
         garment.sew(saying, a, b);
     }
     centre(garment, Kind::Bodice, Which::Front);
@@ -44,11 +40,6 @@ pub(super) fn centre(garment: &mut Garment, kind: Kind, which: Which) {
         (_, Which::Front) => "centre-front",
         (_, Which::Back) => "centre-back",
     };
-    let saying = Saying {
-        id,
-        because: "the left and the right half meet at the centre",
-        stage: 0,
-        gather: false,
-    };
+    let saying = Saying::new(id, "the left and the right half meet at the centre");
     garment.sew(saying, a, b);
 }

@@ -20,7 +20,7 @@ pub(super) fn sew(garment: &mut Garment) {
         ] {
             let [a, b] = [Which::Front, Which::Back]
                 .map(|which| garment.chain(Kind::Trouser, which, (role, lateral), Role::Hem));
-            garment.sew(saying(&format!("{name}-{side}"), because), a, b);
+            garment.sew(Saying::new(&format!("{name}-{side}"), because), a, b);
         }
     }
     for (which, name) in [(Which::Front, "crotch-front"), (Which::Back, "crotch-back")] {
@@ -28,18 +28,9 @@ pub(super) fn sew(garment: &mut Garment) {
             garment.chain(Kind::Trouser, which, (Role::Crotch, lateral), Role::Waist)
         });
         garment.sew(
-            saying(name, "the left and the right leg meet at the crotch"),
+            Saying::new(name, "the left and the right leg meet at the crotch"),
             a,
             b,
         );
-    }
-}
-
-fn saying<'a>(id: &'a str, because: &'a str) -> Saying<'a> {
-    Saying {
-        id,
-        because,
-        stage: 0,
-        gather: false,
     }
 }

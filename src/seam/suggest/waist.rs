@@ -19,7 +19,7 @@ pub(super) fn sew(garment: &mut Garment) {
     };
     let both = lower.is_some() && upper.is_some();
     if let Some(lower) = lower {
-        let saying = saying("waistband", "the waistband goes round the waist");
+        let saying = Saying::new("waistband", "the waistband goes round the waist").gathered();
         band::round(
             garment,
             saying,
@@ -29,7 +29,8 @@ pub(super) fn sew(garment: &mut Garment) {
         );
     }
     if let Some(upper) = upper {
-        let saying = saying("bodice-waistband", "the bodice is sewn to the waistband");
+        let saying =
+            Saying::new("bodice-waistband", "the bodice is sewn to the waistband").gathered();
         band::round(
             garment,
             saying,
@@ -42,24 +43,16 @@ pub(super) fn sew(garment: &mut Garment) {
 
 /// The bodice sewn to what hangs from it.
 fn join(garment: &mut Garment, upper: &Opening, lower: &Opening) {
-    let saying = saying(
+    let saying = Saying::new(
         "waist",
         "the bodice is sewn to what hangs from it at the waist",
-    );
+    )
+    .gathered();
     let (a, b) = (upper.concat(), lower.concat());
     if lower[1].is_empty() || upper[1].is_empty() {
         garment.sew_anyhow(saying, &a, &b);
     } else {
         garment.sew_round(saying, Some(a), Some(b));
-    }
-}
-
-fn saying<'a>(id: &'a str, because: &'a str) -> Saying<'a> {
-    Saying {
-        id,
-        because,
-        stage: 0,
-        gather: true,
     }
 }
 
