@@ -1,6 +1,6 @@
 //! The assembled scene in neutral JSON, for other simulators.
 
-use crate::scene::Scene;
+use crate::scene::{Body, Scene};
 use crate::solver;
 use serde_json::{Value, json};
 
@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 /// body as triangles; SI units, y up.
 pub(super) fn scene_json(scene: &Scene) -> Value {
     let triple = |p: &nalgebra::Vector3<f64>| [p.x, p.y, p.z];
-    let collider = scene.avatar.as_ref().map(|avatar| {
+    let collider = scene.body.as_ref().and_then(Body::avatar).map(|avatar| {
         json!({
             "vertices": avatar.surface.vertices.iter().map(triple).collect::<Vec<_>>(),
             "triangles": avatar.surface.triangles,

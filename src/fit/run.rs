@@ -6,7 +6,7 @@ use super::prepare::{Prepared, fabric, placement};
 use crate::export::{GarmentMesh, PanelMesh};
 use crate::fault::{Fault, Faults};
 use crate::mesh::{self, ClothMesh};
-use crate::scene::{self, Avatar, Cut, PanelParts, Parts, Scene, ToPlace};
+use crate::scene::{self, Avatar, Body, Cut, PanelParts, Parts, Scene, ToPlace};
 use crate::seam::Face;
 use crate::solver::{self, Context, Report};
 use nalgebra::Vector3;
@@ -136,7 +136,7 @@ fn assemble(prepared: &Prepared, mesh: ClothMesh) -> Result<Scene, Faults> {
         mesh,
         panels,
         fabrics,
-        avatar,
+        body: avatar.map(Body::Avatar),
         friction: garment.friction,
         pins,
     }))

@@ -1,9 +1,8 @@
 //! A scene from its parts.
 
-use super::{Avatar, Cut, Fabric, Placed, Scene};
+use super::{Body, Cut, Fabric, Placed, Scene};
 use crate::mesh::ClothMesh;
 use nalgebra::Vector3;
-use std::sync::Arc;
 
 /// What a scene is made of.
 #[derive(Clone, Debug)]
@@ -15,7 +14,7 @@ pub struct Parts {
     /// Fabrics in use.
     pub fabrics: Vec<Fabric>,
     /// The body, if there is one.
-    pub avatar: Option<Arc<Avatar>>,
+    pub body: Option<Body>,
     /// Coulomb coefficient against the body; that of the smoothest fabric in use if absent.
     pub friction: Option<f64>,
     /// Vertices that do not move.
@@ -40,7 +39,7 @@ pub fn build(parts: Parts) -> Scene {
         mesh,
         panels,
         fabrics,
-        avatar,
+        body,
         friction,
         pins,
     } = parts;
@@ -72,9 +71,12 @@ pub fn build(parts: Parts) -> Scene {
         mass,
         fabrics,
         cut,
-        avatar,
+        net: None,
+        body,
         friction,
         gravity: GRAVITY,
         pins,
+        held_axis: None,
+        wind: None,
     }
 }

@@ -1,19 +1,22 @@
 //! From a mesh, fabrics, an avatar and placements to a [`Scene`] of only the terms that it needs.
 
 mod avatar;
+mod body;
 mod build;
 mod fabric;
 mod placement;
+mod wind;
 
 pub use avatar::{Avatar, BodySample, DressForm, LANDMARKS, TriangleMesh};
+pub use body::{Analytic, Body};
 pub use fabric::{Fabric, library};
+pub use wind::Wind;
 
 pub use build::{PanelParts, Parts, build};
 pub use placement::{Placed, ToPlace, place};
 
 use crate::mesh::ClothMesh;
 use nalgebra::Vector3;
-use std::sync::Arc;
 
 /// Everything a solver needs to know, in SI units.
 #[derive(Clone, Debug)]
@@ -28,14 +31,33 @@ pub struct Scene {
     pub fabrics: Vec<Fabric>,
     /// What each panel is cut from: index into `fabrics` and the angle of the warp, counter-clockwise from +x \[rad\].
     pub cut: Vec<Cut>,
+    /// Springs given as they are, which then are the membrane; those of the fabrics if absent.
+    pub net: Option<Vec<NetSpring>>,
     /// The body, if there is one.
-    pub avatar: Option<Arc<Avatar>>,
+    pub body: Option<Body>,
     /// Coulomb coefficient between cloth and body.
     pub friction: f64,
     /// Acceleration \[m/s²\].
     pub gravity: Vector3<f64>,
     /// Vertices that do not move.
     pub pins: Vec<usize>,
+    /// The coordinate in which nothing moves (0 x, 1 y, 2 z), for a problem in a plane.
+    pub held_axis: Option<usize>,
+    /// Moving air, if there is any.
+    pub wind: Option<Wind>,
+}
+
+/// A spring between two vertices.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct NetSpring {
+    /// One vertex.
+    pub a: usize,
+    /// The other.
+    pub b: usize,
+    /// \[m\]
+    pub rest_length_m: f64,
+    /// \[N/m\]
+    pub stiffness_n_m: f64,
 }
 
 /// How a panel is cut from its fabric.

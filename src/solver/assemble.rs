@@ -66,7 +66,7 @@ pub(crate) fn assemble<'a>(
     for &pin in &scene.pins {
         held[particles.of_vertex[pin]] = true;
     }
-    let contact = scene.avatar.as_ref().map(|avatar| {
+    let contact = scene.body.as_ref().map(|body| {
         let thickness = scene
             .fabrics
             .iter()
@@ -75,7 +75,7 @@ pub(crate) fn assemble<'a>(
         let area = particles.sum(&vertex_areas(scene));
         let friction = (stage.friction && scene.friction > 0.0)
             .then(|| Friction::new(scene.friction, mass.len()));
-        BodyContact::new(avatar.clone(), SKIN_OFFSET + 0.5 * thickness, &area)
+        BodyContact::new(body.clone(), SKIN_OFFSET + 0.5 * thickness, &area)
             .with_friction(friction)
             .with_reuse(stage.reuse)
     });

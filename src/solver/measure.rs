@@ -50,11 +50,11 @@ pub(crate) fn strain(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
 ///
 /// Distances are those of the body's own triangles, not of the smooth field that contact uses.
 pub(crate) fn penetration(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
-    let Some(avatar) = &scene.avatar else {
+    let Some(body) = &scene.body else {
         return 0.0;
     };
-    let depth = |p: &Vector3<f64>| match avatar.sample(p) {
-        Some(near) if near.distance < 2e-3 => -avatar.exact_distance(p),
+    let depth = |p: &Vector3<f64>| match body.sample(p) {
+        Some(near) if near.distance < 2e-3 => -body.exact_distance(p),
         _ => 0.0,
     };
     let vertices = x.iter().map(&depth).fold(0.0, f64::max);

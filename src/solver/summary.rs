@@ -48,7 +48,7 @@ pub(super) fn left_out(scene: &Scene) -> Vec<LeftOut> {
         });
     };
     leave("self_contact", "cloth against cloth is not looked for");
-    if scene.avatar.is_none() {
+    if scene.body.is_none() {
         leave("contact", "the scene has no avatar");
     } else if scene.friction == 0.0 {
         leave("friction", "the coefficient is 0");
@@ -72,7 +72,7 @@ pub(super) fn mean_height(x: &[Vector3<f64>]) -> f64 {
 
 /// Whether the body carries the garment: it came to rest on it without sinking far.
 pub(super) fn worn(scene: &Scene, report: &Report, sunk: f64) -> Worn {
-    let (ok, because) = if scene.avatar.is_none() {
+    let (ok, because) = if scene.body.is_none() {
         (false, "there is no avatar".to_owned())
     } else if !report.converged {
         (

@@ -6,11 +6,10 @@
 //! energy k/2 |u|² up to the slip s = μ N / k, μ N (|u| - s/2) beyond. N and the anchors are those of the last accepted step
 //! (lagged), so that within a step friction has an energy.
 
-use crate::scene::{Avatar, BodySample};
+use crate::scene::{Body, BodySample};
 use crate::solver::forces::Force;
 use crate::solver::sparsity::{BlockMatrix, Sparsity};
 use nalgebra::{Matrix3, Vector3};
-use std::sync::Arc;
 
 /// Stiffness of the layer on the skin, per area \[N/m³\]: a garment's few hundred pascals press 0.1 mm into it.
 const LAYER_STIFFNESS: f64 = 5e6;
@@ -55,7 +54,7 @@ struct Memory {
 
 /// Contact of all particles with the body.
 pub(crate) struct BodyContact {
-    avatar: Arc<Avatar>,
+    body: Body,
     /// Distance that is kept from the body \[m\].
     offset: f64,
     /// k A of each particle \[N/m\].
@@ -69,14 +68,14 @@ pub(crate) struct BodyContact {
 
 impl BodyContact {
     /// Contact that keeps particles of cloth area `area` \[m²\] at `offset` \[m\] from the body.
-    pub(crate) fn new(avatar: Arc<Avatar>, offset: f64, area: &[f64]) -> Self {
+    pub(crate) fn new(body: Body, offset: f64, area: &[f64]) -> Self {
         let never = Memory {
             at: Vector3::repeat(f64::INFINITY),
             sample: None,
             reach: 0.0,
         };
         Self {
-            avatar,
+            body,
             offset,
             stiffness: area.iter().map(|a| a * LAYER_STIFFNESS).collect(),
             memory: vec![never; area.len()],
@@ -104,7 +103,7 @@ impl BodyContact {
         let moved = x - memory.at;
         // A particle that was never looked at is infinitely far from where it was.
         if moved.norm() > memory.reach {
-            let sample = self.avatar.sample(x);
+            let sample = self.body.sample(x);
             // Outside the layer nothing is felt until the particle has come nearer by the distance that is left.
             let free = sample.map_or(self.offset, |s| s.distance - self.offset);
             let touching = sample.filter(|s| s.distance < self.offset + self.reuse);

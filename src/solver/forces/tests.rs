@@ -1,7 +1,7 @@
 //! Every force against the differences of its energy, every second derivative against those of its force, and closed forms.
 
 use super::*;
-use crate::scene::DressForm;
+use crate::scene::{Body, DressForm};
 use crate::solver::contact::{BodyContact, Friction};
 use nalgebra::{DMatrix, Matrix3};
 use std::sync::Arc;
@@ -182,8 +182,8 @@ fn contact_and_friction_are_the_gradients_of_their_energy() {
         skin + (p - skin).normalize() * *out
     })
     .collect();
-    let mut contact =
-        BodyContact::new(avatar, 2e-3, &[1e-4; 4]).with_friction(Some(Friction::new(0.3, 4)));
+    let mut contact = BodyContact::new(Body::Avatar(avatar), 2e-3, &[1e-4; 4])
+        .with_friction(Some(Friction::new(0.3, 4)));
     contact.accept(&x);
     // One sticks, the others slip: the first moves by less than the give of its spring (0.3 x 0.8 mm).
     x[0] += Vector3::new(5e-5, 0.0, 0.0);
