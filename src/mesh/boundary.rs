@@ -47,6 +47,17 @@ impl Boundary {
         boundary
     }
 
+    /// Closed rings of points, the outline first, without edges or lines.
+    pub(super) fn of_rings(points: Vec<Point>, rings: Vec<Range<usize>>) -> Self {
+        Self {
+            points,
+            rings,
+            edge_starts: vec![],
+            edges: vec![],
+            lines: vec![],
+        }
+    }
+
     /// Mesh edges along the rings, each as two point indices.
     pub(super) fn ring_segments(&self) -> impl Iterator<Item = [usize; 2]> + '_ {
         self.rings.iter().flat_map(|ring| {

@@ -2,6 +2,7 @@
 
 mod boundary;
 mod check;
+mod coarser;
 mod delaunay;
 mod divide;
 mod geometry;
@@ -11,6 +12,8 @@ mod lattice;
 mod morton;
 mod slots;
 mod stitch;
+
+pub use coarser::{Coarser, coarser};
 
 use crate::config::Limits;
 use crate::fault::{Fault, Faults};

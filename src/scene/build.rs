@@ -72,6 +72,7 @@ pub fn build(parts: Parts) -> Scene {
         fabrics,
         cut,
         net: None,
+        fibres: None,
         body,
         friction,
         gravity: GRAVITY,

@@ -3,12 +3,14 @@
 mod avatar;
 mod body;
 mod build;
+mod coarser;
 mod fabric;
 mod placement;
 mod wind;
 
 pub use avatar::{Avatar, BodySample, DressForm, LANDMARKS, TriangleMesh};
 pub use body::{Analytic, Body};
+pub use coarser::{CoarserScene, coarser};
 pub use fabric::{Fabric, library};
 pub use wind::Wind;
 
@@ -33,6 +35,8 @@ pub struct Scene {
     pub cut: Vec<Cut>,
     /// Springs given as they are, which then are the membrane; those of the fabrics if absent.
     pub net: Option<Vec<NetSpring>>,
+    /// What a finer net is on this mesh; the membrane if there are any.
+    pub fibres: Option<Vec<Fibre>>,
     /// The body, if there is one.
     pub body: Option<Body>,
     /// Coulomb coefficient between cloth and body.
@@ -69,4 +73,17 @@ pub struct Cut {
     pub warp_angle: f64,
     /// Whether the drawn side of the panel is in (its triangles are turned for export).
     pub face_down: bool,
+}
+
+/// A spring between two points of one triangle: its length is `|sum weights x|`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Fibre {
+    /// The triangle.
+    pub corners: [usize; 3],
+    /// Of the corners; they add up to 0.
+    pub weights: [f64; 3],
+    /// \[m\], if the weights are numbers; of unit length if they are gradients.
+    pub rest_length_m: f64,
+    /// \[N/m\]
+    pub stiffness_n_m: f64,
 }

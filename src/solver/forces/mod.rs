@@ -2,12 +2,14 @@
 
 mod bend;
 mod continuum;
+mod fibre;
 mod gravity;
 mod sewing;
 mod spring;
 
 pub(crate) use bend::{BendForce, Hinge, HingeSide};
 pub(crate) use continuum::{ContinuumForce, Membrane};
+pub(crate) use fibre::FibreForce;
 pub(crate) use gravity::Gravity;
 pub(crate) use sewing::SewingForce;
 pub(crate) use spring::{Spring, SpringForce};
