@@ -1,6 +1,7 @@
 //! What cloth is draped on: a garment's avatar, or a body that a formula describes.
 
 use super::avatar::{Avatar, BodySample};
+use crate::fault::Fault;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -104,6 +105,55 @@ impl Analytic {
                 }
             }
         }
+    }
+}
+
+impl Analytic {
+    /// What is wrong with it: numbers that are not finite, no radius, no direction; each under `pointer`.
+    pub fn check(&self, pointer: &str) -> Vec<Fault> {
+        let mut faults = Vec::new();
+        let mut tell = |wrong: bool, field: &str, detail: &str| {
+            if wrong {
+                let pointer = format!("{pointer}/{field}");
+                faults.push(Fault::new("scene/body", pointer, detail));
+            }
+        };
+        let infinite = |p: &[f64; 3]| !p.iter().all(|c| c.is_finite());
+        let (points, direction, radius) = match self {
+            Self::Sphere { c, r } => ([("c", c), ("c", c)], None, Some(r)),
+            Self::Capsule { a, b, r } => {
+                let along = [0, 1, 2].map(|k| b[k] - a[k]);
+                ([("a", a), ("b", b)], Some(("b", along)), Some(r))
+            }
+            Self::Cylinder { c, axis, r } => {
+                ([("c", c), ("axis", axis)], Some(("axis", *axis)), Some(r))
+            }
+            Self::HalfSpace { c, normal } => (
+                [("c", c), ("normal", normal)],
+                Some(("normal", *normal)),
+                None,
+            ),
+        };
+        let points = if points[0].0 == points[1].0 {
+            &points[..1]
+        } else {
+            &points[..]
+        };
+        for &(field, p) in points {
+            tell(infinite(p), field, "a coordinate is not a finite number");
+        }
+        if let Some((field, d)) = direction {
+            let square: f64 = d.iter().map(|c| c * c).sum();
+            tell(square == 0.0, field, "it has no direction: its length is 0");
+        }
+        if let Some(&r) = radius {
+            tell(
+                !(r > 0.0 && r.is_finite()),
+                "r",
+                "the radius is not above 0",
+            );
+        }
+        faults
     }
 }
 

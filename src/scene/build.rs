@@ -76,6 +76,7 @@ pub fn build(parts: Parts) -> Scene {
         body,
         friction,
         gravity: GRAVITY,
+        drag: None,
         pins,
         held_axis: None,
         wind: None,

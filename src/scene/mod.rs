@@ -6,12 +6,14 @@ mod build;
 mod coarser;
 mod fabric;
 mod placement;
+mod raw;
 mod wind;
 
 pub use avatar::{Avatar, BodySample, DressForm, LANDMARKS, TriangleMesh};
 pub use body::{Analytic, Body};
 pub use coarser::{CoarserScene, coarser};
 pub use fabric::{Fabric, library};
+pub use raw::RawScene;
 pub use wind::Wind;
 
 pub use build::{PanelParts, Parts, build};
@@ -19,6 +21,7 @@ pub use placement::{Placed, ToPlace, place};
 
 use crate::mesh::ClothMesh;
 use nalgebra::Vector3;
+use serde::{Deserialize, Serialize};
 
 /// Everything a solver needs to know, in SI units.
 #[derive(Clone, Debug)]
@@ -43,6 +46,8 @@ pub struct Scene {
     pub friction: f64,
     /// Acceleration \[m/s²\].
     pub gravity: Vector3<f64>,
+    /// Drag force over mass and velocity \[1/s\]; the method's own if absent.
+    pub drag: Option<f64>,
     /// Vertices that do not move.
     pub pins: Vec<usize>,
     /// The coordinate in which nothing moves (0 x, 1 y, 2 z), for a problem in a plane.
@@ -52,7 +57,8 @@ pub struct Scene {
 }
 
 /// A spring between two vertices.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct NetSpring {
     /// One vertex.
     pub a: usize,

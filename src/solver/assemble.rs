@@ -8,13 +8,16 @@ use super::forces::{
 };
 use super::system::{System, TimedForce};
 use super::topology::Particles;
-use crate::scene::{Fabric, Scene};
+use crate::scene::{Fabric, NetSpring, Scene};
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
 /// Distance that cloth is kept from the skin, besides half its thickness \[m\]: what keeps the middles of triangles, which
 /// cut across the body's curves, outside too (an edge of 12 mm sags 0.9 mm into a shoulder of 20 mm radius).
 const SKIN_OFFSET: f64 = 2e-3;
+
+/// Mass per area of cloth of which only the mass is known \[kg/m²\]: a shirt's.
+const TYPICAL_DENSITY: f64 = 0.2;
 
 /// What one stage of a fit asks for.
 pub(crate) struct Stage<'a> {
@@ -39,9 +42,11 @@ pub(crate) fn assemble<'a>(
 ) -> System<'a> {
     let particles = stage.particles;
     let mass = particles.sum(&scene.mass);
-    let mut forces: Vec<Box<dyn Force>> = vec![match ask.membrane {
-        MembraneKind::Continuum => Box::new(ContinuumForce::new(membranes(scene, particles))),
-        MembraneKind::Springs => Box::new(SpringForce::new(spring_net(scene, particles))),
+    let mut forces: Vec<Box<dyn Force>> = vec![match (&scene.net, ask.membrane) {
+        (None, MembraneKind::Continuum) => {
+            Box::new(ContinuumForce::new(membranes(scene, particles)))
+        }
+        _ => Box::new(SpringForce::new(spring_net(scene, particles))),
     }];
     let hinges = hinges(scene, particles);
     if !hinges.is_empty() {
@@ -86,6 +91,7 @@ pub(crate) fn assemble<'a>(
     System {
         mass,
         held,
+        held_axis: scene.held_axis,
         terms,
         contact,
         contact_cpu_s: 0.0,
@@ -93,8 +99,11 @@ pub(crate) fn assemble<'a>(
     }
 }
 
-/// Cloth area that each vertex stands for: a third of each of its triangles \[m²\].
+/// Cloth area that each vertex stands for: a third of each of its triangles \[m²\]; guessed from its mass where there are none.
 fn vertex_areas(scene: &Scene) -> Vec<f64> {
+    if scene.mesh.triangles.is_empty() {
+        return scene.mass.iter().map(|m| m / TYPICAL_DENSITY).collect();
+    }
     let mut area = vec![0.0; scene.mesh.uv.len()];
     for triangle in &scene.mesh.triangles {
         let third = rest_area(triangle.map(|v| scene.mesh.uv[v])) / 3.0;
@@ -152,12 +161,15 @@ fn membranes(scene: &Scene, particles: &Particles) -> Vec<Membrane> {
         .collect()
 }
 
-/// Springs on the edges of the mesh, panel by panel.
+/// The springs that the scene gives, or those on the edges of the mesh, panel by panel.
 ///
 /// Their constants are those of A. Van Gelder, "Approximate simulation of elastic membranes by triangulated spring meshes"
 /// (Journal of Graphics Tools 3(2), 1998), k = E sum A / l² over the edge's triangles, with the modulus of an orthotropic cloth
 /// along the edge, 1/E = cos⁴/Kw + sin⁴/Kf + sin² cos²/G.
 fn spring_net(scene: &Scene, particles: &Particles) -> Vec<Spring> {
+    if let Some(net) = &scene.net {
+        return given_net(net, particles);
+    }
     let mut edges: BTreeMap<(usize, usize), Spring> = BTreeMap::new();
     for (t, fabric, rest) in cut_triangles(scene) {
         let area = rest_area(rest).abs();
@@ -183,6 +195,18 @@ fn spring_net(scene: &Scene, particles: &Particles) -> Vec<Spring> {
     }
     // Both points of an edge may be one particle where a seam gathers.
     edges.into_values().filter(|s| s.a != s.b).collect()
+}
+
+fn given_net(net: &[NetSpring], particles: &Particles) -> Vec<Spring> {
+    net.iter()
+        .map(|s| Spring {
+            a: particles.of_vertex[s.a],
+            b: particles.of_vertex[s.b],
+            rest_length: s.rest_length_m,
+            stiffness: s.stiffness_n_m,
+        })
+        .filter(|s| s.a != s.b)
+        .collect()
 }
 
 /// Hinges between triangles that share an edge, across seams that are welded too: a seam pressed open bends like the cloth.

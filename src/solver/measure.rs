@@ -22,8 +22,15 @@ pub(crate) fn rms_distance(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
         .sqrt()
 }
 
-/// Largest principal stretch of any triangle, less 1.
+/// Largest principal stretch of any triangle, less 1; the largest strain of any given spring where there are no triangles.
 pub(crate) fn strain(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
+    if scene.mesh.triangles.is_empty() {
+        let net = scene.net.iter().flatten();
+        return net
+            .map(|s| (x[s.a] - x[s.b]).norm() / s.rest_length_m - 1.0)
+            .reduce(f64::max)
+            .unwrap_or(0.0);
+    }
     let stretch = |t: &[usize; 3]| {
         let [p, q, r] = t.map(|v| scene.mesh.uv[v]);
         let rest =

@@ -154,7 +154,7 @@ impl Newton {
     ) -> Option<f64> {
         system.net_force(x, &mut self.force);
         system.hessian(x, false, &mut self.hessian);
-        self.hessian.hold(&self.sparsity, &system.held);
+        system.hold(&self.sparsity, &mut self.hessian);
         self.cholesky
             .factorise(&self.sparsity, &self.hessian)
             .ok()?;
@@ -206,7 +206,7 @@ impl Newton {
                 &(Matrix3::identity() * (mass / (self.gamma * self.gamma))),
             );
         }
-        self.shifted.hold(&self.sparsity, &system.held);
+        system.hold(&self.sparsity, &mut self.shifted);
         self.cholesky
             .factorise(&self.sparsity, &self.shifted)
             .is_ok()

@@ -242,7 +242,8 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
         };
         let mut system = assemble(self.scene, self.ask, &stage, self.clock);
         let mut shape = particles.mean(x);
-        let first_height = mean_height(&shape);
+        let gravity = &self.scene.gravity;
+        let first_height = mean_height(gravity, &shape);
         let floor = system.residual_floor(&shape);
         let tolerance = self.ask.tolerance.max(10.0 * floor);
         let (ended, mut newton) =
@@ -272,7 +273,11 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
         report.cpu_s.drape = self.trace.cpu_s() - report.cpu_s.sew;
         report.terms = terms(&system);
         self.measure(x, report);
-        report.worn = worn(self.scene, report, first_height - mean_height(&shape));
+        report.worn = worn(
+            self.scene,
+            report,
+            first_height - mean_height(gravity, &shape),
+        );
     }
 
     fn fall(
@@ -285,15 +290,17 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
     ) -> (Ended, Option<Newton>) {
         let motion = self.explicit().then_some(Motion {
             step: self.ask.step_s,
+            drag: self.scene.drag.unwrap_or(DRAPING_MOTION.drag),
             ..DRAPING_MOTION
         });
         let bounds = self.bounds;
         let trace = &mut self.trace;
         let mut last = f64::NAN;
-        let (first_height, mut fell) = (mean_height(shape), false);
+        let gravity = self.scene.gravity;
+        let (first_height, mut fell) = (mean_height(&gravity, shape), false);
         let mut judge = |i: Iteration<'_>| {
             last = i.residual;
-            fell = first_height - mean_height(i.positions) > FREE_FALL;
+            fell = first_height - mean_height(&gravity, i.positions) > FREE_FALL;
             let gap = measure::seam_gap(stitches, &particles.spread(i.positions));
             let done =
                 (1.0 - (i.residual / tolerance).ln() / (10.0 / tolerance).ln()).clamp(0.0, 1.0);

@@ -122,6 +122,18 @@ impl BlockMatrix {
         }
     }
 
+    /// Takes one coordinate of every particle out of the system, likewise.
+    pub(crate) fn hold_axis(&mut self, sparsity: &Sparsity, axis: usize) {
+        for column in 0..sparsity.particle_count() {
+            for (row, k) in sparsity.column(column) {
+                let block = &mut self.blocks[k];
+                block.row_mut(axis).fill(0.0);
+                block.column_mut(axis).fill(0.0);
+                block[(axis, axis)] = if row == column { 1.0 } else { 0.0 };
+            }
+        }
+    }
+
     /// `x` times the matrix times `x`.
     pub(crate) fn quadratic_form(&self, sparsity: &Sparsity, x: &[Vector3<f64>]) -> f64 {
         let mut sum = 0.0;

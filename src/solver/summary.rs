@@ -66,8 +66,10 @@ pub(super) fn left_out(scene: &Scene) -> Vec<LeftOut> {
     left_out
 }
 
-pub(super) fn mean_height(x: &[Vector3<f64>]) -> f64 {
-    x.iter().map(|p| p.y).sum::<f64>() / x.len().max(1) as f64
+/// Mean height against gravity \[m\]; 0 where there is none.
+pub(super) fn mean_height(gravity: &Vector3<f64>, x: &[Vector3<f64>]) -> f64 {
+    let up = -gravity.try_normalize(0.0).unwrap_or_default();
+    x.iter().map(|p| p.dot(&up)).sum::<f64>() / x.len().max(1) as f64
 }
 
 /// Whether the body carries the garment: it came to rest on it without sinking far.

@@ -14,6 +14,8 @@ pub(crate) struct System<'a> {
     pub(crate) mass: Vec<f64>,
     /// Particles that do not move.
     pub(crate) held: Vec<bool>,
+    /// The coordinate in which no particle moves.
+    pub(crate) held_axis: Option<usize>,
     /// The terms, with the CPU time spent in each.
     pub(crate) terms: Vec<TimedForce>,
     /// Contact with the body, kept apart from the other terms because it remembers what slipped.
@@ -71,6 +73,17 @@ impl System<'_> {
         self.for_each(|term| term.add_force(x, force));
         for (f, _) in force.iter_mut().zip(&self.held).filter(|(_, held)| **held) {
             *f = Vector3::zeros();
+        }
+        if let Some(axis) = self.held_axis {
+            force.iter_mut().for_each(|f| f[axis] = 0.0);
+        }
+    }
+
+    /// Takes what does not move out of `hessian`: its rows and columns become those of the identity.
+    pub(crate) fn hold(&self, sparsity: &Sparsity, hessian: &mut BlockMatrix) {
+        hessian.hold(sparsity, &self.held);
+        if let Some(axis) = self.held_axis {
+            hessian.hold_axis(sparsity, axis);
         }
     }
 
