@@ -49,6 +49,7 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
         body: scene.body.clone(),
         friction: scene.friction,
         gravity: scene.gravity,
+        drag: scene.drag,
         pins: scene.pins.iter().map(|&v| number[v]).collect(),
         held_axis: scene.held_axis,
         wind: scene.wind,

@@ -3,12 +3,12 @@
 use super::ask::{Membrane as MembraneKind, Simulate};
 use super::contact::{BodyContact, Friction};
 use super::forces::{
-    BendForce, ContinuumForce, Force, Gravity, Hinge, HingeSide, Membrane, SewingForce, Spring,
-    SpringForce,
+    BendForce, ContinuumForce, FibreForce, Force, Gravity, Hinge, HingeSide, Membrane, SewingForce,
+    Spring, SpringForce,
 };
 use super::system::{System, TimedForce};
 use super::topology::Particles;
-use crate::scene::{Fabric, NetSpring, Scene};
+use crate::scene::{Fabric, Fibre, NetSpring, Scene};
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
@@ -42,8 +42,9 @@ pub(crate) fn assemble<'a>(
 ) -> System<'a> {
     let particles = stage.particles;
     let mass = particles.sum(&scene.mass);
-    let mut forces: Vec<Box<dyn Force>> = vec![match (&scene.net, ask.membrane) {
-        (None, MembraneKind::Continuum) => {
+    let mut forces: Vec<Box<dyn Force>> = vec![match (&scene.net, &scene.fibres, ask.membrane) {
+        (_, Some(fibres), _) => Box::new(FibreForce::new(carried(fibres, particles))),
+        (None, None, MembraneKind::Continuum) => {
             Box::new(ContinuumForce::new(membranes(scene, particles)))
         }
         _ => Box::new(SpringForce::new(spring_net(scene, particles))),
@@ -195,6 +196,14 @@ fn spring_net(scene: &Scene, particles: &Particles) -> Vec<Spring> {
     }
     // Both points of an edge may be one particle where a seam gathers.
     edges.into_values().filter(|s| s.a != s.b).collect()
+}
+
+fn carried(fibres: &[Fibre], particles: &Particles) -> Vec<Fibre> {
+    let carry = |f: &Fibre| Fibre {
+        corners: f.corners.map(|v| particles.of_vertex[v]),
+        ..*f
+    };
+    fibres.iter().map(carry).collect()
 }
 
 fn given_net(net: &[NetSpring], particles: &Particles) -> Vec<Spring> {

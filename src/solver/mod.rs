@@ -2,13 +2,15 @@
 
 mod ask;
 mod assemble;
+mod cascade;
 mod cholesky;
 mod contact;
+mod drape;
 mod forces;
+mod level;
 mod measure;
 mod newton;
 mod report;
-mod sew;
 mod sparsity;
 mod stage;
 mod summary;
@@ -19,8 +21,8 @@ mod trace;
 
 pub use ask::{Membrane, Method, SeamClose, Simulate, Want};
 pub use assemble::springs;
+pub use drape::{drape, drape_on};
 pub use report::{CpuSeconds, Energy, ErrorPoint, LeftOut, Report, Term, Worn};
-pub use sew::{drape, drape_on};
 
 use crate::config::Limits;
 use crate::progress::{CancelToken, Progress};

@@ -21,7 +21,9 @@ use seamster_cholesky::OutOfMemory;
 /// Furthest that a particle moves in one iteration \[m\]; much more would carry cloth through a body.
 const LARGEST_MOVE: f64 = 0.04;
 /// γ at the start \[s\]: about the time in which seams close.
-const FIRST_GAMMA: f64 = 0.01;
+pub(crate) const FIRST_GAMMA: f64 = 0.01;
+/// γ at the start from a shape near the solution \[s\]: slow enough for a garment's sway.
+pub(crate) const NEAR_GAMMA: f64 = 1.0;
 /// γ beyond which the proximal term is lost in rounding \[s\].
 const LARGEST_GAMMA: f64 = 1e4;
 const SMALLEST_GAMMA: f64 = 1e-7;
@@ -85,13 +87,15 @@ pub(crate) struct Newton {
     convex_left: usize,
     touching: Vec<bool>,
     pub(crate) rungs: Rungs,
+    /// Steps taken.
+    pub(crate) iterations: usize,
     /// Whether the last step left the particles in contact as they were, and none of them slipped.
     pub(crate) contact_settled: bool,
 }
 
 impl Newton {
     /// Lays out the matrices of `system`.
-    pub(crate) fn new(system: &mut System<'_>) -> Result<Self, OutOfMemory> {
+    pub(crate) fn new(system: &mut System<'_>, first_gamma: f64) -> Result<Self, OutOfMemory> {
         let sparsity = system.bind();
         let count = system.particle_count();
         Ok(Self {
@@ -102,7 +106,8 @@ impl Newton {
             force: vec![Vector3::zeros(); count],
             step: vec![Vector3::zeros(); count],
             trial: vec![Vector3::zeros(); count],
-            gamma: FIRST_GAMMA,
+            gamma: first_gamma,
+            iterations: 0,
             convex_left: 0,
             touching: Vec::new(),
             rungs: Rungs::default(),
@@ -139,6 +144,7 @@ impl Newton {
                 Verdict::Reached => return Stop::Reached,
                 Verdict::Interrupt => return Stop::Interrupted,
             }
+            self.iterations += 1;
             if !self.advance(system, x) {
                 return Stop::Stalled;
             }

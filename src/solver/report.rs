@@ -43,6 +43,9 @@ pub struct Report {
     pub terms: Vec<Term>,
     /// The terms that this scene did not need.
     pub left_out: Vec<LeftOut>,
+    /// Newton iterations on all levels.
+    #[serde(default)]
+    pub newton_iterations: usize,
     /// CPU time by stage.
     pub cpu_s: CpuSeconds,
     /// Largest resident memory of the process \[bytes\].

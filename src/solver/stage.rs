@@ -10,6 +10,8 @@ pub(super) struct Ended {
     pub(super) stop: Stop,
     pub(super) residual: f64,
     pub(super) rungs: Rungs,
+    /// Newton iterations.
+    pub(super) iterations: usize,
     /// Whether it was ended because the garment was falling.
     pub(super) fell: bool,
     /// The step that explicit steps may not exceed, if a longer one was asked for \[s\].
@@ -31,12 +33,14 @@ pub(super) fn run(
     x: &mut [Vector3<f64>],
     motion: Option<Motion>,
     bounds: Bounds,
+    first_gamma: f64,
     judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
 ) -> (Ended, Option<Newton>) {
     let ended = |stop| Ended {
         stop,
         residual: f64::NAN,
         rungs: Rungs::default(),
+        iterations: 0,
         fell: false,
         too_long: None,
     };
@@ -52,12 +56,13 @@ pub(super) fn run(
             ),
         };
     }
-    match Newton::new(system) {
+    match Newton::new(system, first_gamma) {
         Ok(mut newton) => {
             let stop = newton.run(system, x, bounds.iterations, judge);
             (
                 Ended {
                     rungs: newton.rungs,
+                    iterations: newton.iterations,
                     ..ended(stop)
                 },
                 Some(newton),

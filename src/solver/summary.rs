@@ -18,7 +18,17 @@ pub(super) fn energies(system: &mut System<'_>, x: &[Vector3<f64>]) -> Energy {
     }
 }
 
-pub(super) fn terms(system: &System<'_>) -> Vec<Term> {
+/// Adds the time that each term of `system` took.
+pub(super) fn add_terms(terms: &mut Vec<Term>, system: &System<'_>) {
+    for term in of_system(system) {
+        match terms.iter_mut().find(|t| t.name == term.name) {
+            Some(known) => known.cpu_s += term.cpu_s,
+            None => terms.push(term),
+        }
+    }
+}
+
+fn of_system(system: &System<'_>) -> Vec<Term> {
     let mut terms: Vec<Term> = system
         .terms
         .iter()

@@ -27,6 +27,8 @@ pub(crate) struct Trace<'c, 'w> {
     seen: usize,
     /// Whether the cancel token was raised.
     pub(crate) canceled: bool,
+    /// Level that runs now, 0 = coarsest.
+    pub(crate) level: usize,
     /// Whether the time was up.
     pub(crate) out_of_time: bool,
 }
@@ -57,6 +59,7 @@ impl<'c, 'w> Trace<'c, 'w> {
             stride: 1,
             seen: 0,
             canceled: false,
+            level: 0,
             out_of_time: false,
         }
     }
@@ -66,6 +69,11 @@ impl<'c, 'w> Trace<'c, 'w> {
         (self.context.cpu_s)() - self.began
     }
 
+    /// Whether it is not to go on: canceled, or the time was up.
+    pub(crate) fn is_over(&self) -> bool {
+        self.canceled || self.out_of_time
+    }
+
     /// Tells of an iteration; whether to go on.
     pub(crate) fn look(&mut self, look: &Look<'_>) -> Verdict {
         let cpu_s = self.cpu_s();
@@ -73,7 +81,7 @@ impl<'c, 'w> Trace<'c, 'w> {
         (self.context.progress)(Progress {
             stage: look.stage.to_owned(),
             fraction: self.fraction,
-            level: 0,
+            level: u32::try_from(self.level).unwrap_or(u32::MAX),
             residual: Some(look.residual),
             seam_gap_m: Some(look.seam_gap),
             cpu_s,

@@ -33,7 +33,7 @@ pub struct Coarser {
 ///
 /// A panel whose thinned outline would cross itself keeps all its vertices.
 pub fn coarser(mesh: &ClothMesh, fixed: &[usize]) -> Option<Coarser> {
-    if mesh.uv.len() < FEWEST {
+    if mesh.uv.len() < FEWEST || mesh.triangles.is_empty() {
         return None;
     }
     let mut whole = vec![false; mesh.panels.len()];

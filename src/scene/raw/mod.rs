@@ -71,18 +71,16 @@ impl RawScene {
             a,
             b,
         };
+        let mut triangles = self.triangles;
+        triangles.sort_by_key(|t| t.iter().copied().min());
         let mesh = ClothMesh {
             uv: if self.uv_m.is_empty() {
                 vec![[0.0; 2]; vertex_count]
             } else {
                 self.uv_m
             },
-            panels: vec![PanelRange {
-                vertices: 0..vertex_count,
-                triangles: 0..self.triangles.len(),
-                corners: Vec::new(),
-            }],
-            triangles: self.triangles,
+            panels: pieces(vertex_count, &triangles),
+            triangles,
             stitches: self.stitches.iter().map(stitch).collect(),
         };
         Ok(Scene {
@@ -92,6 +90,7 @@ impl RawScene {
             fabrics: Vec::new(),
             cut: Vec::new(),
             net: Some(self.springs),
+            fibres: None,
             body: self.body.map(Body::Analytic),
             friction: self.friction,
             gravity: self.gravity_m_s2.into(),
@@ -104,4 +103,41 @@ impl RawScene {
             }),
         })
     }
+}
+
+/// The pieces of cloth, as far as the numbering tells them apart: a new one begins where no triangle joins the vertices
+/// before to those after. `triangles` come in the order of their lowest vertex.
+fn pieces(vertex_count: usize, triangles: &[[usize; 3]]) -> Vec<PanelRange> {
+    let mut pieces: Vec<PanelRange> = vec![];
+    let mut end = 0;
+    for (index, triangle) in triangles.iter().enumerate() {
+        let low = triangle.iter().copied().min().unwrap_or(0);
+        if index == 0 || low >= end {
+            let first = if index == 0 { 0 } else { low };
+            pieces
+                .iter_mut()
+                .last()
+                .into_iter()
+                .for_each(|piece| piece.vertices.end = low);
+            pieces.push(PanelRange {
+                vertices: first..vertex_count,
+                triangles: index..index,
+                corners: vec![],
+            });
+        }
+        end = end.max(triangle.iter().copied().max().map_or(0, |v| v + 1));
+        pieces
+            .iter_mut()
+            .last()
+            .into_iter()
+            .for_each(|piece| piece.triangles.end = index + 1);
+    }
+    if pieces.is_empty() {
+        pieces.push(PanelRange {
+            vertices: 0..vertex_count,
+            triangles: 0..0,
+            corners: vec![],
+        });
+    }
+    pieces
 }

@@ -1,17 +1,16 @@
-//! The order of a fit (P9, P10): pull the seams shut, close them for good, let the garment fall and come to rest.
+//! The order of a fit on one level (P9, P10): pull the seams shut, close them for good, let the garment fall and come to rest.
 
 use super::ask::{Method, SeamClose, Simulate};
 use super::assemble::{Stage, assemble};
 use super::measure;
-use super::newton::{Iteration, Newton, Stop, Verdict};
-use super::report::{CpuSeconds, Report};
+use super::newton::{FIRST_GAMMA, Iteration, NEAR_GAMMA, Newton, Stop, Verdict};
+use super::report::Report;
 use super::stage::{Bounds, Ended, note_rungs, push_once, run};
-use super::summary::{energies, left_out, mean_height, terms, worn};
+use super::summary::{add_terms, energies, mean_height};
 use super::symplectic_euler::Motion;
 use super::system::System;
 use super::topology::Particles;
 use super::trace::{Look, Trace};
-use super::{Context, Drape};
 use crate::scene::Scene;
 use nalgebra::Vector3;
 
@@ -44,93 +43,66 @@ const FREE_FALL: f64 = 0.5;
 /// Residual up to which ‖H⁻¹ f‖ was measured to be the error.
 const ESTIMATE_HOLDS: f64 = 1e-2;
 
-/// Sews and drapes.
-///
-/// # Guarantees
-/// Ends within the limits of the context and never with a shape that is not finite; the report says whether the shape is at
-/// rest, and why not where it is not.
-///
-/// # Limitations
-/// Rest shapes are not unique: cloth folds one way or another. Cloth passes through cloth.
-pub fn drape(scene: &Scene, ask: &Simulate, context: &mut Context<'_>) -> Drape {
-    Fit::new(scene, ask, context).run(None)
+/// How a level was left.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Rest {
+    /// Whether its seams are closed.
+    pub(super) sewn: bool,
+    /// Whether it was given up because the garment was falling.
+    pub(super) fell: bool,
+    /// How far the middle of the garment sank \[m\].
+    pub(super) sunk: f64,
 }
 
-/// Drapes on from a shape \[m; `#V`\] whose seams are closed, without sewing.
-pub fn drape_on(
-    scene: &Scene,
-    ask: &Simulate,
-    shape: &[Vector3<f64>],
-    context: &mut Context<'_>,
-) -> Drape {
-    Fit::new(scene, ask, context).run(Some(shape))
+/// One level of a fit: its scene, and what all levels share.
+pub(super) struct Level<'a, 'c, 'w> {
+    pub(super) scene: &'a Scene,
+    pub(super) ask: &'a Simulate,
+    pub(super) clock: &'w dyn Fn() -> f64,
+    pub(super) bounds: Bounds,
+    pub(super) trace: &'a mut Trace<'c, 'w>,
+    /// Residual to reach, unless the floor is above it.
+    pub(super) tolerance: f64,
+    /// Whether it is the level that was asked for.
+    pub(super) finest: bool,
+    /// Whether the start is near the end already, handed on by a coarser level.
+    pub(super) near: bool,
 }
 
-struct Fit<'s, 'c, 'w> {
-    scene: &'s Scene,
-    ask: &'s Simulate,
-    clock: &'w dyn Fn() -> f64,
-    bounds: Bounds,
-    trace: Trace<'c, 'w>,
-}
-
-impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
-    fn new(scene: &'s Scene, ask: &'s Simulate, context: &'c mut Context<'w>) -> Self {
-        let bounds = Bounds {
-            iterations: context.limits.iterations,
-            steps: context.limits.steps,
+impl<'w> Level<'_, '_, 'w> {
+    /// The shape at rest from `x`, its seams closed first unless they are `sewn`.
+    pub(super) fn run(
+        &mut self,
+        x: &mut Vec<Vector3<f64>>,
+        sewn: bool,
+        report: &mut Report,
+    ) -> Rest {
+        let began = self.trace.cpu_s();
+        let stiffness = if sewn {
+            Ok(self.ask.seam_stiffness_n_m.unwrap_or(SEAM_STIFFNESS))
+        } else {
+            self.sew(x, report)
         };
-        let clock = context.cpu_s;
-        let trace = Trace::new(context, ask.time_limit_s);
-        Self {
-            scene,
-            ask,
-            clock,
-            bounds,
-            trace,
-        }
-    }
-
-    fn run(mut self, closed: Option<&[Vector3<f64>]>) -> Drape {
-        let mut x = closed.unwrap_or(&self.scene.start).to_vec();
-        let mut report = Report {
-            method: self.method().to_owned(),
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            ..Report::default()
-        };
-        let sewn = match closed {
-            Some(_) => Ok(self.ask.seam_stiffness_n_m.unwrap_or(SEAM_STIFFNESS)),
-            None => self.sew(&mut x, &mut report),
-        };
-        report.cpu_s.sew = self.trace.cpu_s();
-        match sewn {
-            Ok(stiffness) => self.settle(&mut x, stiffness, &mut report),
+        let closed = self.trace.cpu_s();
+        report.cpu_s.sew += closed - began;
+        let rest = match stiffness {
+            Ok(stiffness) => self.settle(x, stiffness, report),
             Err(why) => {
                 report.why = why;
-                self.measure(&x, &mut report);
+                report.converged = false;
+                Rest::default()
             }
-        }
-        if !x.iter().all(|p| p.iter().all(|c| c.is_finite())) {
-            x.clone_from(&self.scene.start);
-        }
-        report.error_against_run_time = self.trace.error_against_run_time(&x);
-        Drape {
-            positions: x,
-            canceled: self.trace.canceled,
-            report,
-        }
+        };
+        report.cpu_s.drape += self.trace.cpu_s() - closed;
+        rest
+    }
+
+    fn first_gamma(&self) -> f64 {
+        if self.near { NEAR_GAMMA } else { FIRST_GAMMA }
     }
 
     fn explicit(&self) -> bool {
         self.ask.method == Method::SymplecticEuler
-    }
-
-    fn method(&self) -> &'static str {
-        if self.explicit() {
-            "symplectic_euler"
-        } else {
-            "newton"
-        }
     }
 
     fn stitches(&self, last_stage: u32) -> Vec<(usize, usize)> {
@@ -153,7 +125,7 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
             let stitches = self.stitches(stage);
             let mut tries = 0;
             loop {
-                let ended = self.pull(x, &stitches, stiffness);
+                let ended = self.pull(x, &stitches, stiffness, report);
                 note_rungs(&mut report.ladder, ended.rungs);
                 let gap = measure::seam_gap(&stitches, x);
                 if gap < self.ask.seam_eps_m {
@@ -179,6 +151,7 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
         x: &mut [Vector3<f64>],
         stitches: &[(usize, usize)],
         stiffness: f64,
+        report: &mut Report,
     ) -> Ended {
         let particles = Particles::apart(x.len());
         let stage = Stage {
@@ -196,6 +169,7 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
             ..SEWING_MOTION
         });
         let bounds = self.bounds;
+        let gamma = self.first_gamma();
         let trace = &mut self.trace;
         let mut last = f64::NAN;
         let mut judge = |i: Iteration<'_>| {
@@ -216,13 +190,15 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
                 verdict
             }
         };
-        let mut ended = run(&mut system, x, motion, bounds, &mut judge).0;
+        let mut ended = run(&mut system, x, motion, bounds, gamma, &mut judge).0;
         ended.residual = last;
+        add_terms(&mut report.terms, &system);
+        report.newton_iterations += ended.iterations;
         ended
     }
 
     /// Closes the seams for good and lets the garment come to rest.
-    fn settle(&mut self, x: &mut Vec<Vector3<f64>>, stiffness: f64, report: &mut Report) {
+    fn settle(&mut self, x: &mut Vec<Vector3<f64>>, stiffness: f64, report: &mut Report) -> Rest {
         let stitches = self.stitches(u32::MAX);
         let weld = self.ask.seam_close == SeamClose::Weld;
         let particles = if weld {
@@ -245,23 +221,24 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
         let gravity = &self.scene.gravity;
         let first_height = mean_height(gravity, &shape);
         let floor = system.residual_floor(&shape);
-        let tolerance = self.ask.tolerance.max(10.0 * floor);
+        let tolerance = self.tolerance.max(10.0 * floor);
         let (ended, mut newton) =
             self.fall(&mut system, &mut shape, &particles, &stitches, tolerance);
         *x = particles.spread(&shape);
         note_rungs(&mut report.ladder, ended.rungs);
+        report.newton_iterations += ended.iterations;
         report.residual = ended.residual;
         report.residual_floor = floor;
         report.converged = ended.stop == Stop::Reached;
         report.why = ended.reason(self.trace.canceled);
-        if report.converged && tolerance > self.ask.tolerance {
+        if report.converged && tolerance > self.tolerance {
             report.why = format!(
                 "at rest: stopped by the round-off floor, r = {:.1e} at ten times {floor:.1e}",
                 ended.residual
             );
         }
         if newton.is_none() && ended.stop == Stop::Reached {
-            newton = Newton::new(&mut system).ok();
+            newton = Newton::new(&mut system, NEAR_GAMMA).ok();
         }
         if let Some(newton) = &mut newton {
             report.error_estimate_m = newton.error_estimate(&mut system, &shape);
@@ -270,14 +247,12 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
                 && ended.residual <= ESTIMATE_HOLDS;
         }
         report.energy_j = energies(&mut system, &shape);
-        report.cpu_s.drape = self.trace.cpu_s() - report.cpu_s.sew;
-        report.terms = terms(&system);
-        self.measure(x, report);
-        report.worn = worn(
-            self.scene,
-            report,
-            first_height - mean_height(gravity, &shape),
-        );
+        add_terms(&mut report.terms, &system);
+        Rest {
+            sewn: true,
+            fell: ended.fell,
+            sunk: first_height - mean_height(gravity, &shape),
+        }
     }
 
     fn fall(
@@ -294,6 +269,7 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
             ..DRAPING_MOTION
         });
         let bounds = self.bounds;
+        let (gamma, finest) = (self.first_gamma(), self.finest);
         let trace = &mut self.trace;
         let mut last = f64::NAN;
         let gravity = self.scene.gravity;
@@ -310,7 +286,7 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
                 fraction: SEWING_SHARE + (1.0 - SEWING_SHARE) * done,
                 residual: i.residual,
                 seam_gap: gap,
-                shape: Some(&spread),
+                shape: if finest { Some(&spread) } else { None },
             };
             let verdict = trace.look(&look);
             if fell {
@@ -321,25 +297,9 @@ impl<'s, 'c, 'w> Fit<'s, 'c, 'w> {
                 verdict
             }
         };
-        let (mut ended, newton) = run(system, shape, motion, bounds, &mut judge);
+        let (mut ended, newton) = run(system, shape, motion, bounds, gamma, &mut judge);
         ended.residual = last;
         ended.fell = fell;
         (ended, newton)
-    }
-
-    /// Fills in what can be measured on the shape alone.
-    fn measure(&self, x: &[Vector3<f64>], report: &mut Report) {
-        let mesh = &self.scene.mesh;
-        report.seam_gap_max_m = measure::seam_gap(&self.stitches(u32::MAX), x);
-        report.strain_max = measure::strain(self.scene, x);
-        report.penetration_max_m = measure::penetration(self.scene, x);
-        report.vertices = mesh.uv.len();
-        report.triangles = mesh.triangles.len();
-        report.stitches = mesh.stitches.len();
-        report.left_out = left_out(self.scene);
-        report.cpu_s = CpuSeconds {
-            total: self.trace.cpu_s(),
-            ..report.cpu_s
-        };
     }
 }
