@@ -73,6 +73,7 @@ pub fn build(parts: Parts) -> Scene {
         cut,
         net: None,
         fibres: None,
+        least_bending_n_m: 0.0,
         body,
         friction,
         gravity: GRAVITY,

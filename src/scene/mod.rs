@@ -40,6 +40,9 @@ pub struct Scene {
     pub net: Option<Vec<NetSpring>>,
     /// What a finer net is on this mesh; the membrane if there are any.
     pub fibres: Option<Vec<Fibre>>,
+    /// Bending rigidity that the cloth has at least, whatever its fabric \[N m\]: 0 but on coarser meshes, which cannot fold
+    /// as finely.
+    pub least_bending_n_m: f64,
     /// The body, if there is one.
     pub body: Option<Body>,
     /// Coulomb coefficient between cloth and body.

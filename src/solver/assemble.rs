@@ -226,8 +226,19 @@ fn hinges(scene: &Scene, particles: &Particles) -> Vec<Hinge> {
         rigidity: f64,
     }
     let mut wings: BTreeMap<(usize, usize), Vec<Wing>> = BTreeMap::new();
-    for (t, fabric, rest) in cut_triangles(scene) {
-        if fabric.bending_warp_n_m.max(fabric.bending_weft_n_m) <= 0.0 {
+    let least = scene.least_bending_n_m;
+    let flat = |t: &[usize; 3]| (*t, [0.0; 2], t.map(|v| scene.mesh.uv[v]));
+    let bare = scene
+        .mesh
+        .triangles
+        .iter()
+        .filter(|_| scene.cut.is_empty())
+        .map(flat);
+    let cut = cut_triangles(scene)
+        .map(|(t, fabric, rest)| (t, [fabric.bending_warp_n_m, fabric.bending_weft_n_m], rest));
+    for (t, bending, rest) in cut.chain(bare) {
+        let [warp, weft] = bending.map(|b| b.max(least));
+        if warp.max(weft) <= 0.0 {
             continue;
         }
         for i in 0..3 {
@@ -237,8 +248,7 @@ fn hinges(scene: &Scene, particles: &Particles) -> Vec<Hinge> {
             let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
             // The cloth bends across the edge: along warp by as much as the edge runs along weft.
             let along_weft = dy * dy / (dx * dx + dy * dy);
-            let rigidity =
-                fabric.bending_warp_n_m * along_weft + fabric.bending_weft_n_m * (1.0 - along_weft);
+            let rigidity = warp * along_weft + weft * (1.0 - along_weft);
             let cotangents = [cotangent(p, q, r), cotangent(q, p, r)];
             let cotangents = if a < b {
                 cotangents

@@ -29,8 +29,10 @@ const LARGEST_GAMMA: f64 = 1e4;
 const SMALLEST_GAMMA: f64 = 1e-7;
 /// Share of the decrease that the slope promises which a step must bring (Armijo).
 const SUFFICIENT: f64 = 1e-4;
-/// Iterations for which the convex part is used after the true second derivative had no factor.
-const CONVEX_FOR: usize = 4;
+/// Share of the indefinite part that is left out at least after a step that went too far.
+const BACKTRACK_CONVEXITY: f64 = 0.4;
+/// Smallest share of the indefinite part that is left out, if any is.
+const LEAST_CONVEXITY: f64 = 0.02;
 
 /// Why an iteration stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,7 +86,7 @@ pub(crate) struct Newton {
     step: Vec<Vector3<f64>>,
     trial: Vec<Vector3<f64>>,
     gamma: f64,
-    convex_left: usize,
+    convexity: f64,
     touching: Vec<bool>,
     pub(crate) rungs: Rungs,
     /// Steps taken.
@@ -108,7 +110,7 @@ impl Newton {
             trial: vec![Vector3::zeros(); count],
             gamma: first_gamma,
             iterations: 0,
-            convex_left: 0,
+            convexity: 0.0,
             touching: Vec::new(),
             rungs: Rungs::default(),
             contact_settled: true,
@@ -159,7 +161,7 @@ impl Newton {
         x: &[Vector3<f64>],
     ) -> Option<f64> {
         system.net_force(x, &mut self.force);
-        system.hessian(x, false, &mut self.hessian);
+        system.hessian(x, 0.0, &mut self.hessian);
         system.hold(&self.sparsity, &mut self.hessian);
         self.cholesky
             .factorise(&self.sparsity, &self.hessian)
@@ -175,24 +177,26 @@ impl Newton {
     /// One step; false if there is none that lowers the energy.
     fn advance(&mut self, system: &mut System<'_>, x: &mut [Vector3<f64>]) -> bool {
         let energy = system.energy(x);
-        let convex = self.convex_left > 0;
-        self.convex_left = self.convex_left.saturating_sub(1);
-        system.hessian(x, convex, &mut self.hessian);
-        let mut convex = convex;
+        let mut failed = false;
+        system.hessian(x, self.convexity, &mut self.hessian);
         while self.gamma > SMALLEST_GAMMA {
             if !self.factorise(system) {
-                if convex {
+                failed = true;
+                if self.convexity < 1.0 {
+                    self.rungs.convex_part = true;
+                    self.convexity = (2.0 * self.convexity).clamp(LEAST_CONVEXITY, 1.0);
+                    system.hessian(x, self.convexity, &mut self.hessian);
+                } else {
                     self.rungs.diagonal_shift = true;
                     self.gamma *= 0.25;
-                } else {
-                    convex = true;
-                    self.rungs.convex_part = true;
-                    self.convex_left = CONVEX_FOR;
-                    system.hessian(x, true, &mut self.hessian);
                 }
                 continue;
             }
-            self.rungs.true_hessian |= !convex;
+            self.rungs.true_hessian |= self.convexity == 0.0;
+            self.convexity *= if failed { 0.9 } else { 0.5 };
+            if self.convexity < LEAST_CONVEXITY {
+                self.convexity = 0.0;
+            }
             if self.search(system, x, energy) {
                 return true;
             }
@@ -249,7 +253,7 @@ impl Newton {
             let gained = energy - system.energy(&self.trial);
             if gained >= SUFFICIENT * share * slope - rounding {
                 x.copy_from_slice(&self.trial);
-                self.adapt(attempt, gained, predicted, rounding);
+                self.adapt(share, gained, predicted.max(rounding));
                 return true;
             }
             share *= 0.5;
@@ -257,19 +261,20 @@ impl Newton {
         false
     }
 
-    /// γ grows where the model foretold the energy well, and shrinks where it did not.
-    fn adapt(&mut self, attempt: usize, gained: f64, predicted: f64, rounding: f64) {
-        let quality = if predicted.abs() <= rounding {
-            1.0
+    /// γ grows where the model foretold the energy well. Where only a share of the step could be taken, the model was too soft
+    /// along some wrinkle that is about to form: leaving out more of what makes it soft shortens the next step there, while a
+    /// smaller γ would shorten it everywhere.
+    fn adapt(&mut self, share: f64, gained: f64, predicted: f64) {
+        let gamma = if share < 1.0 {
+            self.convexity = (2.0 * self.convexity).clamp(BACKTRACK_CONVEXITY, 1.0);
+            0.7 * self.gamma
+        } else if gained > 0.75 * predicted {
+            3.0 * self.gamma
+        } else if gained > 0.25 * predicted {
+            1.5 * self.gamma
         } else {
-            gained / predicted
+            0.7 * self.gamma
         };
-        let factor = match attempt {
-            0 if quality > 0.75 => 3.0,
-            0 if quality > 0.25 => 1.5,
-            0 | 1 => 0.7,
-            _ => 0.3,
-        };
-        self.gamma = (self.gamma * factor).clamp(SMALLEST_GAMMA * 10.0, LARGEST_GAMMA);
+        self.gamma = gamma.clamp(SMALLEST_GAMMA * 10.0, LARGEST_GAMMA);
     }
 }

@@ -87,10 +87,15 @@ impl System<'_> {
         }
     }
 
-    /// Second derivative of the energy, or its convex part.
-    pub(crate) fn hessian(&mut self, x: &[Vector3<f64>], convex: bool, hessian: &mut BlockMatrix) {
+    /// Second derivative of the energy, less the share `convexity` of what may make it indefinite.
+    pub(crate) fn hessian(
+        &mut self,
+        x: &[Vector3<f64>],
+        convexity: f64,
+        hessian: &mut BlockMatrix,
+    ) {
         hessian.clear();
-        self.for_each(|force| force.add_hessian(x, convex, hessian));
+        self.for_each(|force| force.add_hessian(x, convexity, hessian));
     }
 
     /// Bound on the stiffness that each particle feels in the rest shape \[N/m\].

@@ -91,6 +91,7 @@ impl RawScene {
             cut: Vec::new(),
             net: Some(self.springs),
             fibres: None,
+            least_bending_n_m: 0.0,
             body: self.body.map(Body::Analytic),
             friction: self.friction,
             gravity: self.gravity_m_s2.into(),

@@ -12,7 +12,7 @@ use crate::solver::sparsity::{BlockMatrix, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
 /// Stiffness of the layer on the skin, per area \[N/m³\]: a garment's few hundred pascals press 0.1 mm into it.
-const LAYER_STIFFNESS: f64 = 5e6;
+const LAYER_STIFFNESS: f64 = 5e4;
 
 /// Slip of one step that is more than rounding \[m\].
 const SLIP_FELT: f64 = 1e-7;
@@ -223,14 +223,13 @@ impl Force for BodyContact {
         }
     }
 
-    fn add_hessian(&mut self, x: &[Vector3<f64>], convex: bool, hessian: &mut BlockMatrix) {
+    fn add_hessian(&mut self, x: &[Vector3<f64>], convexity: f64, hessian: &mut BlockMatrix) {
         for (i, position) in x.iter().enumerate() {
             let k = self.stiffness[i];
             if let Some(sample) = self.touch(i, position) {
                 let mut block = sample.normal * sample.normal.transpose() * k;
-                if !convex {
-                    block -= sample.curvature * (k * (self.offset - sample.distance));
-                }
+                block -=
+                    sample.curvature * ((1.0 - convexity) * k * (self.offset - sample.distance));
                 hessian.add_diagonal(self.diagonals[i], &block);
             }
             if let Some(anchor) = self.anchor(i) {

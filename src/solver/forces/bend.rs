@@ -119,7 +119,7 @@ impl Force for BendForce {
         }
     }
 
-    fn add_hessian(&mut self, _x: &[Vector3<f64>], _convex: bool, hessian: &mut BlockMatrix) {
+    fn add_hessian(&mut self, _x: &[Vector3<f64>], _convexity: f64, hessian: &mut BlockMatrix) {
         for (hinge, slots) in self.hinges.iter().zip(&self.slots) {
             for (&(i, j), &slot) in PAIRS.iter().zip(slots) {
                 hessian.add(

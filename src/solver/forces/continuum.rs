@@ -135,12 +135,15 @@ impl Force for ContinuumForce {
         }
     }
 
-    fn add_hessian(&mut self, x: &[Vector3<f64>], convex: bool, hessian: &mut BlockMatrix) {
+    fn add_hessian(&mut self, x: &[Vector3<f64>], convexity: f64, hessian: &mut BlockMatrix) {
         for (t, slots) in self.triangles.iter().zip(&self.slots) {
             let f = t.deformation(x);
             let mut s = t.stress(Membrane::strain(&f));
-            if convex {
-                s = tension(s);
+            if convexity > 0.0 {
+                let pull = tension(s);
+                for (s, pull) in s.iter_mut().zip(pull) {
+                    *s += convexity * (pull - *s);
+                }
             }
             let [kw, kf, g] = t.moduli;
             let h11 = (Matrix3::identity() * s[0]

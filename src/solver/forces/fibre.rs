@@ -66,7 +66,7 @@ impl Force for FibreForce {
         }
     }
 
-    fn add_hessian(&mut self, x: &[Vector3<f64>], convex: bool, hessian: &mut BlockMatrix) {
+    fn add_hessian(&mut self, x: &[Vector3<f64>], convexity: f64, hessian: &mut BlockMatrix) {
         for (f, slots) in self.fibres.iter().zip(&self.slots) {
             let d = image(f, x);
             let length = d.norm();
@@ -76,7 +76,11 @@ impl Force for FibreForce {
             let n = d / length;
             let along = n * n.transpose();
             let across = 1.0 - f.rest_length_m / length;
-            let across = if convex { across.max(0.0) } else { across };
+            let across = if across < 0.0 {
+                across * (1.0 - convexity)
+            } else {
+                across
+            };
             let block = (along + (Matrix3::identity() - along) * across) * f.stiffness_n_m;
             for (&(i, j), &slot) in PAIRS.iter().zip(slots) {
                 hessian.add(slot, &(block * (f.weights[i] * f.weights[j])));

@@ -35,7 +35,7 @@ impl Force for Gravity {
         }
     }
 
-    fn add_hessian(&mut self, _x: &[Vector3<f64>], _convex: bool, _hessian: &mut BlockMatrix) {}
+    fn add_hessian(&mut self, _x: &[Vector3<f64>], _convexity: f64, _hessian: &mut BlockMatrix) {}
 
     fn add_stiffness(&self, _stiffness: &mut [f64]) {}
 }

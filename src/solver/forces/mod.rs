@@ -36,8 +36,9 @@ pub(crate) trait Force {
     /// Adds the negative gradient of the energy to `force` \[N\].
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]);
 
-    /// Adds the second derivative of the energy, or, if `convex`, the part of it that has no negative eigenvalue.
-    fn add_hessian(&mut self, x: &[Vector3<f64>], convex: bool, hessian: &mut BlockMatrix);
+    /// Adds the second derivative of the energy with the share `convexity` of what may give it negative eigenvalues left out:
+    /// all of it at 1, where none is left, nothing at 0.
+    fn add_hessian(&mut self, x: &[Vector3<f64>], convexity: f64, hessian: &mut BlockMatrix);
 
     /// Adds to each particle a bound on the row sum of its second derivatives in the rest shape \[N/m\]:
     /// what limits an explicit step, and what rounding is measured by.

@@ -61,7 +61,7 @@ impl Force for SewingForce {
         }
     }
 
-    fn add_hessian(&mut self, _x: &[Vector3<f64>], _convex: bool, hessian: &mut BlockMatrix) {
+    fn add_hessian(&mut self, _x: &[Vector3<f64>], _convexity: f64, hessian: &mut BlockMatrix) {
         let block = Matrix3::identity() * self.stiffness;
         for &[aa, bb, ab] in &self.slots {
             hessian.add(aa, &block);

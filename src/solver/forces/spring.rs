@@ -72,7 +72,7 @@ impl Force for SpringForce {
         }
     }
 
-    fn add_hessian(&mut self, x: &[Vector3<f64>], convex: bool, hessian: &mut BlockMatrix) {
+    fn add_hessian(&mut self, x: &[Vector3<f64>], convexity: f64, hessian: &mut BlockMatrix) {
         for (s, &slot) in self.springs.iter().zip(&self.slots) {
             let d = x[s.b] - x[s.a];
             let length = d.norm();
@@ -83,7 +83,11 @@ impl Force for SpringForce {
             let along = n * n.transpose();
             // Across the spring the stiffness is its tension over its length: negative when it is pressed together.
             let across = 1.0 - s.rest_length / length;
-            let across = if convex { across.max(0.0) } else { across };
+            let across = if across < 0.0 {
+                across * (1.0 - convexity)
+            } else {
+                across
+            };
             let block = (along + (Matrix3::identity() - along) * across) * s.stiffness;
             hessian.add_diagonal(self.diagonals[s.a], &block);
             hessian.add_diagonal(self.diagonals[s.b], &block);

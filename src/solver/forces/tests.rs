@@ -26,13 +26,13 @@ fn points() -> Vec<Vector3<f64>> {
         .collect()
 }
 
-fn dense(force: &mut dyn Force, x: &[Vector3<f64>], convex: bool) -> DMatrix<f64> {
+fn dense(force: &mut dyn Force, x: &[Vector3<f64>], convexity: f64) -> DMatrix<f64> {
     let mut pairs = Vec::new();
     force.couple(&mut pairs);
     let sparsity = Sparsity::from_pairs(x.len(), pairs);
     force.bind(&sparsity);
     let mut blocks = BlockMatrix::zeros(&sparsity);
-    force.add_hessian(x, convex, &mut blocks);
+    force.add_hessian(x, convexity, &mut blocks);
     let mut dense = DMatrix::zeros(3 * x.len(), 3 * x.len());
     for column in 0..x.len() {
         for (row, slot) in sparsity.column(column) {
@@ -58,7 +58,7 @@ fn net(force: &mut dyn Force, x: &[Vector3<f64>]) -> Vec<f64> {
 /// bounds both, relative to the largest number compared.
 fn check_derivatives(force: &mut dyn Force, x: &[Vector3<f64>], h: f64, within: f64) {
     let analytic = net(force, x);
-    let second = dense(force, x, false);
+    let second = dense(force, x, 0.0);
     let mut differences = (
         vec![0.0; analytic.len()],
         DMatrix::zeros(analytic.len(), analytic.len()),
@@ -94,7 +94,7 @@ fn check_derivatives(force: &mut dyn Force, x: &[Vector3<f64>], h: f64, within: 
 
 /// The convex part has no eigenvalue below rounding.
 fn check_convex(force: &mut dyn Force, x: &[Vector3<f64>]) {
-    let convex = dense(force, x, true);
+    let convex = dense(force, x, 1.0);
     let lowest = convex.clone().symmetric_eigenvalues().min();
     assert!(
         lowest >= -1e-12 * convex.amax(),
