@@ -4,7 +4,7 @@ use super::ask::{Membrane as MembraneKind, Simulate};
 use super::contact::{BodyContact, Friction};
 use super::forces::{
     BendForce, ContinuumForce, Force, Gravity, Hinge, HingeSide, Membrane, SewingForce, Spring,
-    SpringForce,
+    SpringForce, WindForce,
 };
 use super::system::{System, TimedForce};
 use super::topology::Particles;
@@ -54,6 +54,12 @@ pub(crate) fn assemble<'a>(
             start: particles.mean(&scene.start),
         }));
     }
+    // Wind acts as weight does: on a garment that is sewn.
+    if let Some(wind) = scene.wind.filter(|_| stage.gravity) {
+        let triangles = particle_triangles(scene, particles);
+        let start = particles.mean(&scene.start);
+        forces.push(Box::new(WindForce::new(wind, triangles, &start)));
+    }
     if let Some((stitches, stiffness)) = &stage.stitches {
         let pairs = stitches
             .iter()
@@ -67,15 +73,10 @@ pub(crate) fn assemble<'a>(
         held[particles.of_vertex[pin]] = true;
     }
     let contact = scene.body.as_ref().map(|body| {
-        let thickness = scene
-            .fabrics
-            .iter()
-            .map(|f| f.thickness_m)
-            .fold(0.0, f64::max);
         let area = particles.sum(&vertex_areas(scene));
         let friction = (stage.friction && scene.friction > 0.0)
             .then(|| Friction::new(scene.friction, mass.len()));
-        BodyContact::new(body.clone(), SKIN_OFFSET + 0.5 * thickness, &area)
+        BodyContact::new(body.clone(), kept_distance(scene), &area)
             .with_friction(friction)
             .with_reuse(stage.reuse)
     });
@@ -93,8 +94,19 @@ pub(crate) fn assemble<'a>(
     }
 }
 
+/// Distance that cloth is kept from the skin \[m\].
+pub fn kept_distance(scene: &Scene) -> f64 {
+    let thickness = scene.fabrics.iter().map(|f| f.thickness_m);
+    SKIN_OFFSET + 0.5 * thickness.fold(0.0, f64::max)
+}
+
+fn particle_triangles(scene: &Scene, particles: &Particles) -> Vec<[usize; 3]> {
+    let of_vertex = |t: &[usize; 3]| t.map(|v| particles.of_vertex[v]);
+    scene.mesh.triangles.iter().map(of_vertex).collect()
+}
+
 /// Cloth area that each vertex stands for: a third of each of its triangles \[m²\].
-fn vertex_areas(scene: &Scene) -> Vec<f64> {
+pub(crate) fn vertex_areas(scene: &Scene) -> Vec<f64> {
     let mut area = vec![0.0; scene.mesh.uv.len()];
     for triangle in &scene.mesh.triangles {
         let third = rest_area(triangle.map(|v| scene.mesh.uv[v])) / 3.0;

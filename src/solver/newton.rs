@@ -9,7 +9,7 @@
 //! either. A line search on the energy accepts or shortens the step, and no particle moves further than 4 cm at once.
 //!
 //! # Guarantees
-//! Apart from friction, whose normal forces are lagged, the energy never rises. Stops at the residual asked for, at the
+//! Apart from friction, whose normal forces are lagged, and wind, which has none, the energy never rises. Stops at the residual asked for, at the
 //! round-off floor, at the limit of iterations or time, or when canceled, and says which.
 
 use super::cholesky::BlockCholesky;
@@ -119,6 +119,7 @@ impl Newton {
         judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
     ) -> Stop {
         for number in 0..limit {
+            system.accept(x);
             if let Some(contact) = &mut system.contact {
                 let slipped = contact.accept(x);
                 let touching = contact.touching(x);

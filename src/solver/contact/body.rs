@@ -12,7 +12,7 @@ use crate::solver::sparsity::{BlockMatrix, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
 /// Stiffness of the layer on the skin, per area \[N/m³\]: a garment's few hundred pascals press 0.1 mm into it.
-const LAYER_STIFFNESS: f64 = 5e6;
+pub(super) const LAYER_STIFFNESS: f64 = 5e6;
 
 /// Slip of one step that is more than rounding \[m\].
 const SLIP_FELT: f64 = 1e-7;

@@ -1,5 +1,7 @@
 //! Contact with the body, with friction.
 
 mod body;
+mod pressure;
 
 pub(crate) use body::{BodyContact, Friction};
+pub use pressure::{contact_force, contact_pressure};
