@@ -3,7 +3,7 @@
 use super::ask::{Membrane as MembraneKind, Simulate};
 use super::contact::{BodyContact, Friction};
 use super::forces::{
-    BendForce, ContinuumForce, Force, Gravity, Hinge, HingeSide, Membrane, SewingForce, Spring,
+    BendForce, BendPatch, ContinuumForce, Force, Gravity, Membrane, SewingForce, Spring,
     SpringForce, WindForce,
 };
 use super::system::{System, TimedForce};
@@ -43,9 +43,9 @@ pub(crate) fn assemble<'a>(
         MembraneKind::Continuum => Box::new(ContinuumForce::new(membranes(scene, particles))),
         MembraneKind::Springs => Box::new(SpringForce::new(spring_net(scene, particles))),
     }];
-    let hinges = hinges(scene, particles);
-    if !hinges.is_empty() {
-        forces.push(Box::new(BendForce::new(hinges)));
+    let patches = bend_patches(scene, particles);
+    if !patches.is_empty() {
+        forces.push(Box::new(BendForce::new(patches)));
     }
     if stage.gravity && scene.gravity != Vector3::zeros() {
         let weight = mass.iter().map(|m| scene.gravity * *m).collect();
@@ -197,57 +197,87 @@ fn spring_net(scene: &Scene, particles: &Particles) -> Vec<Spring> {
     edges.into_values().filter(|s| s.a != s.b).collect()
 }
 
-/// Hinges between triangles that share an edge, across seams that are welded too: a seam pressed open bends like the cloth.
-fn hinges(scene: &Scene, particles: &Particles) -> Vec<Hinge> {
-    struct Wing {
-        opposite: usize,
-        side: HingeSide,
-        rigidity: f64,
-    }
-    let mut wings: BTreeMap<(usize, usize), Vec<Wing>> = BTreeMap::new();
-    for (t, fabric, rest) in cut_triangles(scene) {
-        if fabric.bending_warp_n_m.max(fabric.bending_weft_n_m) <= 0.0 {
-            continue;
+/// Every triangle with its neighbours, across seams that are welded too: a seam pressed open bends like the cloth.
+fn bend_patches(scene: &Scene, particles: &Particles) -> Vec<BendPatch> {
+    let sides = sides(scene, particles);
+    let patch = |(t, fabric, rest): ([usize; 3], &Fabric, [[f64; 2]; 3])| {
+        let rigidity = [fabric.bending_warp_n_m, fabric.bending_weft_n_m];
+        if rigidity[0].max(rigidity[1]) <= 0.0 {
+            return None;
         }
-        for i in 0..3 {
-            let (p, q, r) = (rest[i], rest[(i + 1) % 3], rest[(i + 2) % 3]);
-            let [a, b, opposite] =
-                [t[i], t[(i + 1) % 3], t[(i + 2) % 3]].map(|v| particles.of_vertex[v]);
-            let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
-            // The cloth bends across the edge: along warp by as much as the edge runs along weft.
-            let along_weft = dy * dy / (dx * dx + dy * dy);
-            let rigidity =
-                fabric.bending_warp_n_m * along_weft + fabric.bending_weft_n_m * (1.0 - along_weft);
-            let cotangents = [cotangent(p, q, r), cotangent(q, p, r)];
-            let cotangents = if a < b {
-                cotangents
-            } else {
-                [cotangents[1], cotangents[0]]
+        let corners = t.map(|v| particles.of_vertex[v]);
+        let wing = |k: usize| {
+            let (key, mine) = side(corners, rest, k);
+            let [a, b] = sides[&key].as_slice() else {
+                return None;
             };
-            let side = HingeSide {
-                cotangents,
-                area: rest_area(rest).abs(),
-            };
-            wings.entry((a.min(b), a.max(b))).or_default().push(Wing {
-                opposite,
-                side,
-                rigidity,
-            });
-        }
-    }
-    let hinge = |((a, b), wings): ((usize, usize), Vec<Wing>)| match wings.as_slice() {
-        [s, t] if s.opposite != t.opposite && a != b => Some(Hinge::new(
-            [a, b, s.opposite, t.opposite],
-            [s.side, t.side],
-            0.5 * (s.rigidity + t.rigidity),
-        )),
-        _ => None,
+            let other = if a.far == corners[k] { b } else { a };
+            (a.far != b.far && key.0 != key.1).then(|| (other.far, unfolded(rest, k, &mine, other)))
+        };
+        BendPatch::new(corners, rest, [wing(0), wing(1), wing(2)], rigidity)
     };
-    wings.into_iter().filter_map(hinge).collect()
+    cut_triangles(scene).filter_map(patch).collect()
 }
 
-/// Cotangent of the angle at `p` between the ways to `q` and `r`.
-fn cotangent(p: [f64; 2], q: [f64; 2], r: [f64; 2]) -> f64 {
-    let (u, v) = ([q[0] - p[0], q[1] - p[1]], [r[0] - p[0], r[1] - p[1]]);
-    (u[0] * v[0] + u[1] * v[1]) / (u[0] * v[1] - u[1] * v[0]).abs()
+/// A triangle seen from one of its edges.
+struct BendSide {
+    /// The particle that is not on the edge.
+    far: usize,
+    /// Where it lies from the middle of the edge: along it, from its lower to its higher particle, and across \[m\].
+    along: f64,
+    across: f64,
+    /// Whether the edge runs from its lower to its higher particle round the triangle.
+    rising: bool,
+}
+
+fn sides(scene: &Scene, particles: &Particles) -> BTreeMap<(usize, usize), Vec<BendSide>> {
+    let mut sides: BTreeMap<_, Vec<BendSide>> = BTreeMap::new();
+    for (t, _, rest) in cut_triangles(scene) {
+        for k in 0..3 {
+            let (key, side) = side(t.map(|v| particles.of_vertex[v]), rest, k);
+            sides.entry(key).or_default().push(side);
+        }
+    }
+    sides
+}
+
+/// The edge across from corner `k`, and the triangle seen from it.
+fn side(corners: [usize; 3], rest: [[f64; 2]; 3], k: usize) -> ((usize, usize), BendSide) {
+    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+    let (a, b) = (corners[i], corners[j]);
+    let rising = a < b;
+    let (middle, along) = edge_frame(rest, k);
+    let d = [rest[k][0] - middle[0], rest[k][1] - middle[1]];
+    let forward = d[0] * along[0] + d[1] * along[1];
+    let side = BendSide {
+        far: corners[k],
+        along: if rising { forward } else { -forward },
+        across: (along[0] * d[1] - along[1] * d[0]).abs(),
+        rising,
+    };
+    ((a.min(b), a.max(b)), side)
+}
+
+/// Middle and direction of the edge across from corner `k`, as it runs round the triangle.
+fn edge_frame(rest: [[f64; 2]; 3], k: usize) -> ([f64; 2], [f64; 2]) {
+    let (p, q) = (rest[(k + 1) % 3], rest[(k + 2) % 3]);
+    let d = [q[0] - p[0], q[1] - p[1]];
+    let length = d[0].hypot(d[1]);
+    (
+        [0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])],
+        [d[0] / length, d[1] / length],
+    )
+}
+
+/// Where the far corner of the neighbour across from corner `k` lies in the plane of the triangle.
+fn unfolded(rest: [[f64; 2]; 3], k: usize, mine: &BendSide, other: &BendSide) -> [f64; 2] {
+    let (middle, along) = edge_frame(rest, k);
+    let forward = if mine.rising {
+        other.along
+    } else {
+        -other.along
+    };
+    // Out of a triangle that runs counter-clockwise is to the right of its edges.
+    let out = [along[1], -along[0]];
+    [0, 1].map(|i| middle[i] + along[i] * forward + out[i] * other.across)
 }

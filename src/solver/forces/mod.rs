@@ -7,7 +7,7 @@ mod sewing;
 mod spring;
 mod wind;
 
-pub(crate) use bend::{BendForce, Hinge, HingeSide};
+pub(crate) use bend::{BendForce, BendPatch};
 pub(crate) use continuum::{ContinuumForce, Membrane};
 pub(crate) use gravity::Gravity;
 pub(crate) use sewing::SewingForce;
