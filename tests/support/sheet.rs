@@ -126,26 +126,35 @@ impl Sheet {
     /// The scene with every vertex where `place` puts its (u, v), under standard gravity along -y, no body, nothing pinned.
     pub fn scene(&self, place: impl Fn([f64; 2]) -> Vector3<f64>) -> Scene {
         let (uv, triangles) = (self.uv(), self.triangles());
-        let mut mass = vec![0.0; uv.len()];
-        for t in &triangles {
-            let [p, q, r] = t.map(|v| uv[v]);
-            let area = 0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
-            assert!(area > 0.0, "a triangle is turned over");
-            t.map(|v| mass[v] += self.fabric.density_kg_m2 * area / 3.0);
-        }
         let panel = PanelRange {
             vertices: 0..uv.len(),
             triangles: 0..triangles.len(),
             corners: vec![],
         };
+        let mesh = ClothMesh {
+            uv,
+            triangles,
+            panels: vec![panel],
+            stitches: vec![],
+        };
+        self.scene_of(mesh, place)
+    }
+
+    /// The same with another mesh of one panel.
+    pub fn scene_of(&self, mesh: ClothMesh, place: impl Fn([f64; 2]) -> Vector3<f64>) -> Scene {
+        let (uv, triangles) = (&mesh.uv, &mesh.triangles);
+        let mut mass = vec![0.0; uv.len()];
+        for t in triangles {
+            let [p, q, r] = t.map(|v| uv[v]);
+            let area = 0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
+            assert!(area > 0.0, "a triangle is turned over");
+            for v in t {
+                mass[*v] += self.fabric.density_kg_m2 * area / 3.0;
+            }
+        }
         Scene {
             start: uv.iter().map(|p| place(*p)).collect(),
-            mesh: ClothMesh {
-                uv,
-                triangles,
-                panels: vec![panel],
-                stitches: vec![],
-            },
+            mesh,
             mass,
             friction: self.fabric.friction,
             fabrics: vec![self.fabric.clone()],
