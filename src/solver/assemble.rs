@@ -3,8 +3,8 @@
 use super::ask::{Membrane as MembraneKind, Simulate};
 use super::contact::{BodyContact, Friction};
 use super::forces::{
-    BendForce, ContinuumForce, FibreForce, Force, Gravity, Hinge, HingeSide, Membrane, SewingForce,
-    Spring, SpringForce,
+    BendForce, BendPatch, ContinuumForce, FibreForce, Force, Gravity, Membrane, SewingForce,
+    Spring, SpringForce, WindForce,
 };
 use super::system::{System, TimedForce};
 use super::topology::Particles;
@@ -49,9 +49,9 @@ pub(crate) fn assemble<'a>(
         }
         _ => Box::new(SpringForce::new(spring_net(scene, particles))),
     }];
-    let hinges = hinges(scene, particles);
-    if !hinges.is_empty() {
-        forces.push(Box::new(BendForce::new(hinges)));
+    let patches = bend_patches(scene, particles);
+    if !patches.is_empty() {
+        forces.push(Box::new(BendForce::new(patches)));
     }
     if stage.gravity && scene.gravity != Vector3::zeros() {
         let weight = mass.iter().map(|m| scene.gravity * *m).collect();
@@ -59,6 +59,12 @@ pub(crate) fn assemble<'a>(
             weight,
             start: particles.mean(&scene.start),
         }));
+    }
+    // Wind acts as weight does: on a garment that is sewn.
+    if let Some(wind) = scene.wind.filter(|_| stage.gravity) {
+        let triangles = particle_triangles(scene, particles);
+        let start = particles.mean(&scene.start);
+        forces.push(Box::new(WindForce::new(wind, triangles, &start)));
     }
     if let Some((stitches, stiffness)) = &stage.stitches {
         let pairs = stitches
@@ -73,15 +79,10 @@ pub(crate) fn assemble<'a>(
         held[particles.of_vertex[pin]] = true;
     }
     let contact = scene.body.as_ref().map(|body| {
-        let thickness = scene
-            .fabrics
-            .iter()
-            .map(|f| f.thickness_m)
-            .fold(0.0, f64::max);
         let area = particles.sum(&vertex_areas(scene));
         let friction = (stage.friction && scene.friction > 0.0)
             .then(|| Friction::new(scene.friction, mass.len()));
-        BodyContact::new(body.clone(), SKIN_OFFSET + 0.5 * thickness, &area)
+        BodyContact::new(body.clone(), kept_distance(scene), &area)
             .with_friction(friction)
             .with_reuse(stage.reuse)
     });
@@ -100,8 +101,19 @@ pub(crate) fn assemble<'a>(
     }
 }
 
+/// Distance that cloth is kept from the skin \[m\].
+pub fn kept_distance(scene: &Scene) -> f64 {
+    let thickness = scene.fabrics.iter().map(|f| f.thickness_m);
+    SKIN_OFFSET + 0.5 * thickness.fold(0.0, f64::max)
+}
+
+fn particle_triangles(scene: &Scene, particles: &Particles) -> Vec<[usize; 3]> {
+    let of_vertex = |t: &[usize; 3]| t.map(|v| particles.of_vertex[v]);
+    scene.mesh.triangles.iter().map(of_vertex).collect()
+}
+
 /// Cloth area that each vertex stands for: a third of each of its triangles \[m²\]; guessed from its mass where there are none.
-fn vertex_areas(scene: &Scene) -> Vec<f64> {
+pub(crate) fn vertex_areas(scene: &Scene) -> Vec<f64> {
     if scene.mesh.triangles.is_empty() {
         return scene.mass.iter().map(|m| m / TYPICAL_DENSITY).collect();
     }
@@ -218,67 +230,98 @@ fn given_net(net: &[NetSpring], particles: &Particles) -> Vec<Spring> {
         .collect()
 }
 
-/// Hinges between triangles that share an edge, across seams that are welded too: a seam pressed open bends like the cloth.
-fn hinges(scene: &Scene, particles: &Particles) -> Vec<Hinge> {
-    struct Wing {
-        opposite: usize,
-        side: HingeSide,
-        rigidity: f64,
-    }
-    let mut wings: BTreeMap<(usize, usize), Vec<Wing>> = BTreeMap::new();
+/// Every triangle with its neighbours, across seams that are welded too: a seam pressed open bends like the cloth.
+fn bend_patches(scene: &Scene, particles: &Particles) -> Vec<BendPatch> {
+    let sides = sides(scene, particles);
     let least = scene.least_bending_n_m;
-    let flat = |t: &[usize; 3]| (*t, [0.0; 2], t.map(|v| scene.mesh.uv[v]));
-    let bare = scene
-        .mesh
-        .triangles
-        .iter()
-        .filter(|_| scene.cut.is_empty())
-        .map(flat);
-    let cut = cut_triangles(scene)
-        .map(|(t, fabric, rest)| (t, [fabric.bending_warp_n_m, fabric.bending_weft_n_m], rest));
-    for (t, bending, rest) in cut.chain(bare) {
-        let [warp, weft] = bending.map(|b| b.max(least));
-        if warp.max(weft) <= 0.0 {
-            continue;
+    let patch = |(t, fabric, rest): ([usize; 3], Option<&Fabric>, [[f64; 2]; 3])| {
+        let rigidity = fabric.map_or([0.0; 2], |f| [f.bending_warp_n_m, f.bending_weft_n_m]);
+        let rigidity = rigidity.map(|b| b.max(least));
+        if rigidity[0].max(rigidity[1]) <= 0.0 {
+            return None;
         }
-        for i in 0..3 {
-            let (p, q, r) = (rest[i], rest[(i + 1) % 3], rest[(i + 2) % 3]);
-            let [a, b, opposite] =
-                [t[i], t[(i + 1) % 3], t[(i + 2) % 3]].map(|v| particles.of_vertex[v]);
-            let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
-            // The cloth bends across the edge: along warp by as much as the edge runs along weft.
-            let along_weft = dy * dy / (dx * dx + dy * dy);
-            let rigidity = warp * along_weft + weft * (1.0 - along_weft);
-            let cotangents = [cotangent(p, q, r), cotangent(q, p, r)];
-            let cotangents = if a < b {
-                cotangents
-            } else {
-                [cotangents[1], cotangents[0]]
+        let corners = t.map(|v| particles.of_vertex[v]);
+        let wing = |k: usize| {
+            let (key, mine) = side(corners, rest, k);
+            let [a, b] = sides[&key].as_slice() else {
+                return None;
             };
-            let side = HingeSide {
-                cotangents,
-                area: rest_area(rest).abs(),
-            };
-            wings.entry((a.min(b), a.max(b))).or_default().push(Wing {
-                opposite,
-                side,
-                rigidity,
-            });
-        }
-    }
-    let hinge = |((a, b), wings): ((usize, usize), Vec<Wing>)| match wings.as_slice() {
-        [s, t] if s.opposite != t.opposite && a != b => Some(Hinge::new(
-            [a, b, s.opposite, t.opposite],
-            [s.side, t.side],
-            0.5 * (s.rigidity + t.rigidity),
-        )),
-        _ => None,
+            let other = if a.far == corners[k] { b } else { a };
+            (a.far != b.far && key.0 != key.1).then(|| (other.far, unfolded(rest, k, &mine, other)))
+        };
+        BendPatch::new(corners, rest, [wing(0), wing(1), wing(2)], rigidity)
     };
-    wings.into_iter().filter_map(hinge).collect()
+    rest_triangles(scene).filter_map(patch).collect()
 }
 
-/// Cotangent of the angle at `p` between the ways to `q` and `r`.
-fn cotangent(p: [f64; 2], q: [f64; 2], r: [f64; 2]) -> f64 {
-    let (u, v) = ([q[0] - p[0], q[1] - p[1]], [r[0] - p[0], r[1] - p[1]]);
-    (u[0] * v[0] + u[1] * v[1]) / (u[0] * v[1] - u[1] * v[0]).abs()
+/// Each triangle with its fabric, if it has one, and its rest positions: in warp-weft coordinates if it has.
+fn rest_triangles(
+    scene: &Scene,
+) -> impl Iterator<Item = ([usize; 3], Option<&Fabric>, [[f64; 2]; 3])> {
+    let cut = cut_triangles(scene).map(|(t, fabric, rest)| (t, Some(fabric), rest));
+    let bare = scene.mesh.triangles.iter().filter(|_| scene.cut.is_empty());
+    cut.chain(bare.map(|t| (*t, None, t.map(|v| scene.mesh.uv[v]))))
+}
+
+/// A triangle seen from one of its edges.
+struct BendSide {
+    /// The particle that is not on the edge.
+    far: usize,
+    /// Where it lies from the middle of the edge: along it, from its lower to its higher particle, and across \[m\].
+    along: f64,
+    across: f64,
+    /// Whether the edge runs from its lower to its higher particle round the triangle.
+    rising: bool,
+}
+
+fn sides(scene: &Scene, particles: &Particles) -> BTreeMap<(usize, usize), Vec<BendSide>> {
+    let mut sides: BTreeMap<_, Vec<BendSide>> = BTreeMap::new();
+    for (t, _, rest) in rest_triangles(scene) {
+        for k in 0..3 {
+            let (key, side) = side(t.map(|v| particles.of_vertex[v]), rest, k);
+            sides.entry(key).or_default().push(side);
+        }
+    }
+    sides
+}
+
+/// The edge across from corner `k`, and the triangle seen from it.
+fn side(corners: [usize; 3], rest: [[f64; 2]; 3], k: usize) -> ((usize, usize), BendSide) {
+    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+    let (a, b) = (corners[i], corners[j]);
+    let rising = a < b;
+    let (middle, along) = edge_frame(rest, k);
+    let d = [rest[k][0] - middle[0], rest[k][1] - middle[1]];
+    let forward = d[0] * along[0] + d[1] * along[1];
+    let side = BendSide {
+        far: corners[k],
+        along: if rising { forward } else { -forward },
+        across: (along[0] * d[1] - along[1] * d[0]).abs(),
+        rising,
+    };
+    ((a.min(b), a.max(b)), side)
+}
+
+/// Middle and direction of the edge across from corner `k`, as it runs round the triangle.
+fn edge_frame(rest: [[f64; 2]; 3], k: usize) -> ([f64; 2], [f64; 2]) {
+    let (p, q) = (rest[(k + 1) % 3], rest[(k + 2) % 3]);
+    let d = [q[0] - p[0], q[1] - p[1]];
+    let length = d[0].hypot(d[1]);
+    (
+        [0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])],
+        [d[0] / length, d[1] / length],
+    )
+}
+
+/// Where the far corner of the neighbour across from corner `k` lies in the plane of the triangle.
+fn unfolded(rest: [[f64; 2]; 3], k: usize, mine: &BendSide, other: &BendSide) -> [f64; 2] {
+    let (middle, along) = edge_frame(rest, k);
+    let forward = if mine.rising {
+        other.along
+    } else {
+        -other.along
+    };
+    // Out of a triangle that runs counter-clockwise is to the right of its edges.
+    let out = [along[1], -along[0]];
+    [0, 1].map(|i| middle[i] + along[i] * forward + out[i] * other.across)
 }

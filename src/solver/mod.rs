@@ -20,7 +20,8 @@ mod topology;
 mod trace;
 
 pub use ask::{Membrane, Method, SeamClose, Simulate, Want};
-pub use assemble::springs;
+pub use assemble::{kept_distance, springs};
+pub use contact::{contact_force, contact_pressure};
 pub use drape::{drape, drape_on};
 pub use report::{CpuSeconds, Energy, ErrorPoint, LeftOut, Report, Term, Worn};
 

@@ -9,7 +9,7 @@
 //! either. A line search on the energy accepts or shortens the step, and no particle moves further than 4 cm at once.
 //!
 //! # Guarantees
-//! Apart from friction, whose normal forces are lagged, the energy never rises. Stops at the residual asked for, at the
+//! Apart from friction, whose normal forces are lagged, and wind, which has none, the energy never rises. Stops at the residual asked for, at the
 //! round-off floor, at the limit of iterations or time, or when canceled, and says which.
 
 use super::cholesky::BlockCholesky;
@@ -126,6 +126,7 @@ impl Newton {
         judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
     ) -> Stop {
         for number in 0..limit {
+            system.accept(x);
             if let Some(contact) = &mut system.contact {
                 let slipped = contact.accept(x);
                 let touching = contact.touching(x);
@@ -245,7 +246,7 @@ impl Newton {
         let mut share = (LARGEST_MOVE / longest).min(1.0);
         // Differences of energy below this are rounding: the model is trusted instead.
         let rounding = 64.0 * f64::EPSILON * energy.abs() * (x.len() as f64).sqrt();
-        for attempt in 0..6 {
+        for _ in 0..6 {
             for ((t, x), d) in self.trial.iter_mut().zip(x.iter()).zip(&self.step) {
                 *t = x + d * share;
             }

@@ -47,16 +47,16 @@ fn of_system(system: &System<'_>) -> Vec<Term> {
 }
 
 pub(super) fn left_out(scene: &Scene) -> Vec<LeftOut> {
-    let mut left_out = vec![LeftOut {
-        name: "wind".to_owned(),
-        because: "the scene has none".to_owned(),
-    }];
+    let mut left_out = Vec::new();
     let mut leave = |name: &str, because: &str| {
         left_out.push(LeftOut {
             name: name.to_owned(),
             because: because.to_owned(),
         });
     };
+    if scene.wind.is_none() {
+        leave("wind", "the scene has none");
+    }
     leave("self_contact", "cloth against cloth is not looked for");
     if scene.body.is_none() {
         leave("contact", "the scene has no avatar");

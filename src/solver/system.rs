@@ -49,6 +49,20 @@ impl System<'_> {
         sparsity
     }
 
+    /// Tells the terms of an accepted shape.
+    pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) {
+        for term in &mut self.terms {
+            term.force.accept(x);
+        }
+    }
+
+    /// Tells the terms how the particles move \[m/s\] at `time` \[s\]; without it they rest in the mean wind.
+    pub(crate) fn set_motion(&mut self, velocity: &[Vector3<f64>], time: f64) {
+        for term in &mut self.terms {
+            term.force.set_motion(velocity, time);
+        }
+    }
+
     /// Energy of all terms \[J\].
     pub(crate) fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
         let mut sum = 0.0;

@@ -1,18 +1,16 @@
 //! Cloth kept off the body by a stiff layer on its skin, with Coulomb friction that sticks and slips.
 //!
-//! A particle nearer to the body than `offset` is pressed out with the energy k A/2 (offset - d)², A the cloth area of the
-//! particle. A particle in contact is tied to an anchor on the body by a tangential spring of the same stiffness that gives way
+//! A particle nearer to the body than `offset` is pressed out as `layer.rs` says, over the cloth area of the particle. A
+//! particle in contact is tied to an anchor on the body by a tangential spring that gives way
 //! at μ N (P. A. Cundall, O. D. L. Strack, "A discrete numerical model for granular assemblies", Géotechnique 29(1), 1979):
 //! energy k/2 |u|² up to the slip s = μ N / k, μ N (|u| - s/2) beyond. N and the anchors are those of the last accepted step
 //! (lagged), so that within a step friction has an energy.
 
+use super::layer;
 use crate::scene::{Body, BodySample};
 use crate::solver::forces::Force;
 use crate::solver::sparsity::{BlockMatrix, Sparsity};
 use nalgebra::{Matrix3, Vector3};
-
-/// Stiffness of the layer on the skin, per area \[N/m³\]: a garment's few hundred pascals press 0.1 mm into it.
-const LAYER_STIFFNESS: f64 = 5e4;
 
 /// Slip of one step that is more than rounding \[m\].
 const SLIP_FELT: f64 = 1e-7;
@@ -57,8 +55,8 @@ pub(crate) struct BodyContact {
     body: Body,
     /// Distance that is kept from the body \[m\].
     offset: f64,
-    /// k A of each particle \[N/m\].
-    stiffness: Vec<f64>,
+    /// Cloth area of each particle \[m²\].
+    area: Vec<f64>,
     memory: Vec<Memory>,
     /// How far a sample is carried on by its second-order expansion \[m\]; 0 takes a new one each time.
     reuse: f64,
@@ -77,7 +75,7 @@ impl BodyContact {
         Self {
             body,
             offset,
-            stiffness: area.iter().map(|a| a * LAYER_STIFFNESS).collect(),
+            area: area.to_vec(),
             memory: vec![never; area.len()],
             reuse: 0.0,
             friction: None,
@@ -136,9 +134,11 @@ impl BodyContact {
                 friction.anchors[i] = None;
                 continue;
             };
-            let stiffness = self.stiffness[i];
+            let stiffness = self.area[i] * layer::TANGENTIAL;
             let normal = sample.normal.normalize();
-            let limit = friction.coefficient * stiffness * (self.offset - sample.distance);
+            let limit = friction.coefficient
+                * self.area[i]
+                * layer::pressure(self.offset - sample.distance);
             let mut point = friction.anchors[i].map_or(*position, |a| a.point);
             let u = tangential(&(position - point), &normal);
             let slip = limit / stiffness;
@@ -188,9 +188,9 @@ impl Force for BodyContact {
     fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
         let mut sum = 0.0;
         for (i, position) in x.iter().enumerate() {
-            let k = self.stiffness[i];
+            let k = self.area[i] * layer::TANGENTIAL;
             if let Some(sample) = self.touch(i, position) {
-                sum += 0.5 * k * (self.offset - sample.distance).powi(2);
+                sum += self.area[i] * layer::energy(self.offset - sample.distance);
             }
             if let Some(anchor) = self.anchor(i) {
                 let u = tangential(&(position - anchor.point), &anchor.normal).norm();
@@ -207,9 +207,10 @@ impl Force for BodyContact {
 
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
         for (i, position) in x.iter().enumerate() {
-            let k = self.stiffness[i];
+            let k = self.area[i] * layer::TANGENTIAL;
             if let Some(sample) = self.touch(i, position) {
-                force[i] += sample.normal * (k * (self.offset - sample.distance));
+                force[i] +=
+                    sample.normal * (self.area[i] * layer::pressure(self.offset - sample.distance));
             }
             if let Some(anchor) = self.anchor(i) {
                 let u = tangential(&(position - anchor.point), &anchor.normal);
@@ -225,11 +226,12 @@ impl Force for BodyContact {
 
     fn add_hessian(&mut self, x: &[Vector3<f64>], convexity: f64, hessian: &mut BlockMatrix) {
         for (i, position) in x.iter().enumerate() {
-            let k = self.stiffness[i];
+            let k = self.area[i] * layer::TANGENTIAL;
             if let Some(sample) = self.touch(i, position) {
-                let mut block = sample.normal * sample.normal.transpose() * k;
-                block -=
-                    sample.curvature * ((1.0 - convexity) * k * (self.offset - sample.distance));
+                let depth = self.offset - sample.distance;
+                let mut block = sample.normal * sample.normal.transpose() * layer::slope(depth);
+                block -= sample.curvature * ((1.0 - convexity) * layer::pressure(depth));
+                block *= self.area[i];
                 hessian.add_diagonal(self.diagonals[i], &block);
             }
             if let Some(anchor) = self.anchor(i) {
@@ -248,9 +250,13 @@ impl Force for BodyContact {
     }
 
     fn add_stiffness(&self, stiffness: &mut [f64]) {
-        let share = if self.friction.is_some() { 2.0 } else { 1.0 };
-        for (sum, k) in stiffness.iter_mut().zip(&self.stiffness) {
-            *sum += share * k;
+        let sticking = if self.friction.is_some() {
+            layer::TANGENTIAL
+        } else {
+            0.0
+        };
+        for (sum, area) in stiffness.iter_mut().zip(&self.area) {
+            *sum += area * (layer::slope(layer::DEEP) + sticking);
         }
     }
 }

@@ -6,13 +6,15 @@ mod fibre;
 mod gravity;
 mod sewing;
 mod spring;
+mod wind;
 
-pub(crate) use bend::{BendForce, Hinge, HingeSide};
+pub(crate) use bend::{BendForce, BendPatch};
 pub(crate) use continuum::{ContinuumForce, Membrane};
 pub(crate) use fibre::FibreForce;
 pub(crate) use gravity::Gravity;
 pub(crate) use sewing::SewingForce;
 pub(crate) use spring::{Spring, SpringForce};
+pub(crate) use wind::WindForce;
 
 use super::sparsity::{BlockMatrix, Sparsity};
 use nalgebra::Vector3;
@@ -43,6 +45,12 @@ pub(crate) trait Force {
     /// Adds to each particle a bound on the row sum of its second derivatives in the rest shape \[N/m\]:
     /// what limits an explicit step, and what rounding is measured by.
     fn add_stiffness(&self, stiffness: &mut [f64]);
+
+    /// Told of every accepted shape: what is lagged, or has no energy but from there, is taken anew.
+    fn accept(&mut self, _x: &[Vector3<f64>]) {}
+
+    /// Told how the particles move \[m/s\] and what time it is \[s\]: for forces that depend on either.
+    fn set_motion(&mut self, _velocity: &[Vector3<f64>], _time: f64) {}
 }
 
 #[cfg(test)]
