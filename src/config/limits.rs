@@ -35,6 +35,8 @@ pub struct Limits {
     pub iterations: usize,
     /// Steps of one trajectory.
     pub steps: u64,
+    /// Positions kept of one trajectory: vertices times frames.
+    pub trajectory_positions: usize,
     /// CPU time of one fit \[s\].
     pub fit_cpu_s: f64,
     /// Fits waiting in the queue.
@@ -64,6 +66,7 @@ impl Default for Limits {
             edge_length_m: [0.002, 0.1],
             iterations: 2_000,
             steps: 20_000_000,
+            trajectory_positions: 10_000_000,
             fit_cpu_s: 3_600.0,
             queued_fits: 1_000,
             attempts: 3,

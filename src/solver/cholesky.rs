@@ -24,6 +24,11 @@ impl BlockCholesky {
         })
     }
 
+    /// Numbers stored in the factor.
+    pub(crate) fn factor_len(&self) -> usize {
+        self.cholesky.factor_len()
+    }
+
     /// Factors `matrix`.
     pub(crate) fn factorise(
         &mut self,

@@ -24,10 +24,10 @@ const COARSE_TOLERANCE: f64 = 1e-3;
 /// # Limitations
 /// Rest shapes are not unique: cloth folds one way or another. Cloth passes through cloth.
 pub fn drape(scene: &Scene, ask: &Simulate, context: &mut Context<'_>) -> Drape {
-    let cascade = if ask.method == Method::SymplecticEuler {
-        Cascade::single(scene)
-    } else {
-        Cascade::new(scene)
+    let cascade = match ask.method {
+        Method::Auto | Method::Newton => Cascade::new(scene),
+        // Motion is that of the mesh asked for.
+        _ => Cascade::single(scene),
     };
     run(&cascade, ask, None, context)
 }
@@ -112,7 +112,10 @@ fn run(
 fn name(ask: &Simulate) -> &'static str {
     match ask.method {
         Method::SymplecticEuler => "symplectic_euler",
-        _ => "newton",
+        Method::Verlet => "verlet",
+        Method::ImplicitEuler => "implicit_euler",
+        Method::Bdf2 => "bdf2",
+        Method::Auto | Method::Newton => "newton",
     }
 }
 

@@ -3,11 +3,11 @@
 use super::ask::{Method, SeamClose, Simulate};
 use super::assemble::{Stage, assemble};
 use super::measure;
+use super::motion::Motion;
 use super::newton::{FIRST_GAMMA, Iteration, NEAR_GAMMA, Newton, Stop, Verdict};
 use super::report::Report;
 use super::stage::{Bounds, Ended, note_rungs, push_once, run};
 use super::summary::{add_terms, energies, mean_height};
-use super::symplectic_euler::Motion;
 use super::system::System;
 use super::topology::Particles;
 use super::trace::{Look, Trace};
@@ -15,9 +15,9 @@ use crate::scene::Scene;
 use nalgebra::Vector3;
 
 /// Stiffness of a stitch if none is asked for \[N/m\]: about that of the cloth beside it.
-const SEAM_STIFFNESS: f64 = 1e4;
+pub(super) const SEAM_STIFFNESS: f64 = 1e4;
 /// How much stiffer than while sewing the spring of a closed seam is (P9).
-const CLOSED_STIFFER: f64 = 10.0;
+pub(super) const CLOSED_STIFFER: f64 = 10.0;
 /// How often the stitches are made ten times stiffer when the seams settle with a gap.
 const STIFFER_AT_MOST: usize = 3;
 /// Residual at which an open seam counts as settled: nothing moves any more.
@@ -26,17 +26,21 @@ const SETTLED: f64 = 1e-3;
 const SEWING_SHARE: f64 = 0.4;
 /// Distance for which explicit steps carry on a sample of the body \[m\]: third-order terms stay below 1e-11 m.
 const EXPLICIT_REUSE: f64 = 2e-5;
-/// Drag while sewing and while draping \[1/s\], and speed limit \[m/s\], of the paper's method. A garment sways at about
+/// Drag while sewing and while draping \[1/s\], and speed limit \[m/s\], of explicit steps. A garment sways at about
 /// 4 rad/s: twice that is critical.
 const SEWING_MOTION: Motion = Motion {
+    method: Method::SymplecticEuler,
     drag: 40.0,
     speed_limit: 2.0,
     step: None,
+    tolerance: SETTLED,
 };
 const DRAPING_MOTION: Motion = Motion {
+    method: Method::SymplecticEuler,
     drag: 8.0,
     speed_limit: 5.0,
     step: None,
+    tolerance: SETTLED,
 };
 /// How far the middle of a garment sinks before it is plain that nothing will stop it \[m\].
 const FREE_FALL: f64 = 0.5;
@@ -102,7 +106,17 @@ impl<'w> Level<'_, '_, 'w> {
     }
 
     fn explicit(&self) -> bool {
-        self.ask.method == Method::SymplecticEuler
+        matches!(self.ask.method, Method::SymplecticEuler | Method::Verlet)
+    }
+
+    /// `motion` by the method asked for, if it is one that steps.
+    fn by_motion(&self, motion: Motion) -> Option<Motion> {
+        let steps = !matches!(self.ask.method, Method::Auto | Method::Newton);
+        steps.then_some(Motion {
+            method: self.ask.method,
+            step: self.ask.step_s,
+            ..motion
+        })
     }
 
     fn stitches(&self, last_stage: u32) -> Vec<(usize, usize)> {
@@ -164,10 +178,7 @@ impl<'w> Level<'_, '_, 'w> {
         let mut system = assemble(self.scene, self.ask, &stage, self.clock);
         let first_gap = measure::seam_gap(stitches, x).max(1e-9);
         let eps = self.ask.seam_eps_m;
-        let motion = self.explicit().then_some(Motion {
-            step: self.ask.step_s,
-            ..SEWING_MOTION
-        });
+        let motion = self.by_motion(SEWING_MOTION);
         let bounds = self.bounds;
         let gamma = self.first_gamma();
         let trace = &mut self.trace;
@@ -263,9 +274,9 @@ impl<'w> Level<'_, '_, 'w> {
         stitches: &[(usize, usize)],
         tolerance: f64,
     ) -> (Ended, Option<Newton>) {
-        let motion = self.explicit().then_some(Motion {
-            step: self.ask.step_s,
+        let motion = self.by_motion(Motion {
             drag: self.scene.drag.unwrap_or(DRAPING_MOTION.drag),
+            tolerance,
             ..DRAPING_MOTION
         });
         let bounds = self.bounds;

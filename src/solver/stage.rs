@@ -1,7 +1,7 @@
-//! One stage of a fit run to its end, by explicit steps or by Newton's method.
+//! One stage of a fit run to its end, by motion or by Newton's method.
 
+use super::motion::{self, Motion};
 use super::newton::{Iteration, Newton, Rungs, Stop, Verdict};
-use super::symplectic_euler::{self, Motion};
 use super::system::System;
 use nalgebra::Vector3;
 
@@ -23,11 +23,11 @@ pub(super) struct Ended {
 pub(super) struct Bounds {
     /// Newton iterations.
     pub(super) iterations: usize,
-    /// Explicit steps.
+    /// Steps of motion.
     pub(super) steps: u64,
 }
 
-/// Runs one stage by explicit steps if `motion` is given, else by Newton's method.
+/// Runs one stage by motion if `motion` is given, else by Newton's method.
 pub(super) fn run(
     system: &mut System<'_>,
     x: &mut [Vector3<f64>],
@@ -45,7 +45,7 @@ pub(super) fn run(
         too_long: None,
     };
     if let Some(motion) = motion {
-        return match symplectic_euler::run(system, x, motion, bounds.steps, judge) {
+        return match motion::run(system, x, motion, bounds.steps, judge) {
             Ok(stop) => (ended(stop), None),
             Err(stable) => (
                 Ended {

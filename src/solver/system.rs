@@ -85,11 +85,35 @@ impl System<'_> {
     pub(crate) fn net_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
         force.fill(Vector3::zeros());
         self.for_each(|term| term.add_force(x, force));
-        for (f, _) in force.iter_mut().zip(&self.held).filter(|(_, held)| **held) {
-            *f = Vector3::zeros();
+        self.hold_still(force);
+    }
+
+    /// Adds the forces of contact and of all terms that are not marked in `except` \[N\].
+    pub(crate) fn add_forces_except(
+        &mut self,
+        except: &[bool],
+        x: &[Vector3<f64>],
+        force: &mut [Vector3<f64>],
+    ) {
+        let mut except = except.iter();
+        self.for_each(|term| {
+            if except.next() != Some(&true) {
+                term.add_force(x, force);
+            }
+        });
+    }
+
+    /// Makes zero what would move a particle that does not move.
+    pub(crate) fn hold_still(&self, vectors: &mut [Vector3<f64>]) {
+        for (v, _) in vectors
+            .iter_mut()
+            .zip(&self.held)
+            .filter(|(_, held)| **held)
+        {
+            *v = Vector3::zeros();
         }
         if let Some(axis) = self.held_axis {
-            force.iter_mut().for_each(|f| f[axis] = 0.0);
+            vectors.iter_mut().for_each(|v| v[axis] = 0.0);
         }
     }
 

@@ -15,7 +15,7 @@
 //! Energies of quadratic shapes are exact on every mesh. Shapes at rest converge to those of the plate on meshes that look the
 //! same from every vertex, as the inside of a lattice does; where triangles alternate, cloth comes out softer.
 
-use super::Force;
+use super::{Force, Link, Stencil};
 use crate::solver::sparsity::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
@@ -216,5 +216,16 @@ impl Force for BendForce {
                 }
             }
         }
+    }
+    fn add_to_stencil(&self, stencil: &mut Stencil) -> bool {
+        for hinge in &self.hinges {
+            stencil.links.extend(PAIRS[4..].iter().map(|&(i, j)| Link {
+                a: hinge.particles[i],
+                b: hinge.particles[j],
+                straight: -hinge.weights[i] * hinge.weights[j],
+                bent: 0.0,
+            }));
+        }
+        true
     }
 }

@@ -1,6 +1,6 @@
 //! Weight.
 
-use super::Force;
+use super::{Force, Stencil};
 use crate::solver::sparsity::{BlockMatrix, Sparsity};
 use nalgebra::Vector3;
 
@@ -38,4 +38,11 @@ impl Force for Gravity {
     fn add_hessian(&mut self, _x: &[Vector3<f64>], _convexity: f64, _hessian: &mut BlockMatrix) {}
 
     fn add_stiffness(&self, _stiffness: &mut [f64]) {}
+
+    fn add_to_stencil(&self, stencil: &mut Stencil) -> bool {
+        for (push, weight) in stencil.push.iter_mut().zip(&self.weight) {
+            *push += weight;
+        }
+        true
+    }
 }

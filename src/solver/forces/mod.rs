@@ -6,6 +6,7 @@ mod fibre;
 mod gravity;
 mod sewing;
 mod spring;
+mod stencil;
 mod wind;
 
 pub(crate) use bend::{BendForce, BendPatch};
@@ -14,6 +15,7 @@ pub(crate) use fibre::FibreForce;
 pub(crate) use gravity::Gravity;
 pub(crate) use sewing::SewingForce;
 pub(crate) use spring::{Spring, SpringForce};
+pub(crate) use stencil::{Link, Stencil};
 pub(crate) use wind::WindForce;
 
 use super::sparsity::{BlockMatrix, Sparsity};
@@ -51,6 +53,11 @@ pub(crate) trait Force {
 
     /// Told how the particles move \[m/s\] and what time it is \[s\]: for forces that depend on either.
     fn set_motion(&mut self, _velocity: &[Vector3<f64>], _time: f64) {}
+
+    /// Adds itself to `stencil` if links and pushes are all that it is; false, and nothing added, if not.
+    fn add_to_stencil(&self, _stencil: &mut Stencil) -> bool {
+        false
+    }
 }
 
 #[cfg(test)]

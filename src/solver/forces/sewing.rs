@@ -1,6 +1,6 @@
 //! The seam force F = -k l of the paper (P8): springs of rest length zero between the two points of each stitch.
 
-use super::Force;
+use super::{Force, Link, Stencil};
 use crate::solver::sparsity::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
@@ -75,5 +75,16 @@ impl Force for SewingForce {
             stiffness[a] += 2.0 * self.stiffness;
             stiffness[b] += 2.0 * self.stiffness;
         }
+    }
+    fn add_to_stencil(&self, stencil: &mut Stencil) -> bool {
+        stencil
+            .links
+            .extend(self.stitches.iter().map(|&(a, b)| Link {
+                a,
+                b,
+                straight: self.stiffness,
+                bent: 0.0,
+            }));
+        true
     }
 }

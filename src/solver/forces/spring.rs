@@ -1,6 +1,6 @@
 //! Linear springs on mesh edges: the membrane of the paper (P8).
 
-use super::Force;
+use super::{Force, Link, Stencil};
 use crate::solver::sparsity::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
@@ -100,5 +100,14 @@ impl Force for SpringForce {
             stiffness[s.a] += 2.0 * s.stiffness;
             stiffness[s.b] += 2.0 * s.stiffness;
         }
+    }
+    fn add_to_stencil(&self, stencil: &mut Stencil) -> bool {
+        stencil.links.extend(self.springs.iter().map(|s| Link {
+            a: s.a,
+            b: s.b,
+            straight: s.stiffness,
+            bent: s.stiffness * s.rest_length,
+        }));
+        true
     }
 }

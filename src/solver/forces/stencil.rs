@@ -1,0 +1,63 @@
+//! What a force term is to an explicit step: links between two particles, and constant pushes.
+//!
+//! A link pulls particle `a` with (`straight` - `bent` / |d|) d, d = xb - xa, and `b` with the opposite. A spring of stiffness k and
+//! rest length L is the link (k, k L). A hinge of quadratic bending, energy |sum w_i x_i|² / 2 with sum w_i = 0, is six links
+//! (-w_i w_j, 0): its force -w_i sum w_j x_j is the same as -sum w_i w_j (x_j - x_i). So springs and bending between the same two
+//! particles are one link, and the differences lose less to rounding than the positions would.
+
+use nalgebra::Vector3;
+
+/// Links and pushes of the terms that are nothing else.
+#[derive(Clone, Debug)]
+pub(crate) struct Stencil {
+    /// In any order; several may join the same two particles.
+    pub(crate) links: Vec<Link>,
+    /// Constant force on each particle \[N\]; `#P`.
+    pub(crate) push: Vec<Vector3<f64>>,
+}
+
+/// What acts between two particles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Link {
+    pub(crate) a: usize,
+    pub(crate) b: usize,
+    /// \[N/m\]
+    pub(crate) straight: f64,
+    /// \[N\]
+    pub(crate) bent: f64,
+}
+
+impl Stencil {
+    /// Nothing, for this many particles.
+    pub(crate) fn new(particle_count: usize) -> Self {
+        Self {
+            links: Vec::new(),
+            push: vec![Vector3::zeros(); particle_count],
+        }
+    }
+
+    /// One link for each two particles that are linked, the lower index first, in order.
+    pub(crate) fn merged(&self) -> Vec<Link> {
+        let mut links: Vec<Link> = self
+            .links
+            .iter()
+            .filter(|link| link.a != link.b)
+            .map(|link| Link {
+                a: link.a.min(link.b),
+                b: link.a.max(link.b),
+                ..*link
+            })
+            .collect();
+        // Stable, so that sums are always taken in the same order.
+        links.sort_by_key(|link| (link.a, link.b));
+        links.dedup_by(|next, kept| {
+            let same = (next.a, next.b) == (kept.a, kept.b);
+            if same {
+                kept.straight += next.straight;
+                kept.bent += next.bent;
+            }
+            same
+        });
+        links
+    }
+}
