@@ -270,19 +270,18 @@ fn a_patch_slides_down_an_incline_as_far_as_coulomb_says() {
 
 /// It sticks while tan a <= μ: at 30 degrees at 0.58 but not at 0.57 (tan 30° = 0.57735).
 ///
-/// With drag 1/s it slides g (sin a - μ cos a) (t - 1 + exp(-t)): 23 mm in 1 s at 0.57. Sticking it moves by the give of the
-/// friction's spring, which is less than what the weight gives into the layer, less than a micrometre.
+/// With drag 1/s it slides g (sin a - μ cos a) (t - 1 + exp(-t)): 23 mm in 1 s at 0.57. Friction begins with the give u of its
+/// spring, less than half a micrometre; falling that far without friction gains √(2 g u sin a) = 2.2 mm/s at most, which drag ends after
+/// 1.4 mm. Sticking, the patch moves by that give.
 #[test]
 fn a_patch_sticks_to_an_incline_above_the_threshold_and_slides_below() {
     let (sin, cos) = (PI / 6.0).sin_cos();
     let exact = GRAVITY * (sin - 0.57 * cos) * (-1.0_f64).exp();
     for method in METHODS {
         let slid = slide(method, 0.57, 1.0);
-        assert!(
-            (slid / exact - 1.0).abs() < 0.01,
-            "{method:?}: {slid} for {exact}"
-        );
+        let more = slid - exact;
+        assert!(more.abs() < 1.4e-3, "{method:?}: {slid} for {exact}");
         let stuck = slide(method, 0.58, 1.0).abs();
-        assert!(stuck < 1e-6, "{method:?}: crept {stuck}");
+        assert!(stuck < 5e-7, "{method:?}: crept {stuck}");
     }
 }
