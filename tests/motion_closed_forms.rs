@@ -272,7 +272,7 @@ fn a_patch_slides_down_an_incline_as_far_as_coulomb_says() {
 ///
 /// With drag 1/s it slides g (sin a - μ cos a) (t - 1 + exp(-t)): 23 mm in 1 s at 0.57. Friction begins with the give u of its
 /// spring, less than half a micrometre; falling that far without friction gains √(2 g u sin a) = 2.2 mm/s at most, which drag ends after
-/// 1.4 mm. Sticking, the patch moves by that give.
+/// 1.4 mm, and at 0.58 friction after v² / 2 g (μ cos a - sin a) = 0.11 mm.
 #[test]
 fn a_patch_sticks_to_an_incline_above_the_threshold_and_slides_below() {
     let (sin, cos) = (PI / 6.0).sin_cos();
@@ -282,6 +282,6 @@ fn a_patch_sticks_to_an_incline_above_the_threshold_and_slides_below() {
         let more = slid - exact;
         assert!(more.abs() < 1.4e-3, "{method:?}: {slid} for {exact}");
         let stuck = slide(method, 0.58, 1.0).abs();
-        assert!(stuck < 5e-7, "{method:?}: crept {stuck}");
+        assert!(stuck < 1.1e-4, "{method:?}: crept {stuck}");
     }
 }
