@@ -55,6 +55,11 @@ impl Explicit {
         self.kernel.operations() + self.more_operations
     }
 
+    /// Bytes of the arrays of the kernel.
+    pub(crate) fn bytes(&self) -> u64 {
+        self.kernel.bytes() as u64
+    }
+
     /// Takes `count` steps by `rule`.
     pub(crate) fn run(
         &mut self,

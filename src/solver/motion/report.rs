@@ -71,6 +71,8 @@ pub struct MotionReport {
     pub step_max_s: f64,
     /// The longest stable step at the start \[s\]; none for implicit methods.
     pub stability_limit_s: Option<f64>,
+    /// Bytes of the arrays that an explicit step reads or writes, each counted once; 0 for an implicit one.
+    pub step_bytes: u64,
     /// Estimated local errors of position of all steps, added up \[m, RMS\].
     pub local_errors_m: f64,
     /// Drag force over mass and velocity \[1/s\].

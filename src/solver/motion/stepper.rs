@@ -80,6 +80,11 @@ pub(crate) trait Stepper {
     /// Operations of one step, counted; what they cost a processor is about the same for all.
     fn operations(&self) -> f64;
 
+    /// Bytes of the arrays that an explicit step reads or writes, each counted once; 0 for an implicit one.
+    fn step_bytes(&self) -> u64 {
+        0
+    }
+
     /// Newton iterations so far.
     fn newton_iterations(&self) -> u64 {
         0

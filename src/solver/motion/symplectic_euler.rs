@@ -41,6 +41,10 @@ impl Stepper for SymplecticEuler {
         BLOCK
     }
 
+    fn step_bytes(&self) -> u64 {
+        self.explicit.bytes()
+    }
+
     fn operations(&self) -> f64 {
         self.explicit.operations()
     }

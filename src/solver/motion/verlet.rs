@@ -57,6 +57,10 @@ impl Stepper for Verlet {
         BLOCK
     }
 
+    fn step_bytes(&self) -> u64 {
+        self.explicit.bytes()
+    }
+
     fn operations(&self) -> f64 {
         self.explicit.operations()
     }
