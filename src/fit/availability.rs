@@ -2,7 +2,7 @@
 
 use super::garment::{Garment, SelfContact};
 use crate::fault::Fault;
-use crate::solver::{Method, Want};
+use crate::solver::Want;
 
 /// A fault for every wish that cannot be granted.
 pub(crate) fn check(garment: &Garment) -> Vec<Fault> {
@@ -50,16 +50,6 @@ pub(crate) fn check(garment: &Garment) -> Vec<Fault> {
         at("simulate/want"),
         "motion",
         "give \"drape\"",
-    );
-    let method_missing = matches!(
-        asked.method,
-        Method::Verlet | Method::ImplicitEuler | Method::Bdf2
-    );
-    refuse(
-        method_missing,
-        at("simulate/method"),
-        "this method",
-        "give \"auto\", \"newton\" or \"symplectic_euler\"",
     );
     refuse(
         asked.duration_s.is_some(),

@@ -344,14 +344,14 @@ fn simulate_faults(asked: &Simulate, limits: &Limits) -> Vec<Fault> {
     within("seam_stiffness_n_m", asked.seam_stiffness_n_m, [1.0, 1e8]);
     within("time_limit_s", asked.time_limit_s, [0.0, limits.fit_cpu_s]);
     within("step_s", asked.step_s, [1e-9, 1.0]);
-    if asked.step_s.is_some() && asked.method != Method::SymplecticEuler {
+    if asked.step_s.is_some() && matches!(asked.method, Method::Auto | Method::Newton) {
         faults.push(
             Fault::new(
                 "garment/field",
                 "/simulate/step_s",
-                "only symplectic_euler takes steps of time",
+                "a drape by this method takes no steps of time",
             )
-            .fix("leave it out"),
+            .fix("leave it out, or give a method that steps"),
         );
     }
     faults

@@ -14,7 +14,7 @@ mod kernel;
 mod limit;
 mod report;
 mod rest;
-mod rows;
+mod run;
 mod stepper;
 mod symplectic_euler;
 mod trajectory;
