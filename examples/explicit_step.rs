@@ -168,6 +168,7 @@ fn square(rows: usize) -> Scene {
         }],
         net: None,
         fibres: None,
+        least_bending_n_m: 0.0,
         body: None,
         friction: 0.0,
         gravity: Vector3::new(0.0, 0.0, -9.81),

@@ -50,6 +50,7 @@ pub(crate) fn net(
         cut: vec![],
         net: Some(springs.iter().map(spring).collect()),
         fibres: None,
+        least_bending_n_m: 0.0,
         body: None,
         friction: 0.0,
         gravity: Vector3::zeros(),

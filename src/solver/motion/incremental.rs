@@ -2,7 +2,7 @@
 //!
 //! Backward Euler with step h is w = 1/h² and x̂ = x + h v (J. C. Simo et al.; M. Ortiz, L. Stainier, Comput. Methods Appl.
 //! Mech. Engrg. 171, 1999); other backward differences differ in the numbers only. Found by Newton's method: the true second
-//! derivative first, its convex part (which with w M is positive definite) where that has no Cholesky factor, and a line search
+//! derivative first; where that has no Cholesky factor, with some or all left out that may make it indefinite; and a line search
 //! on Φ (Armijo).
 //!
 //! # Guarantees
@@ -21,6 +21,8 @@ const ITERATIONS: usize = 40;
 const SUFFICIENT: f64 = 1e-4;
 /// Halvings of an iteration at most.
 const HALVINGS: usize = 12;
+/// Shares of what may make the second derivative indefinite that are left out, one after the other until it has a factor.
+const CONVEXITIES: [f64; 3] = [0.0, 0.25, 1.0];
 /// Furthest that a particle is moved at once where there is a body that it could pass through \[m\].
 const LARGEST_MOVE: f64 = 0.04;
 
@@ -127,15 +129,15 @@ impl Incremental {
         system.hold_still(&mut self.force);
     }
 
-    /// Newton's step, from the true second derivative or its convex part.
+    /// Newton's step, from the true second derivative or as much of it as has a factor.
     fn direction(
         &mut self,
         system: &mut System<'_>,
         pull: &Pull<'_>,
         x: &[Vector3<f64>],
     ) -> Result<(), Trouble> {
-        for convex in [false, true] {
-            system.hessian(x, convex, &mut self.hessian);
+        for convexity in CONVEXITIES {
+            system.hessian(x, convexity, &mut self.hessian);
             for (i, m) in system.mass.iter().enumerate() {
                 let inertia = Matrix3::identity() * (m * pull.weight);
                 self.hessian
