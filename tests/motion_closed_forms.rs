@@ -147,7 +147,7 @@ fn bessel_j0(x: f64) -> f64 {
     sum
 }
 
-/// ω_n = (j0n / 2) √(g/L) within 1 %. The chain hangs in balance but for its n-th mode, of amplitude 0.1 mm.
+/// `ω_n = (j0n / 2) √(g/L)` within 1 %. The chain hangs in balance but for its n-th mode, of amplitude 0.1 mm.
 #[test]
 fn hanging_chain_has_the_frequencies_of_the_closed_form() {
     let n = 100_usize;

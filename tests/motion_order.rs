@@ -207,7 +207,7 @@ fn angular_momentum_drifts_by_the_order_of_implicit_methods() {
     }
 }
 
-/// Φ(x) = E(x) + |x - x̂|²_M / 2h² with x̂ = x + h v, worked out here from the frames: one frame is one step.
+/// `Φ(x) = E(x) + |x - x̂|²_M / 2h²` with x̂ = x + h v, worked out here from the frames: one frame is one step.
 #[test]
 fn each_step_of_implicit_euler_lowers_its_incremental_potential() {
     let mut scene = grid(5, 200.0);
@@ -240,7 +240,7 @@ fn each_step_of_implicit_euler_lowers_its_incremental_potential() {
 ///
 /// Symplectic Euler keeps v² + ω²x² - h ω² x v, Verlet (1 - h²ω²/4) ω²x² + v²: with h ω = 1.8 the energy goes up to
 /// (1 + 0.9) / (1 - 0.9) and 1 / (1 - 0.81) times what it was. Implicit Euler never gains. BDF2 keeps its G-norm from rising
-/// (Dahlquist 1978), |y_n|²/4 <= |(y_1, y_0)|²_G <= 10/4 max |y|².
+/// (Dahlquist 1978), `|y_n|²/4 <= |(y_1, y_0)|²_G <= 10/4 max |y|²`.
 fn largest_gain(method: Method) -> f64 {
     match method {
         Method::SymplecticEuler => 19.0,

@@ -1,8 +1,8 @@
 //! Implicit (backward) Euler: order 1, stable at any step, loses energy.
 //!
-//! V' = V + h (F(X') / m - c V'), X' = X + h V'. Put together, X' minimises E(x) + w/2 |x - x̂|²_M with w = (1 + c h) / h² and
+//! V' = V + h (F(X') / m - c V'), X' = X + h V'. Put together, X' minimises `E(x) + w/2 |x - x̂|²_M` with w = (1 + c h) / h² and
 //! x̂ = X + h V / (1 + c h). The iteration begins at X or at x̂, whichever is lower, and only goes down; so, without drag,
-//! E(X') + |X' - x̂|²_M / 2h² <= E(X) + |V|²_M / 2: what the step begins with.
+//! `E(X') + |X' - x̂|²_M / 2h² <= E(X) + |V|²_M / 2`: what the step begins with.
 
 use super::incremental::{Incremental, Pull};
 use super::stepper::{State, Stepper, Trouble, accept};
@@ -44,7 +44,7 @@ impl ImplicitEuler {
         self.newton.operations()
     }
 
-    /// Minimises E + `weight`/2 |x - `target`|²_M into `next`, from the lower of `x` and `target`.
+    /// Minimises `E + weight/2 |x - target|²_M` into `next`, from the lower of `x` and `target`.
     pub(super) fn solve(
         &mut self,
         system: &mut System<'_>,

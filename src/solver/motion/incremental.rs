@@ -1,4 +1,4 @@
-//! The equations of an implicit step as a minimum: Φ(x) = E(x) + w/2 |x - x̂|²_M, |y|²_M = sum m_i |y_i|².
+//! The equations of an implicit step as a minimum: `Φ(x) = E(x) + w/2 |x - x̂|²_M`, `|y|²_M = sum m_i |y_i|²`.
 //!
 //! Backward Euler with step h is w = 1/h² and x̂ = x + h v (J. C. Simo et al.; M. Ortiz, L. Stainier, Comput. Methods Appl.
 //! Mech. Engrg. 171, 1999); other backward differences differ in the numbers only. Found by Newton's method: the true second

@@ -19,7 +19,7 @@ const GROWTH: f64 = 1.5;
 /// Residual to which implicit steps are solved, against the one that is to be reached.
 const SOLVED: f64 = 0.1;
 /// Blocks of steps after which the stability limit is looked at again, since cloth stiffens as it stretches.
-const BLOCKS_A_LIMIT: u64 = 40;
+const BLOCKS_A_LIMIT: usize = 40;
 
 /// How a motion to rest is damped and bounded.
 #[derive(Clone, Copy, Debug)]
@@ -97,7 +97,7 @@ pub(crate) fn run(
             Verdict::Interrupt => return Ok(Stop::Interrupted),
         }
         number += 1;
-        if explicit && number as u64 % BLOCKS_A_LIMIT == 0 && motion.step.is_none() {
+        if explicit && number.is_multiple_of(BLOCKS_A_LIMIT) && motion.step.is_none() {
             most = longest(stepper.stable_step(system, &state.x));
             h = most;
         }
@@ -113,7 +113,6 @@ pub(crate) fn run(
                 h *= 0.25;
             }
             Err(Trouble::NotSolved) => return Ok(Stop::Stalled),
-            Err(Trouble::OutOfMemory) => return Ok(Stop::OutOfMemory),
             Err(Trouble::NotFinite) => return Ok(Stop::NotFinite),
         }
     }

@@ -155,9 +155,6 @@ impl Run<'_, '_, '_> {
                     state.copy_from(&before);
                     return Err("forces became infinite".to_owned());
                 }
-                Err(Trouble::OutOfMemory) => {
-                    return Err("there is no memory for the matrix factor".to_owned());
-                }
                 Err(Trouble::NotSolved) => f64::INFINITY,
             };
             let solved = error.is_finite();
@@ -181,7 +178,7 @@ impl Run<'_, '_, '_> {
                 remaining - h * count as f64
             };
             blocks += 1;
-            if stepper.block() > 1 && blocks % BLOCKS_A_LIMIT == 0 {
+            if stepper.block() > 1 && u64::is_multiple_of(blocks, BLOCKS_A_LIMIT) {
                 let stable = stepper.stable_step(system, &state.x);
                 self.report.within_limits &= h <= stable;
                 control.limit(SAFETY * stable);

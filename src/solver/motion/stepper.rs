@@ -41,8 +41,6 @@ impl State {
 pub(crate) enum Trouble {
     /// The equations of an implicit step were not solved.
     NotSolved,
-    /// No memory for the factor.
-    OutOfMemory,
     /// Numbers that are not finite.
     NotFinite,
 }

@@ -162,8 +162,8 @@ impl Kernel {
             let (slice, lane) = (place / LANES, place % LANES);
             self.x[place][..3].copy_from_slice(x[p].as_slice());
             let free = self.mobility[slice][lane] > 0.0;
-            for axis in 0..3 {
-                self.v[slice][axis][lane] = if free { v[p][axis] } else { 0.0 };
+            for (lanes, v) in self.v[slice].iter_mut().zip(v[p].iter()) {
+                lanes[lane] = if free { *v } else { 0.0 };
             }
         }
     }

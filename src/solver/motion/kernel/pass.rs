@@ -1,8 +1,4 @@
 //! The pass itself: loops over eight lanes, written out so that they become vector instructions.
-#![expect(
-    clippy::needless_range_loop,
-    reason = "every loop runs over the lanes or axes of several arrays at once"
-)]
 
 use super::{Kernel, LANES, Lanes, Rule};
 use pulp::{Simd, WithSimd};
