@@ -6,6 +6,7 @@
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::perm::PermRef;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering,
     factorize_symbolic_cholesky,
@@ -31,21 +32,31 @@ pub struct NotPositiveDefinite;
 pub struct OutOfMemory;
 
 impl Cholesky {
-    /// Orders (approximate minimum degree) and analyses the lower triangle of a matrix: the rows of column `j` are
-    /// `rows[column_start[j]..column_start[j + 1]]`, ascending.
+    /// Analyses the lower triangle of a matrix: the rows of column `j` are `rows[column_start[j]..column_start[j + 1]]`,
+    /// ascending. Columns are eliminated as `order` lists them; approximate minimum degree if it is absent.
     ///
     /// # Errors
     /// [`OutOfMemory`] if the factor does not fit.
     ///
     /// # Panics
-    /// If `column_start` and `rows` are not such a triangle.
-    pub fn new(column_start: Vec<usize>, rows: Vec<usize>) -> Result<Self, OutOfMemory> {
+    /// If `column_start` and `rows` are not such a triangle, or `order` does not list every column once.
+    pub fn new(
+        column_start: Vec<usize>,
+        rows: Vec<usize>,
+        order: Option<&[usize]>,
+    ) -> Result<Self, OutOfMemory> {
         let size = column_start.len() - 1;
         let pattern = SymbolicSparseColMatRef::new_checked(size, size, &column_start, None, &rows);
         let parameters = CholeskySymbolicParams::default();
-        let symbolic =
-            factorize_symbolic_cholesky(pattern, Side::Lower, SymmetricOrdering::Amd, parameters)
-                .map_err(|_| OutOfMemory)?;
+        let place = order.map(inverse);
+        let ordering = match (order, &place) {
+            (Some(order), Some(place)) => {
+                SymmetricOrdering::Custom(PermRef::new_checked(order, place, size))
+            }
+            _ => SymmetricOrdering::Amd,
+        };
+        let symbolic = factorize_symbolic_cholesky(pattern, Side::Lower, ordering, parameters)
+            .map_err(|_| OutOfMemory)?;
         let scratch = symbolic
             .factorize_numeric_llt_scratch::<f64>(Par::Seq, faer::Spec::default())
             .or(symbolic.solve_in_place_scratch::<f64>(1, Par::Seq));
@@ -99,6 +110,16 @@ impl Cholesky {
     }
 }
 
+/// The place of each column in `order`.
+fn inverse(order: &[usize]) -> Vec<usize> {
+    let mut place = vec![0; order.len()];
+    order
+        .iter()
+        .enumerate()
+        .for_each(|(i, &column)| place[column] = i);
+    place
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -106,7 +127,8 @@ mod tests {
     #[test]
     fn a_path_laplacian_is_solved() {
         // [2 -1 0; -1 2 -1; 0 -1 2] x = [1 0 1] has x = [1 1 1].
-        let mut cholesky = Cholesky::new(vec![0, 2, 4, 5], vec![0, 1, 1, 2, 2]).expect("small");
+        let mut cholesky =
+            Cholesky::new(vec![0, 2, 4, 5], vec![0, 1, 1, 2, 2], Some(&[2, 0, 1])).expect("small");
         cholesky
             .factorise(&[2.0, -1.0, 2.0, -1.0, 2.0])
             .expect("positive definite");
@@ -117,7 +139,7 @@ mod tests {
 
     #[test]
     fn an_indefinite_matrix_is_refused() {
-        let mut cholesky = Cholesky::new(vec![0, 1], vec![0]).expect("small");
+        let mut cholesky = Cholesky::new(vec![0, 1], vec![0], None).expect("small");
         assert_eq!(cholesky.factorise(&[-1.0]), Err(NotPositiveDefinite));
     }
 }

@@ -1,5 +1,6 @@
 //! Cholesky factors of block matrices.
 
+use super::dissection;
 use super::sparsity::{BlockMatrix, Sparsity};
 use nalgebra::Vector3;
 use seamster_cholesky::{Cholesky, NotPositiveDefinite, OutOfMemory};
@@ -12,11 +13,16 @@ pub(crate) struct BlockCholesky {
 }
 
 impl BlockCholesky {
-    /// Orders and analyses the sparsity.
+    /// Orders (nested dissection) and analyses the sparsity.
     pub(crate) fn new(sparsity: &Sparsity) -> Result<Self, OutOfMemory> {
         let (column_start, rows) = scalar_pattern(sparsity);
         let (size, stored) = (column_start.len() - 1, rows.len());
-        let cholesky = Cholesky::new(column_start, rows)?;
+        let order = dissection::order(sparsity);
+        let order: Vec<usize> = order
+            .iter()
+            .flat_map(|&i| [3 * i, 3 * i + 1, 3 * i + 2])
+            .collect();
+        let cholesky = Cholesky::new(column_start, rows, Some(&order))?;
         Ok(Self {
             cholesky,
             values: vec![0.0; stored],

@@ -5,6 +5,7 @@ mod assemble;
 mod cascade;
 mod cholesky;
 mod contact;
+mod dissection;
 mod drape;
 mod forces;
 mod level;

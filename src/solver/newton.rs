@@ -218,9 +218,15 @@ impl Newton {
             );
         }
         system.hold(&self.sparsity, &mut self.shifted);
-        self.cholesky
+        let t0 = (system.clock)();
+        let ok = self
+            .cholesky
             .factorise(&self.sparsity, &self.shifted)
-            .is_ok()
+            .is_ok();
+        if std::env::var("PROF").is_ok() {
+            eprintln!("F {} {}", (system.clock)() - t0, ok);
+        }
+        ok
     }
 
     /// Solves for the step and walks along it as far as the energy allows.

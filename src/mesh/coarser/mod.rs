@@ -13,7 +13,7 @@ use choose::Choice;
 use std::ops::Range;
 
 /// Meshes with fewer vertices are not made coarser.
-const FEWEST: usize = 120;
+const FEWEST: usize = 500;
 /// A mesh that keeps more than this share of its vertices is not worth a level.
 const LARGEST_SHARE: f64 = 0.7;
 
