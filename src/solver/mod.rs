@@ -11,6 +11,7 @@ mod level;
 mod measure;
 mod newton;
 mod report;
+mod skew;
 mod sparsity;
 mod stage;
 mod summary;
