@@ -22,12 +22,6 @@ pub(crate) fn check(garment: &Garment) -> Vec<Fault> {
     let asked = &garment.simulate;
     let at = |field: &str| format!("/{field}");
     refuse(
-        garment.wind.is_some(),
-        at("wind"),
-        "wind",
-        "leave it out or give null",
-    );
-    refuse(
         garment.self_contact == SelfContact::On,
         at("self_contact"),
         "contact of cloth with cloth",

@@ -2,7 +2,7 @@
 
 use super::Library;
 use super::availability::{self, escape};
-use super::garment::{AvatarAsked, Garment, PatternAsked, SCHEMA, SeamsAsked};
+use super::garment::{AvatarAsked, Garment, PatternAsked, SCHEMA, SeamsAsked, Wind};
 use super::{seams, sewn, suggested};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, Warning};
@@ -63,6 +63,7 @@ pub fn prepare(
     }
     faults.extend(simulate_faults(&garment.simulate, limits));
     faults.extend(friction_fault(garment.friction));
+    faults.extend(wind_faults(garment.wind, limits));
     inline_fabrics(&mut garment, library, &mut faults);
     inline_avatar(&mut garment, library, &mut faults);
     let pattern = match find_pattern(garment.pattern.take(), library, limits) {
@@ -321,6 +322,35 @@ fn friction_fault(friction: Option<f64>) -> Option<Fault> {
         )
         .fix("cloth on skin: about 0.3")
     })
+}
+
+fn wind_faults(wind: Option<Wind>, limits: &Limits) -> Vec<Fault> {
+    let Some(wind) = wind else {
+        return Vec::new();
+    };
+    let [x, y, z] = wind.velocity_m_s;
+    let speed = x.hypot(y).hypot(z);
+    let mut faults = Vec::new();
+    let mut bound = |wrong: bool, field: &str, detail: String, fix: String| {
+        if wrong {
+            let pointer = format!("/wind/{field}");
+            faults.push(Fault::new("garment/number", pointer, detail).fix(fix));
+        }
+    };
+    // so written that a NaN is a fault
+    bound(
+        !(0.0..=limits.wind_m_s).contains(&speed),
+        "velocity_m_s",
+        format!("a wind of {speed} m/s is not one to wear a garment in"),
+        format!("metres per second, {} at most", limits.wind_m_s),
+    );
+    bound(
+        !(0.0..=1.0).contains(&wind.gust),
+        "gust",
+        format!("gust is {}", wind.gust),
+        "give a share of the mean speed, from 0 to 1".to_owned(),
+    );
+    faults
 }
 
 fn simulate_faults(asked: &Simulate, limits: &Limits) -> Vec<Fault> {

@@ -132,14 +132,22 @@ fn assemble(prepared: &Prepared, mesh: ClothMesh) -> Result<Scene, Faults> {
     let pin =
         |pin: &super::Pin| Some(mesh.panels[pattern.panel_index(&pin.panel)?].corners[pin.corner]);
     let pins = garment.pins.iter().filter_map(pin).collect();
-    Ok(scene::build(Parts {
+    let scene = scene::build(Parts {
         mesh,
         panels,
         fabrics,
         body: avatar.map(Body::Avatar),
         friction: garment.friction,
         pins,
-    }))
+    });
+    let wind = |wind: super::garment::Wind| scene::Wind {
+        velocity: wind.velocity_m_s.into(),
+        gust: wind.gust,
+    };
+    Ok(Scene {
+        wind: garment.wind.map(wind),
+        ..scene
+    })
 }
 
 /// The shape of each panel, its triangles turned so that they are counter-clockwise seen from outside.

@@ -13,6 +13,7 @@ mod measure;
 mod motion;
 mod newton;
 mod report;
+mod skew;
 mod sparsity;
 mod stage;
 mod summary;

@@ -13,6 +13,7 @@
 //! round-off floor, at the limit of iterations or time, or when canceled, and says which.
 
 use super::cholesky::BlockCholesky;
+use super::skew::SkewSolver;
 use super::sparsity::{BlockMatrix, Sparsity};
 use super::system::System;
 use nalgebra::{Matrix3, Vector3};
@@ -82,6 +83,8 @@ pub(crate) struct Newton {
     hessian: BlockMatrix,
     shifted: BlockMatrix,
     cholesky: BlockCholesky,
+    /// For forces that have no energy.
+    skew: Option<SkewSolver>,
     force: Vec<Vector3<f64>>,
     step: Vec<Vector3<f64>>,
     trial: Vec<Vector3<f64>>,
@@ -104,6 +107,7 @@ impl Newton {
             hessian: BlockMatrix::zeros(&sparsity),
             shifted: BlockMatrix::zeros(&sparsity),
             cholesky: BlockCholesky::new(&sparsity)?,
+            skew: system.is_skew().then(SkewSolver::default),
             sparsity,
             force: vec![Vector3::zeros(); count],
             step: vec![Vector3::zeros(); count],
@@ -167,8 +171,7 @@ impl Newton {
         self.cholesky
             .factorise(&self.sparsity, &self.hessian)
             .ok()?;
-        self.step.copy_from_slice(&self.force);
-        self.cholesky.solve(&mut self.step);
+        self.solve(system, x);
         Some(
             (self.step.iter().map(Vector3::norm_squared).sum::<f64>() / self.step.len() as f64)
                 .sqrt(),
@@ -229,10 +232,21 @@ impl Newton {
         ok
     }
 
-    /// Solves for the step and walks along it as far as the energy allows.
-    fn search(&mut self, system: &mut System<'_>, x: &mut [Vector3<f64>], energy: f64) -> bool {
+    /// The step from `x` by the last factor.
+    fn solve(&mut self, system: &System<'_>, x: &[Vector3<f64>]) {
         self.step.copy_from_slice(&self.force);
         self.cholesky.solve(&mut self.step);
+        if let Some(skew) = &mut self.skew {
+            let cholesky = &mut self.cholesky;
+            let mut solve = |right: &mut [Vector3<f64>]| cholesky.solve(right);
+            let mut apply = |d: &[Vector3<f64>], out: &mut [Vector3<f64>]| system.skew(x, d, out);
+            skew.correct(&self.force, &mut self.step, &mut solve, &mut apply);
+        }
+    }
+
+    /// Solves for the step and walks along it as far as the energy allows.
+    fn search(&mut self, system: &mut System<'_>, x: &mut [Vector3<f64>], energy: f64) -> bool {
+        self.solve(system, x);
         let longest = self
             .step
             .iter()

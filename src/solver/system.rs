@@ -49,6 +49,20 @@ impl System<'_> {
         sparsity
     }
 
+    /// Whether some force has no energy.
+    pub(crate) fn is_skew(&self) -> bool {
+        self.terms.iter().any(|term| term.force.is_skew())
+    }
+
+    /// The skew part of the negative derivative of all forces at `x`, times `d`, which is zero for what is held.
+    pub(crate) fn skew(&self, x: &[Vector3<f64>], d: &[Vector3<f64>], out: &mut [Vector3<f64>]) {
+        out.fill(Vector3::zeros());
+        for term in &self.terms {
+            term.force.add_skew(x, d, out);
+        }
+        self.hold_still(out);
+    }
+
     /// Tells the terms of an accepted shape.
     pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) {
         for term in &mut self.terms {

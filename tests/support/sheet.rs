@@ -168,6 +168,9 @@ impl Sheet {
             gravity: Vector3::new(0.0, -9.80665, 0.0),
             pins: vec![],
             held_axis: None,
+            fibres: None,
+            least_bending_n_m: 0.0,
+            drag: None,
             wind: None,
         }
     }

@@ -48,6 +48,14 @@ pub(crate) trait Force {
     /// what limits an explicit step, and what rounding is measured by.
     fn add_stiffness(&self, stiffness: &mut [f64]);
 
+    /// Whether it has no energy: its derivative is not symmetric.
+    fn is_skew(&self) -> bool {
+        false
+    }
+
+    /// Adds to `out` the skew part of the negative derivative of such a force at `x`, times `d`.
+    fn add_skew(&self, _x: &[Vector3<f64>], _d: &[Vector3<f64>], _out: &mut [Vector3<f64>]) {}
+
     /// Told of every accepted shape: what is lagged, or has no energy but from there, is taken anew.
     fn accept(&mut self, _x: &[Vector3<f64>]) {}
 

@@ -13,7 +13,7 @@
 //! The force follows the cloth, so it has none. Since the last accepted shape x0 it has done the work
 //! (f(x0) + f(x))·(x - x0) / 2 along the straight way, to third order; less that is the energy here. At x0 its gradient is -f
 //! exactly and its second derivative the symmetric part of -df/dx, so that Newton's steps, which start there, find the shape where
-//! the true forces balance; what the antisymmetric part leaves out costs iterations, not accuracy.
+//! the true forces balance. The skew part, which is as large where cloth streams in the wind, goes into the step by `skew.rs`.
 
 use super::Force;
 use crate::scene::Wind;
@@ -68,6 +68,16 @@ impl WindForce {
         }
         let [a, b, c] = triangle.map(|v| self.velocity[v]);
         self.air - (a + b + c) / 3.0
+    }
+
+    /// Derivative of a third of the force on triangle `t` by each of its corners.
+    fn third_by_corner(&self, t: &[usize; 3], x: &[Vector3<f64>]) -> [Matrix3<f64>; 3] {
+        let by_area = drag_by_area(&area(t, x), &self.relative(t));
+        // A corner moved by d changes the area vector by half of (the edge across from it) x d.
+        [0, 1, 2].map(|i| {
+            let edge = x[t[(i + 2) % 3]] - x[t[(i + 1) % 3]];
+            by_area * edge.cross_matrix() * (0.5 / 3.0)
+        })
     }
 
     fn add(&self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
@@ -163,12 +173,7 @@ impl Force for WindForce {
             return;
         }
         for (t, slots) in self.triangles.iter().zip(&self.slots) {
-            let by_area = drag_by_area(&area(t, x), &self.relative(t));
-            // A corner moved by d changes the area vector by half of (the edge across from it) x d.
-            let third = [0, 1, 2].map(|i| {
-                let edge = x[t[(i + 2) % 3]] - x[t[(i + 1) % 3]];
-                by_area * edge.cross_matrix() * (0.5 / 3.0)
-            });
+            let third = self.third_by_corner(t, x);
             for (&(i, j), &slot) in PAIRS.iter().zip(slots) {
                 hessian.add(slot, &((third[j] + third[i].transpose()) * (-0.5 * kept)));
             }
@@ -176,6 +181,23 @@ impl Force for WindForce {
     }
 
     fn add_stiffness(&self, _stiffness: &mut [f64]) {}
+
+    fn is_skew(&self) -> bool {
+        true
+    }
+
+    fn add_skew(&self, x: &[Vector3<f64>], d: &[Vector3<f64>], out: &mut [Vector3<f64>]) {
+        for t in &self.triangles {
+            let third = self.third_by_corner(t, x);
+            let moved = t.map(|v| d[v]);
+            // All corners have the same force, so that rows of its derivative are alike and columns are those of the corners.
+            let rows = third[0] * moved[0] + third[1] * moved[1] + third[2] * moved[2];
+            let sum = moved[0] + moved[1] + moved[2];
+            for (&particle, third) in t.iter().zip(&third) {
+                out[particle] -= (rows - third.tr_mul(&sum)) * 0.5;
+            }
+        }
+    }
 
     fn accept(&mut self, x: &[Vector3<f64>]) {
         self.accepted.clear();
@@ -245,7 +267,7 @@ mod tests {
     }
 
     #[test]
-    fn its_second_derivative_is_the_symmetric_part_of_that_of_the_force() {
+    fn its_second_derivative_and_its_skew_part_make_up_that_of_the_force() {
         let (n, h) = (12, 1e-5);
         let mut force = on_shape(WIND);
         let differences = DMatrix::from_fn(n, n, |row, column| {
@@ -266,6 +288,17 @@ mod tests {
                 let expected = symmetric.fixed_view::<3, 3>(3 * row, 3 * column);
                 let apart = (blocks.blocks[slot] - expected).amax();
                 assert!(apart < 1e-7, "{row} {column}: {apart}");
+            }
+        }
+        let skew = (&differences - differences.transpose()) * 0.5;
+        assert!(skew.amax() > 0.1, "nothing is tested");
+        for column in 0..n {
+            let mut unit = vec![Vector3::zeros(); 4];
+            unit[column / 3][column % 3] = 1.0;
+            let mut product = vec![Vector3::zeros(); 4];
+            force.add_skew(&shape(), &unit, &mut product);
+            for row in 0..n {
+                assert!((product[row / 3][row % 3] - skew[(row, column)]).abs() < 1e-7);
             }
         }
     }
