@@ -1,0 +1,148 @@
+//! What is run: every scene with every method that makes sense on it, over tolerances or times.
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+
+/// One run to be made.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(crate) struct Run {
+    pub(crate) scene: String,
+    /// Fields of `Simulate` that differ from its defaults.
+    pub(crate) setting: Value,
+    /// CPU time allowed \[s\].
+    pub(crate) limit_s: f64,
+    /// Whether a second method is to confirm the reference.
+    pub(crate) confirm: bool,
+}
+
+/// A scene of the benchmark.
+struct Bench {
+    name: &'static str,
+    /// CPU time allowed to one run \[s\].
+    limit_s: f64,
+    /// Whether explicit steps come to rest in that time.
+    explicit: bool,
+}
+
+const fn bench(name: &'static str, limit_s: f64, explicit: bool) -> Bench {
+    Bench {
+        name,
+        limit_s,
+        explicit,
+    }
+}
+
+/// In the order of running: what is quick first.
+const BENCHES: [Bench; 32] = [
+    bench("S1P", 10.0, true),
+    bench("S1P_x100", 10.0, true),
+    bench("S1P_65", 10.0, true),
+    bench("S1P_129", 10.0, false),
+    bench("S1P_65_x100", 10.0, false),
+    bench("S1P_129_x100", 10.0, false),
+    bench("S1T", 10.0, true),
+    bench("S1T_x100", 10.0, false),
+    bench("S1T_65", 10.0, false),
+    bench("S1T_129", 10.0, false),
+    bench("S2", 10.0, true),
+    bench("S2_x100", 10.0, false),
+    bench("S2_65", 10.0, false),
+    bench("S2_129", 20.0, false),
+    bench("S2_smooth", 10.0, true),
+    bench("S2_x100_smooth", 10.0, false),
+    bench("S2_65_smooth", 10.0, false),
+    bench("S2_129_smooth", 20.0, false),
+    bench("S3", 10.0, true),
+    bench("S3_x100", 10.0, false),
+    bench("S3_81", 20.0, false),
+    bench("S3_161", 20.0, false),
+    bench("S3_smooth", 10.0, true),
+    bench("S3_x100_smooth", 10.0, false),
+    bench("S3_81_smooth", 20.0, false),
+    bench("S3_161_smooth", 20.0, false),
+    bench("tube2k", 10.0, true),
+    bench("tube10k", 20.0, false),
+    bench("tube2k_x100", 10.0, false),
+    bench("tube10k_x100", 20.0, false),
+    bench("tube30k", 40.0, false),
+    bench("tube100k", 60.0, false),
+];
+
+/// Methods that follow the motion until it has died.
+const TRAJECTORIES: [&str; 4] = ["symplectic_euler", "verlet", "implicit_euler", "bdf2"];
+/// CPU times at which the error of S1P is asked for \[s\].
+const TIMES: [f64; 3] = [0.02, 0.05, 0.1];
+
+/// The names of all scenes.
+pub(crate) fn names() -> Vec<&'static str> {
+    BENCHES.iter().map(|bench| bench.name).collect()
+}
+
+/// The runs on the scenes that are asked for, all if none is, by one method or all.
+pub(crate) fn runs(scenes: &[String], method: Option<&str>) -> Vec<Run> {
+    let asked = |name: &str| {
+        let named = |pattern: &String| match pattern.strip_suffix('*') {
+            Some(start) => name.starts_with(start),
+            None => pattern == name,
+        };
+        scenes.is_empty() || scenes.iter().any(named)
+    };
+    BENCHES
+        .iter()
+        .filter(|bench| asked(bench.name))
+        .flat_map(Bench::runs)
+        .filter(|run| method.is_none_or(|method| run.setting["method"] == method))
+        .collect()
+}
+
+impl Bench {
+    fn runs(&self) -> Vec<Run> {
+        let newton = |tolerance: f64| json!({"method": "newton", "tolerance": tolerance});
+        let mut settings: Vec<Value> = self.tolerances().iter().map(|&t| newton(t)).collect();
+        if self.name == "S1P" {
+            let timed =
+                |s: &f64| json!({"method": "newton", "tolerance": 1e-12, "time_limit_s": s});
+            settings.extend(TIMES.iter().map(timed));
+        }
+        if self.name.starts_with("S3") {
+            settings.push(json!({
+                "method": "newton", "tolerance": 1e-5, "seam_close": "spring",
+                "seam_stiffness_n_m": crate::scenes::net::SEAM_STIFFNESS,
+            }));
+        }
+        if self.name == "tube2k" {
+            settings.push(json!({"method": "newton", "tolerance": 1e-5, "membrane": "springs"}));
+        }
+        if self.explicit {
+            for method in TRAJECTORIES {
+                let setting = |tolerance: f64| json!({"method": method, "tolerance": tolerance});
+                settings.extend([1e-2, 1e-3, 1e-5].map(setting));
+            }
+        }
+        settings
+            .into_iter()
+            .map(|setting| self.run(setting))
+            .collect()
+    }
+
+    /// Residuals to reach: one where the time is long, a row of them for a curve elsewhere.
+    fn tolerances(&self) -> &'static [f64] {
+        if self.limit_s > 20.0 {
+            &[1e-5]
+        } else if self.limit_s > 10.0 {
+            &[1e-3, 1e-5]
+        } else {
+            &[1e-2, 1e-3, 1e-5, 1e-8]
+        }
+    }
+
+    fn run(&self, setting: Value) -> Run {
+        let confirm = self.explicit && setting == json!({"method": "newton", "tolerance": 1e-5});
+        Run {
+            scene: self.name.to_owned(),
+            limit_s: self.limit_s,
+            confirm,
+            setting,
+        }
+    }
+}
