@@ -20,52 +20,69 @@ struct Bench {
     name: &'static str,
     /// CPU time allowed to one run \[s\].
     limit_s: f64,
-    /// Whether explicit steps come to rest in that time.
-    explicit: bool,
+    /// Residuals that Newton's method is to reach.
+    newton: &'static [f64],
+    /// Residuals that a motion is followed to.
+    motion: &'static [f64],
 }
 
-const fn bench(name: &'static str, limit_s: f64, explicit: bool) -> Bench {
+/// A row of residuals for a curve of error against work.
+const ROW: &[f64] = &[1e-2, 1e-3, 1e-5, 1e-8];
+const PAIR: &[f64] = &[1e-3, 1e-5];
+/// What a fit asks for.
+const LAST: &[f64] = &[1e-5];
+/// As near to rest as a slow motion comes in the time.
+const ONE: &[f64] = &[1e-3];
+const NONE: &[f64] = &[];
+
+const fn bench(
+    name: &'static str,
+    limit_s: f64,
+    newton: &'static [f64],
+    motion: &'static [f64],
+) -> Bench {
     Bench {
         name,
         limit_s,
-        explicit,
+        newton,
+        motion,
     }
 }
 
 /// In the order of running: what is quick first.
 const BENCHES: [Bench; 32] = [
-    bench("S1P", 10.0, true),
-    bench("S1P_x100", 10.0, true),
-    bench("S1P_65", 10.0, true),
-    bench("S1P_129", 10.0, false),
-    bench("S1P_65_x100", 10.0, false),
-    bench("S1P_129_x100", 10.0, false),
-    bench("S1T", 10.0, true),
-    bench("S1T_x100", 10.0, false),
-    bench("S1T_65", 10.0, false),
-    bench("S1T_129", 10.0, false),
-    bench("S2", 10.0, true),
-    bench("S2_x100", 10.0, false),
-    bench("S2_65", 10.0, false),
-    bench("S2_129", 20.0, false),
-    bench("S2_smooth", 10.0, true),
-    bench("S2_x100_smooth", 10.0, false),
-    bench("S2_65_smooth", 10.0, false),
-    bench("S2_129_smooth", 20.0, false),
-    bench("S3", 10.0, true),
-    bench("S3_x100", 10.0, false),
-    bench("S3_81", 20.0, false),
-    bench("S3_161", 20.0, false),
-    bench("S3_smooth", 10.0, true),
-    bench("S3_x100_smooth", 10.0, false),
-    bench("S3_81_smooth", 20.0, false),
-    bench("S3_161_smooth", 20.0, false),
-    bench("tube2k", 10.0, true),
-    bench("tube10k", 20.0, false),
-    bench("tube2k_x100", 10.0, false),
-    bench("tube10k_x100", 20.0, false),
-    bench("tube30k", 40.0, false),
-    bench("tube100k", 60.0, false),
+    bench("S1P", 10.0, ROW, ROW),
+    bench("S1P_x100", 10.0, ROW, ROW),
+    bench("S1P_65", 10.0, PAIR, ONE),
+    bench("S1P_129", 10.0, PAIR, NONE),
+    bench("S1P_65_x100", 10.0, PAIR, NONE),
+    bench("S1P_129_x100", 10.0, PAIR, NONE),
+    bench("S1T", 10.0, ROW, ONE),
+    bench("S1T_x100", 10.0, PAIR, NONE),
+    bench("S1T_65", 10.0, PAIR, NONE),
+    bench("S1T_129", 10.0, PAIR, NONE),
+    bench("S2", 10.0, ROW, ROW),
+    bench("S2_x100", 10.0, PAIR, NONE),
+    bench("S2_65", 10.0, PAIR, NONE),
+    bench("S2_129", 20.0, LAST, NONE),
+    bench("S2_smooth", 10.0, ROW, ONE),
+    bench("S2_x100_smooth", 10.0, PAIR, NONE),
+    bench("S2_65_smooth", 10.0, PAIR, NONE),
+    bench("S2_129_smooth", 20.0, LAST, NONE),
+    bench("S3", 10.0, ROW, ONE),
+    bench("S3_x100", 10.0, PAIR, NONE),
+    bench("S3_81", 20.0, LAST, NONE),
+    bench("S3_161", 20.0, LAST, NONE),
+    bench("S3_smooth", 10.0, ROW, ONE),
+    bench("S3_x100_smooth", 10.0, PAIR, NONE),
+    bench("S3_81_smooth", 20.0, LAST, NONE),
+    bench("S3_161_smooth", 20.0, LAST, NONE),
+    bench("tube2k", 10.0, ROW, ONE),
+    bench("tube2k_x100", 10.0, PAIR, NONE),
+    bench("tube10k", 20.0, PAIR, NONE),
+    bench("tube10k_x100", 20.0, LAST, NONE),
+    bench("tube30k", 40.0, LAST, NONE),
+    bench("tube100k", 60.0, LAST, NONE),
 ];
 
 /// Methods that follow the motion until it has died.
@@ -97,8 +114,10 @@ pub(crate) fn runs(scenes: &[String], method: Option<&str>) -> Vec<Run> {
 
 impl Bench {
     fn runs(&self) -> Vec<Run> {
-        let newton = |tolerance: f64| json!({"method": "newton", "tolerance": tolerance});
-        let mut settings: Vec<Value> = self.tolerances().iter().map(|&t| newton(t)).collect();
+        let setting =
+            |method: &str, tolerance: f64| json!({"method": method, "tolerance": tolerance});
+        let newton = self.newton.iter().map(|&t| setting("newton", t));
+        let mut settings: Vec<Value> = newton.collect();
         if self.name == "S1P" {
             let timed =
                 |s: &f64| json!({"method": "newton", "tolerance": 1e-12, "time_limit_s": s});
@@ -113,11 +132,8 @@ impl Bench {
         if self.name == "tube2k" {
             settings.push(json!({"method": "newton", "tolerance": 1e-5, "membrane": "springs"}));
         }
-        if self.explicit {
-            for method in TRAJECTORIES {
-                let setting = |tolerance: f64| json!({"method": method, "tolerance": tolerance});
-                settings.extend([1e-2, 1e-3, 1e-5].map(setting));
-            }
+        for method in TRAJECTORIES {
+            settings.extend(self.motion.iter().map(|&t| setting(method, t)));
         }
         settings
             .into_iter()
@@ -125,19 +141,9 @@ impl Bench {
             .collect()
     }
 
-    /// Residuals to reach: one where the time is long, a row of them for a curve elsewhere.
-    fn tolerances(&self) -> &'static [f64] {
-        if self.limit_s > 20.0 {
-            &[1e-5]
-        } else if self.limit_s > 10.0 {
-            &[1e-3, 1e-5]
-        } else {
-            &[1e-2, 1e-3, 1e-5, 1e-8]
-        }
-    }
-
     fn run(&self, setting: Value) -> Run {
-        let confirm = self.explicit && setting == json!({"method": "newton", "tolerance": 1e-5});
+        let confirm =
+            !self.motion.is_empty() && setting == json!({"method": "newton", "tolerance": 1e-5});
         Run {
             scene: self.name.to_owned(),
             limit_s: self.limit_s,

@@ -3,7 +3,7 @@
 //! A name is a family with what is special about it: `S1P`, `S3_81`, `S2_smooth`, `S1T_x100`, `tube10k_x100`.
 //! `S1P`, `S1T`, `S2` and `S3` are spring nets that other simulators have run too (see `net`), `tubeNk` a tube of cloth of about N
 //! thousand vertices (see `tube`). A number is that of rows of vertices in a panel, `x100` makes cloth 100 times stiffer in
-//! stretch and shear, `smooth` takes friction away.
+//! stretch and shear, `smooth` takes friction away (and pins S2 on top).
 #![allow(
     dead_code,
     reason = "each test program takes this in as its own and uses some of it"
@@ -46,6 +46,12 @@ pub(crate) fn scene(name: &str) -> Option<Scene> {
     .scene();
     if smooth {
         raw.friction = 0.0;
+        if family == Family::Sphere {
+            // A sheet on a smooth ball slides off, as a rope off a pulley: two vertices on top hold it. One would let it turn.
+            let columns = rows.unwrap_or(family.rows());
+            let middle = columns / 2 * columns + columns / 2;
+            raw.pins = vec![middle, middle + 1];
+        }
     }
     Some(
         raw.into_scene(&Limits::default())
