@@ -25,9 +25,11 @@ pub(crate) struct Line {
     pub(crate) gap_m: f64,
     pub(crate) penetration_m: f64,
     pub(crate) strain_max: f64,
+    /// Of all terms, height against the start: the lower, the better a minimum was found. Rest shapes are not unique \[J\].
+    pub(crate) energy_j: f64,
     pub(crate) memory_peak_bytes: u64,
-    /// Iterations told of, each stage's last look included; none for explicit steps.
-    pub(crate) newton_iterations: Option<u64>,
+    /// On all levels; 0 for explicit steps.
+    pub(crate) newton_iterations: usize,
     pub(crate) converged: bool,
     /// Why it stopped.
     pub(crate) why: String,

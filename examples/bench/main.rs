@@ -11,6 +11,7 @@ mod plot;
 mod run;
 #[path = "../../tests/support/scenes/mod.rs"]
 mod scenes;
+mod summary;
 mod table;
 
 use clap::Parser;

@@ -28,7 +28,6 @@ struct Timed {
     drape: Drape,
     cpu_s: f64,
     wall_s: f64,
-    looks: u64,
 }
 
 /// Makes the run; nothing if the solver has no such method.
@@ -41,6 +40,7 @@ pub(crate) fn measured(run: &Run) -> Option<Line> {
         return None;
     }
     let memory_peak_bytes = memory_peak_bytes();
+    let energy = report.energy_j;
     if run.setting.get("time_limit_s").is_none() {
         repeat(&scene, &ask, &mut timed);
     }
@@ -64,8 +64,9 @@ pub(crate) fn measured(run: &Run) -> Option<Line> {
         gap_m: report.seam_gap_max_m,
         penetration_m: report.penetration_max_m,
         strain_max: report.strain_max,
+        energy_j: energy.stretch + energy.bend + energy.gravity + energy.seam + energy.contact,
         memory_peak_bytes,
-        newton_iterations: (ask.method == Method::Newton).then_some(timed.looks),
+        newton_iterations: report.newton_iterations,
         converged: report.converged,
         why: report.why.clone(),
         reference_floors: None,
@@ -127,21 +128,12 @@ fn repeat(scene: &Scene, ask: &Simulate, first: &mut Timed) {
 }
 
 fn timed(scene: &Scene, ask: &Simulate) -> Timed {
-    let mut looks = 0;
-    let (limits, cancel) = (Limits::default(), CancelToken::new());
-    let mut context = Context {
-        cpu_s: &cpu_s,
-        cancel: &cancel,
-        progress: &mut |_| looks += 1,
-        limits: &limits,
-    };
     let (began, cpu_began) = (Instant::now(), cpu_s());
-    let drape = solver::drape(scene, ask, &mut context);
+    let drape = with_context(|context| solver::drape(scene, ask, context));
     Timed {
         drape,
         cpu_s: cpu_s() - cpu_began,
         wall_s: began.elapsed().as_secs_f64(),
-        looks,
     }
 }
 

@@ -1,6 +1,7 @@
 //! The lines as a table for people, in Markdown or one by one.
 
 use crate::line::Line;
+use crate::summary;
 use serde_json::Value;
 use std::fmt::Write;
 use std::path::Path;
@@ -10,8 +11,8 @@ use std::{fs, io};
 const BEGIN: &str = "<!-- bench: begin -->";
 const END: &str = "<!-- bench: end -->";
 
-const HEAD: &str = "| scene | vertices | method | setting | CPU s | iterations | r | error mm | estimate mm | gap mm | penetration mm | strain % | memory MB |
-|---|---:|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|
+const HEAD: &str = "| scene | vertices | method | setting | CPU s | iterations | r | error mm | estimate mm | gap mm | penetration mm | strain % | energy J | memory MB |
+|---|---:|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|
 ";
 
 /// Replaces the table in `file` by one of these lines.
@@ -30,7 +31,8 @@ pub(crate) fn write(file: &Path, lines: &[Line]) -> io::Result<()> {
 }
 
 fn markdown(lines: &[Line]) -> String {
-    let mut out = format!("\n{}\n\n{HEAD}", machine());
+    let mut out = format!("\n{}\n\n{}", machine(), summary::markdown(lines));
+    let _ = write!(out, "\n### Every run\n\n{HEAD}");
     for line in lines {
         let [cpu, iterations, residual] = work(line);
         let cells = [
@@ -46,6 +48,7 @@ fn markdown(lines: &[Line]) -> String {
             millimetres(Some(line.gap_m)),
             millimetres(Some(line.penetration_m)),
             figures(100.0 * line.strain_max),
+            format!("{:.5}", line.energy_j),
             format!("{:.0}", line.memory_peak_bytes as f64 / 1e6),
         ];
         let _ = writeln!(out, "| {} |", cells.join(" | "));
@@ -58,7 +61,7 @@ fn markdown(lines: &[Line]) -> String {
 pub(crate) fn short(line: &Line) -> String {
     let [cpu, iterations, residual] = work(line);
     format!(
-        "{:15} {:16} {:42} {cpu:>8} s {iterations:>5} it, r {residual:>8}, error {:>8} mm (estimate {}), gap {} mm, in {} mm, strain {} %, {:.0} MB",
+        "{:15} {:16} {:42} {cpu:>8} s {iterations:>5} it, r {residual:>8}, error {:>8} mm (estimate {}), gap {} mm, in {} mm, strain {} %, {:.6} J, {:.0} MB",
         line.scene,
         line.method,
         setting(&line.setting),
@@ -67,15 +70,17 @@ pub(crate) fn short(line: &Line) -> String {
         millimetres(Some(line.gap_m)),
         millimetres(Some(line.penetration_m)),
         figures(100.0 * line.strain_max),
+        line.energy_j,
         line.memory_peak_bytes as f64 / 1e6,
     )
 }
 
 /// CPU time, iterations and residual; a residual that was to be lower has a star.
 fn work(line: &Line) -> [String; 3] {
-    let iterations = line
-        .newton_iterations
-        .map_or("–".to_owned(), |n| n.to_string());
+    let iterations = match line.newton_iterations {
+        0 => "–".to_owned(),
+        count => count.to_string(),
+    };
     let star = if line.converged { "" } else { "*" };
     [
         figures(line.cpu_s),
@@ -97,12 +102,12 @@ fn setting(setting: &Value) -> String {
     told.collect::<Vec<_>>().join(", ")
 }
 
-fn millimetres(metres: Option<f64>) -> String {
+pub(crate) fn millimetres(metres: Option<f64>) -> String {
     metres.map_or("–".to_owned(), |metres| figures(1e3 * metres))
 }
 
 /// Two figures that count.
-fn figures(x: f64) -> String {
+pub(crate) fn figures(x: f64) -> String {
     match x.abs() {
         0.0 => "0".to_owned(),
         a if a < 1e-3 => format!("{x:.1e}"),
@@ -119,7 +124,7 @@ fn machine() -> String {
         .lines()
         .find_map(|line| line.strip_prefix("model name")?.split(':').nth(1));
     format!(
-        "Measured with Seamster {} on one core of {} (a star: stopped by the time allowed or by a fault before the residual asked for).",
+        "Measured with Seamster {} on one core of {}. A star: stopped by the time allowed or by a fault before the residual asked for.",
         env!("CARGO_PKG_VERSION"),
         model.unwrap_or("an unknown machine").trim()
     )

@@ -61,6 +61,7 @@ pub(crate) fn tube(vertex_count: usize, stiffer: f64) -> Scene {
             },
         ],
         net: None,
+        fibres: None,
         body: Some(Body::Analytic(Analytic::Cylinder {
             c: [0.0; 3],
             axis: [1.0, 0.0, 0.0],
