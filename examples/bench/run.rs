@@ -23,6 +23,9 @@ const TO_THE_FLOOR: f64 = 1e-300;
 /// CPU time allowed to a reference \[s\].
 const REFERENCE_LIMIT: f64 = 20.0;
 
+/// Methods of which the first that comes to rest confirms the reference.
+const SECOND: [Method; 2] = [Method::ImplicitEuler, Method::SymplecticEuler];
+
 /// One drape with what it took.
 struct Timed {
     drape: Drape,
@@ -90,7 +93,8 @@ fn refer(scene: &Scene, ask: &Simulate, stopped: &[Vector3<f64>], confirm: bool,
             ..ask.clone()
         };
         let drape = with_context(|context| solver::drape_on(scene, &ask, stopped, context));
-        drape.report.converged.then_some(drape)
+        // a method that there is not yet is done by another, which would agree with itself
+        (drape.report.converged && drape.report.method == name(&method)).then_some(drape)
     };
     let Some(reference) = on_by(Method::Newton) else {
         return;
@@ -98,7 +102,7 @@ fn refer(scene: &Scene, ask: &Simulate, stopped: &[Vector3<f64>], confirm: bool,
     line.error_m = Some(rms_distance(stopped, &reference.positions));
     line.reference_floors = Some(reference.report.residual / reference.report.residual_floor);
     if confirm {
-        let second = on_by(Method::SymplecticEuler);
+        let second = SECOND.into_iter().find_map(on_by);
         line.reference_apart_m = second.map(|s| rms_distance(&s.positions, &reference.positions));
     }
 }
