@@ -1,6 +1,8 @@
 //! Raw scenes: what is wrong with one is told at once, the benchmark's nets are those that other simulators ran, and
 //! particles on springs come to rest where statics says.
 
+#![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
+
 #[path = "support/scenes/mod.rs"]
 mod scenes;
 

@@ -74,13 +74,11 @@ fn all(runs: &[Run], budget_s: f64) -> io::Result<Vec<Line>> {
     fs::create_dir_all(PLOTS)?;
     let mut lines = known_lines()?;
     let began = Instant::now();
-    let mut done = 0;
-    for run in runs {
+    for (done, run) in runs.iter().enumerate() {
         if began.elapsed().as_secs_f64() > budget_s {
             eprintln!("the time is up: {} runs left out", runs.len() - done);
             break;
         }
-        done += 1;
         if let Some(line) = alone(run)? {
             eprintln!("{}", table::short(&line));
             lines.retain(|other| !other.same_run(&line));
