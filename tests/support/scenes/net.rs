@@ -78,19 +78,8 @@ impl Net {
         let panel_count = if self.family == Family::Capsule { 2 } else { 1 };
         let grid = self.grid();
         let mut scene = RawScene {
-            start_m: Vec::new(),
-            mass_kg: Vec::new(),
-            uv_m: Vec::new(),
-            triangles: Vec::new(),
-            springs: Vec::new(),
-            stitches: Vec::new(),
-            pins: Vec::new(),
-            body: None,
-            friction: 0.0,
             gravity_m_s2: GRAVITY,
-            drag_1_s: None,
-            held_axis: None,
-            wind_m_s: None,
+            ..RawScene::default()
         };
         for panel in 0..panel_count {
             grid.add_to(&mut scene, STRETCH * self.stiffer);

@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 use seamster::config::Limits;
 use seamster::mesh::{ClothMesh, triangulate};
 use seamster::progress::CancelToken;
-use seamster::scene::{Analytic, Body, Cut, Fabric, Scene, library};
+use seamster::scene::{Analytic, Cut, Fabric, RawScene, Scene, library};
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
@@ -49,8 +49,19 @@ pub(crate) fn tube(vertex_count: usize, stiffer: f64) -> Scene {
         .clone()
         .min_by(|v, w| from_middle(v).total_cmp(&from_middle(w)))
         .expect("a panel has vertices");
+    let raw = RawScene {
+        start_m: start.into_iter().map(Into::into).collect(),
+        mass_kg: masses(&mesh, fabric.density_kg_m2),
+        pins: vec![pin],
+        body: Some(Analytic::Cylinder {
+            c: [0.0; 3],
+            axis: [1.0, 0.0, 0.0],
+            r: RADIUS,
+        }),
+        gravity_m_s2: [0.0, -9.80665, 0.0],
+        ..RawScene::default()
+    };
     Scene {
-        mass: masses(&mesh, fabric.density_kg_m2),
         mesh,
         fabrics: vec![fabric],
         cut: vec![
@@ -61,19 +72,7 @@ pub(crate) fn tube(vertex_count: usize, stiffer: f64) -> Scene {
             },
         ],
         net: None,
-        fibres: None,
-        body: Some(Body::Analytic(Analytic::Cylinder {
-            c: [0.0; 3],
-            axis: [1.0, 0.0, 0.0],
-            r: RADIUS,
-        })),
-        friction: 0.0,
-        gravity: [0.0, -9.80665, 0.0].into(),
-        drag: None,
-        pins: vec![pin],
-        held_axis: None,
-        wind: None,
-        start,
+        ..raw.into_scene(&Limits::default()).expect("a tube is right")
     }
 }
 
