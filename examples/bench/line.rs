@@ -16,7 +16,8 @@ pub(crate) struct Line {
     pub(crate) cpu_s: f64,
     pub(crate) wall_s: f64,
     pub(crate) threads: usize,
-    /// Distance from the reference that continues from the stopped shape; none with friction \[m\].
+    /// Distance from the reference that continues from the stopped shape, or that reference's own error estimate where it is
+    /// larger: a shape at the round-off floor is its own reference. None with friction \[m\].
     pub(crate) error_m: Option<f64>,
     pub(crate) residual: f64,
     pub(crate) estimate_m: Option<f64>,
@@ -33,6 +34,8 @@ pub(crate) struct Line {
     pub(crate) converged: bool,
     /// Why it stopped.
     pub(crate) why: String,
+    /// How far the reference went on from the stopped shape \[m\].
+    pub(crate) reference_moved_m: Option<f64>,
     /// Residual of the reference over the round-off floor.
     pub(crate) reference_floors: Option<f64>,
     /// Distance between the reference and that of a second method, where that was looked for and came to rest \[m\].

@@ -143,7 +143,7 @@ impl Bench {
 
     fn run(&self, setting: Value) -> Run {
         let confirm =
-            !self.motion.is_empty() && setting == json!({"method": "newton", "tolerance": 1e-5});
+            !self.motion.is_empty() && setting == json!({"method": "newton", "tolerance": 1e-2});
         Run {
             scene: self.name.to_owned(),
             limit_s: self.limit_s,

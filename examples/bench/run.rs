@@ -72,6 +72,7 @@ pub(crate) fn measured(run: &Run) -> Option<Line> {
         newton_iterations: report.newton_iterations,
         converged: report.converged,
         why: report.why.clone(),
+        reference_moved_m: None,
         reference_floors: None,
         reference_apart_m: None,
     };
@@ -99,9 +100,16 @@ fn refer(scene: &Scene, ask: &Simulate, stopped: &[Vector3<f64>], confirm: bool,
     let Some(reference) = on_by(Method::Newton) else {
         return;
     };
-    line.error_m = Some(rms_distance(stopped, &reference.positions));
+    let moved = rms_distance(stopped, &reference.positions);
+    // Two shapes that are both at the floor say nothing of the distance to the exact one: the estimate bounds it.
+    line.error_m = reference
+        .report
+        .error_estimate_m
+        .map(|estimate| moved.max(estimate));
+    line.reference_moved_m = Some(moved);
     line.reference_floors = Some(reference.report.residual / reference.report.residual_floor);
-    if confirm {
+    // a reference that is the stopped shape itself would be confirmed by anything
+    if confirm && moved > 0.0 {
         let second = SECOND.into_iter().find_map(on_by);
         line.reference_apart_m = second.map(|s| rms_distance(&s.positions, &reference.positions));
     }

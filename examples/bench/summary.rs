@@ -1,7 +1,7 @@
 //! What the lines come to: how long each method takes to come to rest, and how the time grows with the number of vertices.
 
 use crate::line::Line;
-use crate::table::{figures, millimetres};
+use crate::table::{error, figures};
 use std::fmt::Write;
 
 /// Residual that counts as at rest.
@@ -53,10 +53,10 @@ fn cell(lines: &[Line], scene: &str, method: &str) -> String {
             .any(|line| line.scene == scene && line.method == method)
     };
     match quickest(lines, scene, method) {
-        Some(line) => match line.error_m {
-            Some(error) => format!("{} ({} mm)", figures(line.cpu_s), millimetres(Some(error))),
-            None => figures(line.cpu_s),
-        },
+        Some(line) if line.error_m.is_some() => {
+            format!("{} ({} mm)", figures(line.cpu_s), error(line))
+        }
+        Some(line) => figures(line.cpu_s),
         None if run() => "not in the time".to_owned(),
         None => "–".to_owned(),
     }

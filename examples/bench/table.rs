@@ -43,7 +43,7 @@ fn markdown(lines: &[Line]) -> String {
             cpu,
             iterations,
             residual,
-            millimetres(line.error_m),
+            error(line),
             millimetres(line.estimate_m.filter(|_| line.estimate_valid)),
             millimetres(Some(line.gap_m)),
             millimetres(Some(line.penetration_m)),
@@ -65,7 +65,7 @@ pub(crate) fn short(line: &Line) -> String {
         line.scene,
         line.method,
         setting(&line.setting),
-        millimetres(line.error_m),
+        error(line),
         millimetres(line.estimate_m.filter(|_| line.estimate_valid)),
         millimetres(Some(line.gap_m)),
         millimetres(Some(line.penetration_m)),
@@ -102,7 +102,14 @@ fn setting(setting: &Value) -> String {
     told.collect::<Vec<_>>().join(", ")
 }
 
-pub(crate) fn millimetres(metres: Option<f64>) -> String {
+/// The error in millimetres, with a sign where only a bound is known.
+pub(crate) fn error(line: &Line) -> String {
+    let bound = line.reference_moved_m < line.error_m;
+    let sign = if bound { "≤ " } else { "" };
+    format!("{sign}{}", millimetres(line.error_m))
+}
+
+fn millimetres(metres: Option<f64>) -> String {
     metres.map_or("–".to_owned(), |metres| figures(1e3 * metres))
 }
 

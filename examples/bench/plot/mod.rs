@@ -17,9 +17,6 @@ use std::{fs, io};
 /// Size of a picture, and what is left free on its left, right, top and bottom \[px\].
 const SIZE: [f64; 2] = [860.0, 480.0];
 const MARGIN: [f64; 4] = [84.0, 280.0, 48.0, 64.0];
-/// The error that is drawn where a run stopped at the rounding of its own reference \[mm\].
-const ROUNDING: f64 = 1e-12;
-
 /// What others reach on a scene within a second of simulated time: method, CPU time \[s\], RMS error \[mm\]; each measured on one
 /// core, against the rest shape of the same net.
 const OTHERS: [(&str, &str, f64, f64); 5] = [
@@ -80,7 +77,7 @@ fn picture(scene: &str, lines: &[&Line]) -> String {
     ];
     out += &text("CPU time [s]", [middle[0], SIZE[1] - 16.0], 13.0, "middle");
     let quantity = if has_error {
-        "RMS error [mm], 10⁻¹² where it is rounding"
+        "RMS error [mm]"
     } else {
         "residual r: net force over weight"
     };
@@ -109,7 +106,7 @@ fn series(scene: &str, lines: &[&Line], has_error: bool) -> Series {
     let mut series = Series::new();
     for line in lines {
         let off = if has_error {
-            line.error_m.map(|error| (1e3 * error).max(ROUNDING))
+            line.error_m.map(|error| 1e3 * error)
         } else {
             Some(line.residual)
         };
