@@ -47,10 +47,15 @@ fn quickest<'a>(lines: &'a [Line], scene: &str, method: &str) -> Option<&'a Line
 }
 
 fn cell(lines: &[Line], scene: &str, method: &str) -> String {
+    let asked = |line: &Line| {
+        line.setting["tolerance"]
+            .as_f64()
+            .is_some_and(|t| t <= AT_REST)
+    };
     let run = || {
         lines
             .iter()
-            .any(|line| line.scene == scene && line.method == method)
+            .any(|line| line.scene == scene && line.method == method && asked(line))
     };
     match quickest(lines, scene, method) {
         Some(line) if line.error_m.is_some() => {
