@@ -13,7 +13,7 @@ help:
 	@echo "make run     build, start the service on http://$(LISTEN) and open the page"
 	@echo "make test    all tests (SEAMSTER_TEST_DATA: folder of real patterns, left out without it)"
 	@echo "make check   format, lints, documentation"
-	@echo "make bench   times the samples with the error reached, a JSON line a run in target/bench.jsonl"
+	@echo "make bench   error against run time: a JSON line a run in target/bench.jsonl, plots in target/bench (SCENES: some only)"
 	@echo "make table   what the project makes of the real patterns in SEAMSTER_TEST_DATA, against the truth"
 	@echo "make fuzz    searches for inputs that break the importer and the seam check (T seconds each)"
 	@echo "make smoke   a fresh service sews both samples, a validator reads the result"
@@ -56,7 +56,8 @@ test: page browser chromium
 	SEAMSTER_BIN=target/debug/seamster node tests/browser/page.mjs
 
 bench:
-	cargo run --release --locked --example bench | tee target/bench.jsonl
+	cargo run --release --locked --example bench -- $(SCENES)
+	cargo run --release --locked --example bench_samples | tee target/bench_samples.jsonl
 
 table: page
 	cargo run --locked --example truth_table $(SECTIONS)

@@ -1,4 +1,4 @@
-//! Times whole fits of the shipped samples over mesh edge lengths, one JSON line a run: `cargo run --release --example bench`.
+//! Times whole fits of the shipped samples over mesh edge lengths, one JSON line a run: `cargo run --release --example bench_samples`.
 //!
 //! A time says nothing without the error reached: every line has the residual and the error estimate beside it.
 
