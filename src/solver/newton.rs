@@ -221,15 +221,9 @@ impl Newton {
             );
         }
         system.hold(&self.sparsity, &mut self.shifted);
-        let t0 = (system.clock)();
-        let ok = self
-            .cholesky
+        self.cholesky
             .factorise(&self.sparsity, &self.shifted)
-            .is_ok();
-        if std::env::var("PROF").is_ok() {
-            eprintln!("F {} {}", (system.clock)() - t0, ok);
-        }
-        ok
+            .is_ok()
     }
 
     /// The step from `x` by the last factor.

@@ -218,11 +218,14 @@ impl Force for BendForce {
         }
     }
     fn add_to_stencil(&self, stencil: &mut Stencil) -> bool {
-        for hinge in &self.hinges {
-            stencil.links.extend(PAIRS[4..].iter().map(|&(i, j)| Link {
-                a: hinge.particles[i],
-                b: hinge.particles[j],
-                straight: -hinge.weights[i] * hinge.weights[j],
+        for patch in &self.patches {
+            let (p, [u, v, w]) = (&patch.particles, &patch.weights);
+            let links = PAIRS.iter().filter(|&&(i, j)| p[i] != p[j]);
+            // The weights of each row add up to 0, so that the force is one of differences of positions.
+            stencil.links.extend(links.map(|&(i, j)| Link {
+                a: p[i],
+                b: p[j],
+                straight: -(u[i] * u[j] + v[i] * v[j] + w[i] * w[j]),
                 bent: 0.0,
             }));
         }
