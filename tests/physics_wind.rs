@@ -62,7 +62,7 @@ fn a_strip_hung_in_a_cross_wind_takes_the_angle_of_balance() {
 }
 
 /// Bernoulli's velaria: q cos² across the cloth makes d(tan θ)/ds = q / T, which is the catenary's equation, with q for its weight.
-/// Length 1.2 d: sag as a hung cloth has it, over d, and everywhere the tension that such a cloth has at its lowest point, over q d. Friction adds c_t / c_n sin², here below half a per cent.
+/// Length 1.2 d: sag as a hung cloth has it, over d, and everywhere the tension that such a cloth has at its lowest point, over q d. Friction adds a hundredth of sin², here below half a per cent.
 #[test]
 fn a_sail_held_at_both_ends_is_a_catenary() {
     let (d, speed, stretch, cells) = (0.3, 8.0, 1e5, 48);

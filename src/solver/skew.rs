@@ -12,6 +12,9 @@ const NEAR: f64 = 1e-3;
 /// Iterations at most: what is left then makes a step that is not quite Newton's, but still downhill.
 const MOST: usize = 60;
 
+/// Writes a matrix times its first argument into its second.
+type Apply<'a> = dyn FnMut(&[Vector3<f64>], &mut [Vector3<f64>]) + 'a;
+
 /// Scratch of the method.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SkewSolver {
@@ -33,7 +36,7 @@ impl SkewSolver {
         force: &[Vector3<f64>],
         step: &mut [Vector3<f64>],
         solve: &mut dyn FnMut(&mut [Vector3<f64>]),
-        apply: &mut dyn FnMut(&[Vector3<f64>], &mut [Vector3<f64>]),
+        apply: &mut Apply<'_>,
     ) {
         for scratch in [&mut self.before, &mut self.skewed, &mut self.residual] {
             scratch.clear();

@@ -1,13 +1,13 @@
 //! Quadratic bending, orthotropic: a triangle bends as the quadratic surface through it and its neighbours.
 //!
-//! The curvatures κ = (κ_warp, κ_weft, κ_twist) of a triangle are those of the quadratic function through its three corners and
+//! The curvatures `κ_warp`, `κ_weft` and `κ_twist` of a triangle are those of the quadratic function through its three corners and
 //! the far corners of the three triangles that share an edge with it (E. Grinspun, Y. Gingold, J. Reisman, D. Zorin, "Computing
 //! discrete shape operators on general meshes", Eurographics 2006), taken in the flat rest shape, in each coordinate of space. Cloth
 //! hardly stretches, so that the flat rest shape will do (M. Bergou, M. Wardetzky, D. Harmon, D. Zorin, E. Grinspun, "A quadratic
 //! bending model for inextensible surfaces", SGP 2006), and the second derivative of the energy is constant and positive
 //! semidefinite.
 //!
-//! With A the area, the energy is A/2 (Bw |κ_warp|² + Bf |κ_weft|² + (Bw + Bf) |κ_twist|²): a plate without Poisson coupling, of which
+//! With A the area, the energy is `A/2 (Bw |κ_warp|² + Bf |κ_weft|² + (Bw + Bf) |κ_twist|²)`: a plate without Poisson coupling, of which
 //! a strip cut at an angle a to the warp has the rigidity Bw cos² a + Bf sin² a. Where a neighbour is missing, the energy is
 //! the least that the others allow, which is what a free edge does.
 //!

@@ -1,7 +1,7 @@
 //! Wind (P11): the force of moving air on each triangle, both sides of which it meets.
 //!
 //! With v the velocity of the air less that of the triangle, n its normal and A its area, as it lies,
-//! `F = ρ/2 A (c_n |v·n| (v·n) n + c_t |v_t| v_t)`, v_t the part of v along the cloth: pressure drag on the component across the
+//! `F = ρ/2 A (c_n |v·n| (v·n) n + c_t |v_t| v_t)`, `v_t` the part of v along the cloth: pressure drag on the component across the
 //! cloth (the cross-flow principle) and friction along it. Each corner has a third.
 //! S. F. Hoerner, "Fluid-Dynamic Drag" (1965): 1.17 for a square plate across the flow; a plate along the flow has
 //! 0.074 Re^(-1/5) a side (Prandtl), both sides together 0.012 for half a metre at 5 m/s.
