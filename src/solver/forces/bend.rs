@@ -217,12 +217,14 @@ impl Force for BendForce {
             }
         }
     }
+
     fn add_to_stencil(&self, stencil: &mut Stencil) -> bool {
-        for hinge in &self.hinges {
-            stencil.links.extend(PAIRS[4..].iter().map(|&(i, j)| Link {
-                a: hinge.particles[i],
-                b: hinge.particles[j],
-                straight: -hinge.weights[i] * hinge.weights[j],
+        for patch in &self.patches {
+            let [u, v, w] = &patch.weights;
+            stencil.links.extend(PAIRS.iter().map(|&(i, j)| Link {
+                a: patch.particles[i],
+                b: patch.particles[j],
+                straight: -(u[i] * u[j] + v[i] * v[j] + w[i] * w[j]),
                 bent: 0.0,
             }));
         }

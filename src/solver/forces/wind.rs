@@ -260,7 +260,7 @@ mod tests {
         let sparsity = Sparsity::from_pairs(4, pairs);
         force.bind(&sparsity);
         let mut blocks = BlockMatrix::zeros(&sparsity);
-        force.add_hessian(&shape(), false, &mut blocks);
+        force.add_hessian(&shape(), 0.0, &mut blocks);
         for column in 0..4 {
             for (row, slot) in sparsity.column(column) {
                 let expected = symmetric.fixed_view::<3, 3>(3 * row, 3 * column);

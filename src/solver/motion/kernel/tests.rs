@@ -1,7 +1,7 @@
 //! The fused step against the terms that it stands for.
 
 use super::*;
-use crate::solver::forces::{BendForce, Force, Gravity, Hinge, HingeSide, Spring, SpringForce};
+use crate::solver::forces::{BendForce, BendPatch, Force, Gravity, Spring, SpringForce};
 use crate::solver::system::TimedForce;
 
 fn number(seed: &mut u32) -> f64 {
@@ -9,11 +9,11 @@ fn number(seed: &mut u32) -> f64 {
     f64::from(*seed >> 8) / f64::from(1 << 24)
 }
 
-/// A scattered net of `n` particles of unlike mass: springs, hinges over some of them, weight, some held.
+/// A scattered net of `n` particles of unlike mass: springs, patches that bend, weight, some held.
 fn system(n: usize) -> System<'static> {
     let mut seed = 5;
     let mut springs = vec![];
-    let mut hinges = vec![];
+    let mut patches = vec![];
     for i in 0..n {
         for step in [1, 2, 7, 11] {
             if i + step < n && number(&mut seed) < 0.8 {
@@ -26,12 +26,13 @@ fn system(n: usize) -> System<'static> {
             }
         }
         if i + 8 < n {
-            let mut side = || HingeSide {
-                cotangents: [number(&mut seed), number(&mut seed)],
-                area: 0.1 + number(&mut seed),
-            };
-            let sides = [side(), side()];
-            hinges.push(Hinge::new([i, i + 1, i + 7, i + 8], sides, 0.3));
+            let rest = [[0.0, 0.0], [1.0, 0.0], [0.3, 0.9]];
+            let wings = [
+                Some((i + 1, [1.2, 0.9])),
+                Some((i + 7, [-0.6, 0.7])),
+                (i % 3 > 0).then_some((i + 2, [0.6, -0.8])),
+            ];
+            patches.extend(BendPatch::new([i, i + 4, i + 8], rest, wings, [0.3, 0.2]));
         }
     }
     let mass: Vec<f64> = (0..n).map(|_| 0.01 + number(&mut seed)).collect();
@@ -42,7 +43,7 @@ fn system(n: usize) -> System<'static> {
     };
     let forces: [Box<dyn Force>; 3] = [
         Box::new(SpringForce::new(springs)),
-        Box::new(BendForce::new(hinges)),
+        Box::new(BendForce::new(patches)),
         Box::new(gravity),
     ];
     System {
