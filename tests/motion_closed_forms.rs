@@ -271,13 +271,13 @@ fn a_patch_slides_down_an_incline_as_far_as_coulomb_says() {
 /// It sticks while tan a <= μ: at 30 degrees at 0.58 but not at 0.57 (tan 30° = 0.57735).
 ///
 /// With drag 1/s it slides g (sin a - μ cos a) (t - 1 + exp(-t)): 23 mm in 1 s at 0.57. Friction begins with the give of its spring,
-/// u = μ N / k, k that of the layer, which weight presses in by N / k. Until then it is half of μ N on average, so that the patch
+/// u = μ N / k; sticking under much drag, the patch gives by m g sin a / k, which shows N / k. Until then it is half of μ N on average, so that the patch
 /// has gained v² = 2 g u (sin a - μ cos a / 2). At 0.57 it keeps v but for drag; at 0.58 friction ends it after
 /// v² / 2 g (μ cos a - sin a).
 #[test]
 fn a_patch_sticks_to_an_incline_above_the_threshold_and_slides_below() {
     let (sin, cos) = (PI / 6.0).sin_cos();
-    let pressed = 2e-3 - settled()[4].dot(&Vector3::new(-sin, cos, 0.0));
+    let pressed = slide(Method::Bdf2, 2.0, 200.0) * cos / sin;
     assert!(pressed > 0.0);
     let kick = |friction: f64| 2.0 * GRAVITY * friction * pressed * (sin - 0.5 * friction * cos);
     let left = (-1.0_f64).exp();

@@ -217,6 +217,7 @@ impl Force for BendForce {
             }
         }
     }
+
     fn add_to_stencil(&self, stencil: &mut Stencil) -> bool {
         for patch in &self.patches {
             let (p, [u, v, w]) = (&patch.particles, &patch.weights);

@@ -1,8 +1,8 @@
 //! What a force term is to an explicit step: links between two particles, and constant pushes.
 //!
 //! A link pulls particle `a` with (`straight` - `bent` / |d|) d, d = xb - xa, and `b` with the opposite. A spring of stiffness k and
-//! rest length L is the link (k, k L). A hinge of quadratic bending, energy `|sum w_i x_i|² / 2` with `sum w_i = 0`, is six links
-//! `(-w_i w_j, 0)`: its force `-w_i sum w_j x_j` is the same as `-sum w_i w_j (x_j - x_i)`. So springs and bending between the same two
+//! rest length L is the link (k, k L). A row of quadratic bending, energy `|sum w_i x_i|² / 2` with `sum w_i = 0`, is the links
+//! `(-w_i w_j, 0)` of all pairs: its force `-w_i sum w_j x_j` is the same as `-sum w_i w_j (x_j - x_i)`. So springs and bending between the same two
 //! particles are one link, and the differences lose less to rounding than the positions would.
 
 use nalgebra::Vector3;

@@ -10,6 +10,8 @@ pub(crate) struct State {
     pub(crate) v: Vec<Vector3<f64>>,
     /// \[s\]
     pub(crate) time: f64,
+    /// Whether wind gusts and feels how the cloth moves; what is to come to rest does so in the mean wind.
+    pub(crate) windy: bool,
 }
 
 impl State {
@@ -19,6 +21,7 @@ impl State {
             x: x.to_vec(),
             v: vec![Vector3::zeros(); x.len()],
             time: 0.0,
+            windy: false,
         }
     }
 
@@ -89,8 +92,14 @@ pub(crate) trait Stepper {
     }
 }
 
-/// Tells what remembers the way of the cloth where it is.
+/// Tells what remembers the way of the cloth where it is, and wind how it moves.
+///
+/// Velocities are those that the step begins with (with Verlet, of the half step before): wind is lagged by a step.
 pub(crate) fn accept(system: &mut System<'_>, state: &State) {
+    if state.windy {
+        system.set_motion(&state.v, state.time);
+    }
+    system.accept(&state.x);
     if let Some(contact) = &mut system.contact {
         contact.accept(&state.x);
     }

@@ -63,6 +63,7 @@ pub fn trajectory(
     let mut system = assemble(scene, ask, &stage, context.cpu_s);
     let mut state =
         State::at_rest(&particles.mean(from.positions.as_ref().unwrap_or(&scene.start)));
+    state.windy = true;
     if let Some(velocities) = &from.velocities {
         state.v = particles.mean(velocities);
         system.hold_still(&mut state.v);

@@ -9,7 +9,7 @@ fn number(seed: &mut u32) -> f64 {
     f64::from(*seed >> 8) / f64::from(1 << 24)
 }
 
-/// A scattered net of `n` particles of unlike mass: springs, bent triangles over some of them, weight, some held.
+/// A scattered net of `n` particles of unlike mass: springs, patches that bend, weight, some held.
 fn system(n: usize) -> System<'static> {
     let mut seed = 5;
     let mut springs = vec![];
@@ -25,19 +25,14 @@ fn system(n: usize) -> System<'static> {
                 });
             }
         }
-        if i + 15 < n {
+        if i + 8 < n {
+            let rest = [[0.0, 0.0], [1.0, 0.0], [0.3, 0.9]];
             let wings = [
-                (i + 8, [1.0, 1.1]),
-                (i + 11, [-0.9, 0.8]),
-                (i + 15, [0.7, -1.0]),
+                Some((i + 1, [1.2, 0.9])),
+                Some((i + 7, [-0.6, 0.7])),
+                (i % 3 > 0).then_some((i + 2, [0.6, -0.8])),
             ];
-            let rest = [[0.0, 0.0], [1.0, 0.1], [0.1, 0.9]];
-            patches.extend(BendPatch::new(
-                [i, i + 1, i + 7],
-                rest,
-                wings.map(Some),
-                [0.3, 0.1],
-            ));
+            patches.extend(BendPatch::new([i, i + 4, i + 8], rest, wings, [0.3, 0.2]));
         }
     }
     let mass: Vec<f64> = (0..n).map(|_| 0.01 + number(&mut seed)).collect();
