@@ -136,7 +136,7 @@ fn square(rows: usize) -> Scene {
     let mut triangles = vec![];
     for v in (0..last * rows).filter(|v| v % rows < last) {
         let [a, b, c, d] = [v, v + 1, v + rows + 1, v + rows];
-        triangles.extend(if (v % rows + v / rows) % 2 == 0 {
+        triangles.extend(if (v % rows + v / rows).is_multiple_of(2) {
             [[a, b, c], [a, c, d]]
         } else {
             [[a, b, d], [b, c, d]]

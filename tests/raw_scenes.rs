@@ -349,3 +349,25 @@ fn flat(value: &Value) -> Vec<f64> {
 fn row<const N: usize>(list: &[[f64; N]]) -> Vec<f64> {
     list.iter().flatten().copied().collect()
 }
+
+/// A vertex that hangs by a stitch of stiffness k alone is m g / k below the one it is sewn to.
+#[test]
+fn gap_of_a_seam_spring_is_its_force_over_its_stiffness() {
+    let scene = made(&json!({
+        "start_m": [[0.0, 0.0, 0.0], [0.0, 0.0, -0.1]],
+        "mass_kg": [0.1, 0.05],
+        "stitches": [[0, 1]],
+        "pins": [0],
+        "gravity_m_s2": [0.0, 0.0, -9.81],
+    }));
+    let ask = Simulate {
+        seam_close: SeamClose::Spring,
+        seam_stiffness_n_m: Some(500.0),
+        ..Simulate::default()
+    };
+    let drape = draped(&scene, &ask);
+    assert!(drape.report.converged, "{}", drape.report.why);
+    let gap = 0.05 * 9.81 / 500.0;
+    // The residual stops at 1e-5 of the mean weight, which is 1.5 times this vertex's.
+    assert!((drape.report.seam_gap_max_m / gap - 1.0).abs() < 2e-5);
+}

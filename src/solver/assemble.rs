@@ -169,7 +169,10 @@ fn membranes(scene: &Scene, particles: &Particles) -> Vec<Membrane> {
                 fabric.stretch_weft_n_m,
                 fabric.shear_n_m,
             ];
-            Membrane::new(t.map(|v| particles.of_vertex[v]), rest, moduli)
+            let rigidity = [fabric.bending_warp_n_m, fabric.bending_weft_n_m];
+            let rigidity = rigidity.map(|b| b.max(scene.least_bending_n_m));
+            let membrane = Membrane::new(t.map(|v| particles.of_vertex[v]), rest, moduli);
+            membrane.map(|m| m.that_buckles(rigidity))
         })
         .collect()
 }

@@ -46,7 +46,7 @@ impl<'s> Cascade<'s> {
 
     /// The shape `x` of level `level` on the next finer one.
     ///
-    /// Within each coarse triangle the image of p is `sum w_i (x_i + G_i (p - p_i) / 2)`, G_i the mean deformation gradient at
+    /// Within each coarse triangle the image of p is `sum w_i (x_i + G_i (p - p_i) / 2)`, `G_i` the mean deformation gradient at
     /// corner i: exact for quadratic shapes where the gradients are, so that bent cloth is handed on bent and not faceted.
     pub(super) fn refine(&self, level: usize, x: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
         let coarse = &self.coarser[level - 1];

@@ -15,6 +15,11 @@ use nalgebra::Vector3;
 /// Residual to which the coarser levels are solved: their shapes are off by their mesh error anyway.
 const COARSE_TOLERANCE: f64 = 1e-3;
 
+/// Residual at which a drape stops at the latest, in round-off floors; a continued one goes on to the lower of the two, below
+/// which rounding decides.
+const FLOORS: f64 = 10.0;
+const LEAST_FLOORS: f64 = 3.0;
+
 /// Sews and drapes.
 ///
 /// # Guarantees
@@ -77,6 +82,11 @@ fn run(
                 ask.tolerance
             } else {
                 ask.tolerance.max(COARSE_TOLERANCE)
+            },
+            floors: if closed.is_some() {
+                LEAST_FLOORS
+            } else {
+                FLOORS
             },
             finest: number == 0,
             near: number < coarsest || closed.is_some(),

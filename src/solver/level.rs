@@ -17,7 +17,7 @@ use nalgebra::Vector3;
 /// Stiffness of a stitch if none is asked for \[N/m\]: about that of the cloth beside it.
 pub(super) const SEAM_STIFFNESS: f64 = 1e4;
 /// How much stiffer than while sewing the spring of a closed seam is (P9).
-pub(super) const CLOSED_STIFFER: f64 = 10.0;
+const CLOSED_STIFFER: f64 = 10.0;
 /// How often the stitches are made ten times stiffer when the seams settle with a gap.
 const STIFFER_AT_MOST: usize = 3;
 /// Residual at which an open seam counts as settled: nothing moves any more.
@@ -58,6 +58,11 @@ pub(super) struct Rest {
     pub(super) sunk: f64,
 }
 
+/// Stiffness of a closed stitch, `sewing` being what closed it \[N/m\]: the one asked for, or much stiffer than that (P9).
+pub(super) fn closed_stiffness(ask: &Simulate, sewing: f64) -> f64 {
+    ask.seam_stiffness_n_m.unwrap_or(sewing * CLOSED_STIFFER)
+}
+
 /// One level of a fit: its scene, and what all levels share.
 pub(super) struct Level<'a, 'c, 'w> {
     pub(super) scene: &'a Scene,
@@ -67,6 +72,8 @@ pub(super) struct Level<'a, 'c, 'w> {
     pub(super) trace: &'a mut Trace<'c, 'w>,
     /// Residual to reach, unless the floor is above it.
     pub(super) tolerance: f64,
+    /// Residual that is not gone below, in round-off floors.
+    pub(super) floors: f64,
     /// Whether it is the level that was asked for.
     pub(super) finest: bool,
     /// Whether the start is near the end already, handed on by a coarser level.
@@ -217,8 +224,8 @@ impl<'w> Level<'_, '_, 'w> {
         } else {
             Particles::apart(x.len())
         };
-        let springs =
-            (!weld && !stitches.is_empty()).then(|| (stitches.clone(), stiffness * CLOSED_STIFFER));
+        let springs = (!weld && !stitches.is_empty())
+            .then(|| (stitches.clone(), closed_stiffness(self.ask, stiffness)));
         let reuse = if self.explicit() { EXPLICIT_REUSE } else { 0.0 };
         let stage = Stage {
             particles: &particles,
@@ -232,7 +239,7 @@ impl<'w> Level<'_, '_, 'w> {
         let gravity = &self.scene.gravity;
         let first_height = mean_height(gravity, &shape);
         let floor = system.residual_floor(&shape);
-        let tolerance = self.tolerance.max(10.0 * floor);
+        let tolerance = self.tolerance.max(self.floors * floor);
         let (ended, mut newton) =
             self.fall(&mut system, &mut shape, &particles, &stitches, tolerance);
         *x = particles.spread(&shape);
@@ -244,7 +251,7 @@ impl<'w> Level<'_, '_, 'w> {
         report.why = ended.reason(self.trace.canceled);
         if report.converged && tolerance > self.tolerance {
             report.why = format!(
-                "at rest: stopped by the round-off floor, r = {:.1e} at ten times {floor:.1e}",
+                "at rest: stopped by the round-off floor of {floor:.1e}, at r = {:.1e}",
                 ended.residual
             );
         }

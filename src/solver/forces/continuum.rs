@@ -4,10 +4,18 @@
 //! springs with coupling terms of H. Delingette, "Triangular Springs for Modeling Nonlinear Membranes" (IEEE TVCG 14(2), 2008).
 //! With F = \[f1 f2\] the deformed images of the unit vectors along warp and weft, E11 = (f1·f1 - 1)/2, E22 likewise and
 //! γ = f1·f2, the energy of a triangle is A/2 (Kw E11² + Kf E22² + G γ²): warp, weft and shear moduli per width, no Poisson coupling.
+//!
+//! Thin cloth that is pressed together along a thread does not shorten but folds. Folds narrower than a triangle have no shape
+//! on the mesh, so the triangle has their energy instead: beyond the compression at which a strip as long as its edge l buckles,
+//! π² B / (K l²) (L. Euler), the pressure rises as that of the strip does, by half of itself for a shortening of all its length
+//! (the elastica). With ever finer meshes the threshold goes to infinity, and what is left is the continuum above.
 
 use super::Force;
 use crate::solver::sparsity::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix2, Matrix3, Vector3};
+
+/// Rise of the load of a buckled strip with its shortening, over the load at which it buckles: that of the elastica near there.
+const AFTER_BUCKLING: f64 = 0.5;
 
 /// A triangle of membrane.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +27,8 @@ pub(crate) struct Membrane {
     pub(crate) area: f64,
     /// Warp, weft and shear modulus \[N/m\].
     pub(crate) moduli: [f64; 3],
+    /// Compression at which cloth buckles within the triangle: warp, weft.
+    critical: [f64; 2],
 }
 
 impl Membrane {
@@ -41,7 +51,17 @@ impl Membrane {
             gradients: [gp, gq, gr],
             area: 0.5 * edges.determinant().abs(),
             moduli,
+            critical: [f64::INFINITY; 2],
         })
+    }
+
+    /// The same, of a cloth of these bending rigidities along warp and weft \[N m\], that buckles where it is pressed together.
+    pub(crate) fn that_buckles(mut self, rigidity: [f64; 2]) -> Self {
+        // Edge length of the equilateral triangle of this area, squared.
+        let square = self.area * 4.0 / 3.0_f64.sqrt();
+        let euler = std::f64::consts::PI.powi(2) / square;
+        self.critical = [0, 1].map(|i| euler * rigidity[i] / self.moduli[i]);
+        self
     }
 
     /// Images of the unit vectors along warp and weft.
@@ -63,11 +83,51 @@ impl Membrane {
         ]
     }
 
+    /// Energy per area \[J/m²\].
+    fn energy(&self, strain: [f64; 3]) -> f64 {
+        let along = |i: usize| {
+            let (e, limit) = (strain[i], self.critical[i]);
+            let beyond = -e - limit;
+            if beyond > 0.0 {
+                limit * (0.5 * limit + beyond * (1.0 + 0.5 * AFTER_BUCKLING * beyond))
+            } else {
+                0.5 * e * e
+            }
+        };
+        self.moduli[0] * along(0)
+            + self.moduli[1] * along(1)
+            + 0.5 * self.moduli[2] * strain[2].powi(2)
+    }
+
     fn stress(&self, strain: [f64; 3]) -> [f64; 3] {
+        let along = |i: usize| {
+            let beyond = -strain[i] - self.critical[i];
+            if beyond > 0.0 {
+                -self.critical[i] * (1.0 + AFTER_BUCKLING * beyond)
+            } else {
+                strain[i]
+            }
+        };
         [
-            self.moduli[0] * strain[0],
-            self.moduli[1] * strain[1],
+            self.moduli[0] * along(0),
+            self.moduli[1] * along(1),
             self.moduli[2] * strain[2],
+        ]
+    }
+
+    /// Derivatives of the stresses by their strains \[N/m\].
+    fn tangent(&self, strain: [f64; 3]) -> [f64; 3] {
+        let along = |i: usize| {
+            if strain[i] < -self.critical[i] {
+                self.critical[i] * AFTER_BUCKLING
+            } else {
+                1.0
+            }
+        };
+        [
+            self.moduli[0] * along(0),
+            self.moduli[1] * along(1),
+            self.moduli[2],
         ]
     }
 }
@@ -113,11 +173,7 @@ impl Force for ContinuumForce {
     }
 
     fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
-        let energy = |t: &Membrane| {
-            let e = Membrane::strain(&t.deformation(x));
-            let s = t.stress(e);
-            0.5 * t.area * (s[0] * e[0] + s[1] * e[1] + s[2] * e[2])
-        };
+        let energy = |t: &Membrane| t.area * t.energy(Membrane::strain(&t.deformation(x)));
         self.triangles.iter().map(energy).sum()
     }
 
@@ -138,14 +194,15 @@ impl Force for ContinuumForce {
     fn add_hessian(&mut self, x: &[Vector3<f64>], convexity: f64, hessian: &mut BlockMatrix) {
         for (t, slots) in self.triangles.iter().zip(&self.slots) {
             let f = t.deformation(x);
-            let mut s = t.stress(Membrane::strain(&f));
+            let strain = Membrane::strain(&f);
+            let mut s = t.stress(strain);
             if convexity > 0.0 {
                 let pull = tension(s);
                 for (s, pull) in s.iter_mut().zip(pull) {
                     *s += convexity * (pull - *s);
                 }
             }
-            let [kw, kf, g] = t.moduli;
+            let [kw, kf, g] = t.tangent(strain);
             let h11 = (Matrix3::identity() * s[0]
                 + f[0] * f[0].transpose() * kw
                 + f[1] * f[1].transpose() * g)

@@ -1,7 +1,7 @@
 //! Every force against the differences of its energy, every second derivative against those of its force, and closed forms.
 
 use super::*;
-use crate::scene::{Body, DressForm};
+use crate::scene::{Body, DressForm, Fibre};
 use crate::solver::contact::{BodyContact, Friction};
 use nalgebra::{DMatrix, Matrix3};
 use std::sync::Arc;
@@ -122,11 +122,52 @@ fn springs() -> SpringForce {
 fn membranes() -> ContinuumForce {
     let moduli = [900.0, 400.0, 50.0];
     let triangle = |particles, rest| Membrane::new(particles, rest, moduli).unwrap();
+    let buckling = |particles, rest| triangle(particles, rest).that_buckles([0.5, 0.3]);
     ContinuumForce::new(vec![
+        buckling([0, 2, 5], [[0.0, 0.0], [2.2, 0.1], [0.0, 2.1]]),
         triangle([0, 1, 2], [[0.0, 0.0], [1.2, 0.1], [0.0, 1.0]]),
         triangle([1, 3, 2], [[1.2, 0.1], [1.3, 1.4], [0.0, 1.0]]),
         triangle([1, 4, 3], [[0.0, 0.0], [0.7, 0.0], [0.1, 0.9]]),
     ])
+}
+
+/// What springs are on a coarser mesh, pulled and pressed.
+fn fibres() -> FibreForce {
+    let fibre = |corners, weights, rest_length_m| Fibre {
+        corners,
+        weights,
+        rest_length_m,
+        stiffness_n_m: 200.0,
+    };
+    FibreForce::new(vec![
+        fibre([0, 1, 2], [-0.7, 1.2, -0.5], 0.4),
+        fibre([3, 4, 5], [0.3, 0.9, -1.2], 3.0),
+    ])
+}
+
+/// Cloth pressed to 0.8 of its length carries the load of a strip as long as a mesh edge that has buckled, and no more.
+#[test]
+fn a_triangle_pressed_together_carries_the_load_of_a_buckled_strip() {
+    let (rigidity, edge) = (1e-5, 0.01_f64);
+    let rest = [
+        [0.0, 0.0],
+        [edge, 0.0],
+        [0.5 * edge, 0.75_f64.sqrt() * edge],
+    ];
+    let membrane = Membrane::new([0, 1, 2], rest, [1000.0, 1000.0, 100.0]).unwrap();
+    let mut force = ContinuumForce::new(vec![membrane.that_buckles([rigidity; 2])]);
+    let x = rest.map(|[u, v]| Vector3::new(0.8 * u, v, 0.0));
+    let mut net = [Vector3::zeros(); 3];
+    force.add_force(&x, &mut net);
+    // Green's strain of 0.8 is -0.18; a stress S pushes corner 1 by A S 0.8 times the gradient 1/l of its shape function.
+    let critical = std::f64::consts::PI.powi(2) * rigidity / (edge * edge);
+    let stress = critical * (1.0 + 0.5 * (0.18 - critical / 1000.0));
+    let push = membrane.area * stress * 0.8 / edge;
+    assert!(
+        (net[1].x / push - 1.0).abs() < 1e-12,
+        "{} against {push}",
+        net[1].x
+    );
 }
 
 /// Two triangles that share an edge, one with a third neighbour, in a fabric stiffer along its warp.
@@ -148,6 +189,7 @@ fn forces_are_the_gradients_of_their_energies() {
     let mut forces: Vec<Box<dyn Force>> = vec![
         Box::new(springs()),
         Box::new(membranes()),
+        Box::new(fibres()),
         Box::new(patches()),
         Box::new(SewingForce::new(vec![(0, 4), (2, 5)], 1e3)),
         Box::new(Gravity {

@@ -324,11 +324,11 @@ mod tests {
         let grown: Vec<_> = shape().iter().map(|p| p * 3.0).collect();
         let mut turned = on_shape(WIND);
         turned.triangles = vec![[1, 0, 2], [3, 1, 2]];
-        for i in 0..4 {
-            let larger = net(&mut on_shape(WIND), &grown)[i];
-            assert!((larger - force[i] * 9.0).norm() < 1e-13 * larger.norm());
-            let back = net(&mut turned, &shape())[i];
-            assert!((back - force[i]).norm() < 1e-13 * back.norm());
+        let larger = net(&mut on_shape(WIND), &grown);
+        let back = net(&mut turned, &shape());
+        for ((f, larger), back) in force.iter().zip(&larger).zip(&back) {
+            assert!((larger - f * 9.0).norm() < 1e-13 * larger.norm());
+            assert!((back - f).norm() < 1e-13 * back.norm());
         }
     }
 

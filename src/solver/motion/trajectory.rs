@@ -8,7 +8,7 @@ use crate::scene::Scene;
 use crate::solver::Context;
 use crate::solver::ask::{Method, SeamClose, Simulate};
 use crate::solver::assemble::{Stage, assemble};
-use crate::solver::level::{CLOSED_STIFFER, SEAM_STIFFNESS};
+use crate::solver::level::{SEAM_STIFFNESS, closed_stiffness};
 use crate::solver::summary::add_terms;
 use crate::solver::topology::Particles;
 use nalgebra::Vector3;
@@ -47,7 +47,7 @@ pub fn trajectory(
     } else {
         Particles::apart(scene.start.len())
     };
-    let stiffness = ask.seam_stiffness_n_m.unwrap_or(SEAM_STIFFNESS) * CLOSED_STIFFER;
+    let stiffness = closed_stiffness(ask, SEAM_STIFFNESS);
     let springs = (!weld && stitches.len() > 0).then(|| (stitches.collect(), stiffness));
     let explicit = matches!(
         ask.method,
