@@ -195,6 +195,23 @@ impl Builder {
     }
 }
 
+impl ClothMesh {
+    /// Area of all triangles at rest \[m²\].
+    pub fn area(&self) -> f64 {
+        let area = |t: &[usize; 3]| {
+            let [p, q, r] = t.map(|v| self.uv[v]);
+            geometry::area(p, q, r).abs()
+        };
+        self.triangles.iter().map(area).sum()
+    }
+
+    /// Edge length of the equilateral triangle that has the mean area of the triangles \[m\].
+    pub fn mean_edge(&self) -> f64 {
+        let mean = self.area() / self.triangles.len().max(1) as f64;
+        (mean * 4.0 / 3.0_f64.sqrt()).sqrt()
+    }
+}
+
 impl Default for ClothMesh {
     /// A mesh of nothing.
     fn default() -> Self {

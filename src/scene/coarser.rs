@@ -68,18 +68,8 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
 /// The rigidity of a cloth whose bending length (B / (g density))^(1/3) is a share of the mesh edges: folds much narrower
 /// than that have no shape on this mesh, and searching for one takes long.
 fn least_bending(scene: &Scene, mesh: &ClothMesh) -> f64 {
-    let area: f64 = mesh
-        .triangles
-        .iter()
-        .map(|t| {
-            let [p, q, r] = t.map(|v| mesh.uv[v]);
-            0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])).abs()
-        })
-        .sum();
-    // Equilateral triangles of edge l have the area sqrt(3)/4 l².
-    let edge = (area / mesh.triangles.len() as f64 * 4.0 / 3.0_f64.sqrt()).sqrt();
-    let weight = scene.gravity.norm() * scene.mass.iter().sum::<f64>() / area;
-    weight * (BENDING_LENGTH * edge).powi(3)
+    let weight = scene.gravity.norm() * scene.mass.iter().sum::<f64>() / mesh.area();
+    weight * (BENDING_LENGTH * mesh.mean_edge()).powi(3)
 }
 
 /// The springs or fibres of `scene` as fibres of the triangles of `mesh`.

@@ -162,6 +162,7 @@ pub fn springs(scene: &Scene) -> Vec<(usize, usize, f64, f64)> {
 }
 
 fn membranes(scene: &Scene, particles: &Particles) -> Vec<Membrane> {
+    let edge = scene.mesh.mean_edge();
     cut_triangles(scene)
         .filter_map(|(t, fabric, rest)| {
             let moduli = [
@@ -172,7 +173,7 @@ fn membranes(scene: &Scene, particles: &Particles) -> Vec<Membrane> {
             let rigidity = [fabric.bending_warp_n_m, fabric.bending_weft_n_m];
             let rigidity = rigidity.map(|b| b.max(scene.least_bending_n_m));
             let membrane = Membrane::new(t.map(|v| particles.of_vertex[v]), rest, moduli);
-            membrane.map(|m| m.that_buckles(rigidity))
+            membrane.map(|m| m.that_buckles(rigidity, edge))
         })
         .collect()
 }

@@ -6,7 +6,7 @@
 //! γ = f1·f2, the energy of a triangle is A/2 (Kw E11² + Kf E22² + G γ²): warp, weft and shear moduli per width, no Poisson coupling.
 //!
 //! Thin cloth that is pressed together along a thread does not shorten but folds. Folds narrower than a triangle have no shape
-//! on the mesh, so the triangle has their energy instead: beyond the compression at which a strip as long as its edge l buckles,
+//! on the mesh, so the triangle has their energy instead: beyond the compression at which a strip as long as the mesh edges l buckles,
 //! π² B / (K l²) (L. Euler), the pressure rises as that of the strip does, by half of itself for a shortening of all its length
 //! (the elastica). With ever finer meshes the threshold goes to infinity, and what is left is the continuum above.
 
@@ -55,11 +55,10 @@ impl Membrane {
         })
     }
 
-    /// The same, of a cloth of these bending rigidities along warp and weft \[N m\], that buckles where it is pressed together.
-    pub(crate) fn that_buckles(mut self, rigidity: [f64; 2]) -> Self {
-        // Edge length of the equilateral triangle of this area, squared.
-        let square = self.area * 4.0 / 3.0_f64.sqrt();
-        let euler = std::f64::consts::PI.powi(2) / square;
+    /// The same, of a cloth of these bending rigidities along warp and weft \[N m\], that buckles where it is pressed together
+    /// into folds as wide as the edges of the mesh \[m\]. With one width for all, even strain is even stress.
+    pub(crate) fn that_buckles(mut self, rigidity: [f64; 2], edge: f64) -> Self {
+        let euler = (std::f64::consts::PI / edge).powi(2);
         self.critical = [0, 1].map(|i| euler * rigidity[i] / self.moduli[i]);
         self
     }

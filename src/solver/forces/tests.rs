@@ -122,7 +122,7 @@ fn springs() -> SpringForce {
 fn membranes() -> ContinuumForce {
     let moduli = [900.0, 400.0, 50.0];
     let triangle = |particles, rest| Membrane::new(particles, rest, moduli).unwrap();
-    let buckling = |particles, rest| triangle(particles, rest).that_buckles([0.5, 0.3]);
+    let buckling = |particles, rest| triangle(particles, rest).that_buckles([0.5, 0.3], 2.0);
     ContinuumForce::new(vec![
         buckling([0, 2, 5], [[0.0, 0.0], [2.2, 0.1], [0.0, 2.1]]),
         triangle([0, 1, 2], [[0.0, 0.0], [1.2, 0.1], [0.0, 1.0]]),
@@ -155,7 +155,7 @@ fn a_triangle_pressed_together_carries_the_load_of_a_buckled_strip() {
         [0.5 * edge, 0.75_f64.sqrt() * edge],
     ];
     let membrane = Membrane::new([0, 1, 2], rest, [1000.0, 1000.0, 100.0]).unwrap();
-    let mut force = ContinuumForce::new(vec![membrane.that_buckles([rigidity; 2])]);
+    let mut force = ContinuumForce::new(vec![membrane.that_buckles([rigidity; 2], edge)]);
     let x = rest.map(|[u, v]| Vector3::new(0.8 * u, v, 0.0));
     let mut net = [Vector3::zeros(); 3];
     force.add_force(&x, &mut net);

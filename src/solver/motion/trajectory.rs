@@ -28,7 +28,7 @@ pub struct Start {
 /// Simulates the motion of `scene` from `from` for [`Simulate::duration_s`].
 ///
 /// Seams are taken as closed: drape a garment that is not sewn first. Drag is the scene's, or that of its fabrics
-/// ([`damping::drag`]).
+/// (`damping::drag`).
 ///
 /// # Guarantees
 /// Ends within the limits of the context; frames are finite. The report says whether all of the time was simulated, and why
