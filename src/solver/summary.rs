@@ -84,32 +84,23 @@ pub(super) fn mean_height(gravity: &Vector3<f64>, x: &[Vector3<f64>]) -> f64 {
 
 /// Whether the body carries the garment: it came to rest on it without sinking far.
 pub(super) fn worn(scene: &Scene, report: &Report, sunk: f64) -> Worn {
+    let way = if sunk < 0.0 { "higher" } else { "lower" };
+    let moved = format!("{:.0} mm {way} than it was sewn", sunk.abs() * 1e3);
     let (ok, because) = if scene.body.is_none() {
         (false, "there is no avatar".to_owned())
     } else if !report.converged {
         (
             false,
-            format!(
-                "it did not come to rest; its middle is {:.0} mm lower than it was sewn",
-                sunk * 1e3
-            ),
+            format!("it did not come to rest; its middle is {moved}"),
         )
     } else if sunk > FALLEN {
+        let sunk = sunk * 1e3;
         (
             false,
-            format!(
-                "it sank by {:.0} mm: nothing holds it where it was put",
-                sunk * 1e3
-            ),
+            format!("it sank by {sunk:.0} mm: nothing holds it where it was put"),
         )
     } else {
-        (
-            true,
-            format!(
-                "it came to rest on the body, {:.0} mm lower than it was sewn",
-                sunk * 1e3
-            ),
-        )
+        (true, format!("it came to rest on the body, {moved}"))
     };
     Worn { ok, because }
 }
