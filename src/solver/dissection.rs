@@ -3,7 +3,7 @@
 //! A. George, "Nested dissection of a regular finite element mesh", SIAM J. Numer. Anal. 10(2), 1973. A part of the graph is
 //! halved along the distance from a vertex at its rim (as A. George and J. W.-H. Liu do in "An automatic nested dissection
 //! algorithm for irregular finite element problems", SIAM J. Numer. Anal. 15(5), 1978); what touches the other half is
-//! eliminated last. On cloth of 30 000 particles the factor then takes two thirds of the time that minimum degree's takes.
+//! eliminated last. The factor of a garment of 3500 to 5000 particles then takes a sixth less time than minimum degree's.
 
 use super::sparsity::Sparsity;
 
