@@ -8,7 +8,7 @@ use super::report::Report;
 use super::stage::Bounds;
 use super::summary::{left_out, worn};
 use super::trace::Trace;
-use super::{Context, Drape};
+use super::{Context, Drape, motion, unfinished};
 use crate::scene::Scene;
 use nalgebra::Vector3;
 
@@ -65,12 +65,13 @@ fn run(
         version: env!("CARGO_PKG_VERSION").to_owned(),
         ..Report::default()
     };
+    let refused = motion::refuse(scene, ask, bounds.steps, clock);
     let coarsest = cascade.coarsest();
     let mut x = closed.unwrap_or(&cascade.scene(coarsest).start).to_vec();
     let mut sewn = closed.is_some();
     let mut sunk = 0.0;
     let mut handed_on: Option<Vec<Vector3<f64>>> = None;
-    for number in (0..=coarsest).rev() {
+    for number in (0..=coarsest).rev().filter(|_| refused.is_none()) {
         trace.level = coarsest - number;
         let mut level = Level {
             scene: cascade.scene(number),
@@ -106,6 +107,13 @@ fn run(
     }
     if !x.iter().all(|p| p.iter().all(|c| c.is_finite())) {
         x.clone_from(&scene.start);
+    }
+    if let Some(why) = refused {
+        report.why = why;
+        report.residual = f64::NAN;
+    }
+    if !report.residual.is_finite() {
+        unfinished::describe(scene, ask, &x, clock, &mut report);
     }
     measure_all(scene, &x, &mut report);
     report.worn = worn(scene, &report, sunk);

@@ -28,6 +28,7 @@ const SEWING_SHARE: f64 = 0.4;
 const EXPLICIT_REUSE: f64 = 2e-5;
 /// Drag while sewing and while draping \[1/s\], and speed limit \[m/s\], of explicit steps. A garment sways at about
 /// 4 rad/s: twice that is critical.
+pub(super) const DRAPING_DRAG: f64 = 8.0;
 const SEWING_MOTION: Motion = Motion {
     method: Method::SymplecticEuler,
     drag: 40.0,
@@ -37,7 +38,7 @@ const SEWING_MOTION: Motion = Motion {
 };
 const DRAPING_MOTION: Motion = Motion {
     method: Method::SymplecticEuler,
-    drag: 8.0,
+    drag: DRAPING_DRAG,
     speed_limit: 5.0,
     step: None,
     tolerance: SETTLED,
@@ -101,6 +102,7 @@ impl<'w> Level<'_, '_, 'w> {
             Err(why) => {
                 report.why = why;
                 report.converged = false;
+                report.residual = f64::NAN;
                 Rest::default()
             }
         };

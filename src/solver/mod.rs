@@ -20,6 +20,7 @@ mod summary;
 mod system;
 mod topology;
 mod trace;
+mod unfinished;
 
 pub use ask::{Membrane, Method, SeamClose, Simulate, Want};
 pub use assemble::{kept_distance, springs};

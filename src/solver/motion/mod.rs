@@ -12,6 +12,7 @@ mod implicit_euler;
 mod incremental;
 mod kernel;
 mod limit;
+mod needs;
 mod report;
 mod rest;
 mod run;
@@ -20,6 +21,7 @@ mod symplectic_euler;
 mod trajectory;
 mod verlet;
 
+pub(crate) use needs::refuse;
 pub(crate) use rest::{Motion, run};
 
 pub use report::{Frame, MotionEnergy, MotionReport, Trajectory};

@@ -1,5 +1,6 @@
 //! The shape at rest by motion: steps with drag until nothing moves any more.
 
+use super::needs::LONGEST_EXPLICIT;
 use super::stepper::{State, Trouble};
 use super::{SAFETY, Settings, stepper};
 use crate::solver::ask::Method;
@@ -7,8 +8,6 @@ use crate::solver::newton::{Iteration, Stop, Verdict};
 use crate::solver::system::System;
 use nalgebra::Vector3;
 
-/// Longest explicit step \[s\]: what moves nothing stiff still moves smoothly.
-const LONGEST_EXPLICIT: f64 = 1e-3;
 /// Implicit step at the start, and the longest one \[s\]: a garment sways at about 4 rad/s, which such steps damp but follow.
 const FIRST_IMPLICIT: f64 = 0.01;
 const LONGEST_IMPLICIT: f64 = 0.05;

@@ -6,6 +6,7 @@
 
 use super::choose::{Motive, choose};
 use super::control::Control;
+use super::needs::too_many;
 use super::report::{Frame, MotionEnergy, MotionReport};
 use super::stepper::{State, Stepper, Trouble};
 use super::{SAFETY, Settings, stepper};
@@ -126,6 +127,14 @@ impl Run<'_, '_, '_> {
             Some(asked) => asked,
             None => (SAFETY * stable).min(FIRST_IMPLICIT),
         };
+        // What may be the longest step later on: chosen implicit steps have no such bound.
+        let longest = self.ask.step_s.unwrap_or(SAFETY * stable);
+        let duration = self.ask.duration_s.unwrap_or(DURATION);
+        if let Some(why) = too_many(duration, longest, self.context.limits.steps) {
+            return Err(format!(
+                "{why}: ask for bdf2 or implicit_euler, for less time, longer mesh edges or softer cloth"
+            ));
+        }
         let tolerance = self.ask.step_s.is_none().then_some(self.ask.tolerance);
         let mut control = Control::new(tolerance, stepper.order(), first);
         control.limit(SAFETY * stable);
