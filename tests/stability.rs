@@ -2,5 +2,3 @@
 
 #[path = "support/stability/mod.rs"]
 mod stability;
-
-

@@ -19,7 +19,11 @@ pub(crate) fn run(number: usize, case: &Case) -> io::Result<Line> {
         .spawn()?;
     let allowed = Duration::from_secs_f64(PATIENCE * case.within_s + COMPARISON);
     let Some(success) = wait(&mut child, allowed)? else {
-        return Ok(failed(case, "did not end", format!("ended after {:.0} s", allowed.as_secs_f64())));
+        return Ok(failed(
+            case,
+            "did not end",
+            format!("ended after {:.0} s", allowed.as_secs_f64()),
+        ));
     };
     let mut text = String::new();
     if let Some(mut out) = child.stdout.take() {
@@ -27,7 +31,11 @@ pub(crate) fn run(number: usize, case: &Case) -> io::Result<Line> {
     }
     match serde_json::from_str(&text) {
         Ok(line) => Ok(line),
-        Err(error) => Ok(failed(case, "crashed", format!("success: {success}; {error}"))),
+        Err(error) => Ok(failed(
+            case,
+            "crashed",
+            format!("success: {success}; {error}"),
+        )),
     }
 }
 

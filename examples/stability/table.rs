@@ -19,11 +19,23 @@ pub(crate) fn markdown(lines: &[Line]) -> String {
         count("refused"),
         wrong.len()
     );
-    list(&mut out, "Not as they must be", wrong.iter().map(|l| (&l.case, l.faults.join("; "))));
+    list(
+        &mut out,
+        "Not as they must be",
+        wrong.iter().map(|l| (&l.case, l.faults.join("; "))),
+    );
     let unfinished = lines.iter().filter(|l| l.came_to == "not converged");
-    list(&mut out, "Not converged", unfinished.map(|l| (&l.case, l.why.clone())));
+    list(
+        &mut out,
+        "Not converged",
+        unfinished.map(|l| (&l.case, l.why.clone())),
+    );
     let refused = lines.iter().filter(|l| l.came_to == "refused");
-    list(&mut out, "Refused", refused.map(|l| (&l.case, l.why.clone())));
+    list(
+        &mut out,
+        "Refused",
+        refused.map(|l| (&l.case, l.why.clone())),
+    );
     let _ = write!(out, "\n### Every case\n\n{HEAD}");
     for line in lines {
         let _ = writeln!(out, "| {} |", cells(line).join(" | "));
@@ -48,7 +60,11 @@ fn cells(line: &Line) -> [String; 13] {
         line.case.clone(),
         line.vertices.to_string(),
         line.expected.clone(),
-        if line.faults.is_empty() { line.came_to.clone() } else { format!("**{}**", line.faults.join("; ")) },
+        if line.faults.is_empty() {
+            line.came_to.clone()
+        } else {
+            format!("**{}**", line.faults.join("; "))
+        },
         format!("{:.2}", line.cpu_s),
         format!("{:.0}", line.within_s),
         work(line),
@@ -79,10 +95,27 @@ fn millimetres(metres: Option<f64>) -> String {
 /// One line of plain text.
 pub(crate) fn short(line: &Line) -> String {
     let cells = cells(line);
-    let good = if line.faults.is_empty() { "ok" } else { "WRONG" };
+    let good = if line.faults.is_empty() {
+        "ok"
+    } else {
+        "WRONG"
+    };
     format!(
         "{good:5} {:52} {:>6} {:>8} s {:>12} it, r {:>6}, [{}] E {} <= {}, est {} err {}: {}",
-        line.case, cells[1], cells[4], cells[6], cells[7], cells[8], cells[9], cells[10], cells[11], cells[12],
-        if line.faults.is_empty() { line.why.trim() } else { cells[3].as_str() },
+        line.case,
+        cells[1],
+        cells[4],
+        cells[6],
+        cells[7],
+        cells[8],
+        cells[9],
+        cells[10],
+        cells[11],
+        cells[12],
+        if line.faults.is_empty() {
+            line.why.trim()
+        } else {
+            cells[3].as_str()
+        },
     )
 }

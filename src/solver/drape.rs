@@ -5,7 +5,7 @@ use super::cascade::Cascade;
 use super::level::Level;
 use super::measure::{self, rms_distance};
 use super::report::Report;
-use super::stage::Bounds;
+use super::stage::{Bounds, push_once};
 use super::summary::{left_out, worn};
 use super::trace::Trace;
 use super::{Context, Drape, motion, unfinished};
@@ -103,7 +103,11 @@ fn run(
             break;
         }
         x = cascade.refine(number, &x);
-        handed_on = report.converged.then(|| x.clone());
+        if cascade.is_softer(number) {
+            push_once(&mut report.ladder, "softer_cloth");
+        } else {
+            handed_on = report.converged.then(|| x.clone());
+        }
     }
     if !x.iter().all(|p| p.iter().all(|c| c.is_finite())) {
         x.clone_from(&scene.start);

@@ -14,6 +14,7 @@ mod motion;
 mod newton;
 mod report;
 mod skew;
+mod softer;
 mod sparsity;
 mod stage;
 mod summary;

@@ -35,9 +35,14 @@ pub(super) fn judge(case: &Case, slower: f64, line: &mut Line) {
     if line.came_to != expected || !line.why.contains(words) {
         line.faults.push(format!("{}: {}", line.came_to, line.why));
     }
-    let within = if expected == "refused" { AT_ONCE.min(case.within_s) } else { case.within_s };
+    let within = if expected == "refused" {
+        AT_ONCE.min(case.within_s)
+    } else {
+        case.within_s
+    };
     if line.cpu_s > within * slower {
-        line.faults.push(format!("took {:.1} s of CPU, not {within} s", line.cpu_s));
+        line.faults
+            .push(format!("took {:.1} s of CPU, not {within} s", line.cpu_s));
     }
     if line.why.is_empty() {
         line.faults.push("no reason is given".to_owned());
@@ -56,7 +61,13 @@ pub(super) fn total(energy: &Energy) -> f64 {
 }
 
 fn size(energy: &Energy) -> f64 {
-    let Energy { stretch, bend, gravity, seam, contact } = energy;
+    let Energy {
+        stretch,
+        bend,
+        gravity,
+        seam,
+        contact,
+    } = energy;
     stretch.abs() + bend.abs() + gravity.abs() + seam.abs() + contact.abs()
 }
 
@@ -73,7 +84,8 @@ pub(super) fn drape(scene: &Scene, made: &Made, drape: &Drape, finest: f64, line
         Some(report.penetration_max_m),
     ];
     if numbers.into_iter().flatten().any(|n| !n.is_finite()) {
-        line.faults.push(format!("the report has a number that is none: {numbers:?}"));
+        line.faults
+            .push(format!("the report has a number that is none: {numbers:?}"));
     }
     if line.came_to == "refused" {
         return;
@@ -126,7 +138,10 @@ fn estimate(scene: &Scene, ask: &Simulate, drape: &Drape, line: &mut Line) {
     line.error_m = Some(error);
     // a shape at the floor is its own reference: what moves then is rounding
     let floors = drape.report.residual / drape.report.residual_floor;
-    let Some(estimate) = drape.report.error_estimate_m.filter(|_| drape.report.error_estimate_valid)
+    let Some(estimate) = drape
+        .report
+        .error_estimate_m
+        .filter(|_| drape.report.error_estimate_valid)
     else {
         return;
     };
@@ -159,7 +174,7 @@ pub(super) fn motion(scene: &Scene, made: &Made, trajectory: &Trajectory, line: 
     }
     let has_friction = scene.friction > 0.0 && scene.body.is_some();
     let lossy = [
-        (trajectory.report.drag_1_s > 0.0 , "drag"),
+        (trajectory.report.drag_1_s > 0.0, "drag"),
         (has_friction, "friction"),
         (scene.wind.is_some(), "wind"),
     ];
@@ -167,28 +182,46 @@ pub(super) fn motion(scene: &Scene, made: &Made, trajectory: &Trajectory, line: 
         line.energy_unbounded = Some(what.to_owned());
         return;
     }
-    let Some(first) = energies.first() else { return };
+    let Some(first) = energies.first() else {
+        return;
+    };
     let rounding = |e: &MotionEnergy| ROUNDING * (size(&e.potential) + e.kinetic);
     if line.method == "implicit_euler" {
-        let gained = energies
-            .windows(2)
-            .find(|pair| pair[1].total() > pair[0].total() + rounding(&pair[0]) + rounding(&pair[1]));
+        let gained = energies.windows(2).find(|pair| {
+            pair[1].total() > pair[0].total() + rounding(&pair[0]) + rounding(&pair[1])
+        });
         line.energy_most_j = Some(first.total());
         if let Some(pair) = gained {
-            line.faults.push(format!("gained energy: {:.9e} J, then {:.9e} J", pair[0].total(), pair[1].total()));
+            line.faults.push(format!(
+                "gained energy: {:.9e} J, then {:.9e} J",
+                pair[0].total(),
+                pair[1].total()
+            ));
         }
         return;
     }
     let rest = Made {
         work: Work::NoScene(seamster::fault::Faults(vec![])),
-        ask: Simulate { method: Method::Newton, step_s: None, tolerance: 1e-3, time_limit_s: Some(5.0), ..made.ask.clone() },
+        ask: Simulate {
+            method: Method::Newton,
+            step_s: None,
+            tolerance: 1e-3,
+            time_limit_s: Some(5.0),
+            ..made.ask.clone()
+        },
         limits: made.limits.clone(),
     };
     let lowest = total(&draped(scene, &rest, f64::INFINITY).0.report.energy_j);
     let most = lowest + largest_gain(&line.method) * (first.total() - lowest);
     line.energy_most_j = Some(most);
-    let highest = energies.iter().map(MotionEnergy::total).fold(f64::NEG_INFINITY, f64::max);
+    let highest = energies
+        .iter()
+        .map(MotionEnergy::total)
+        .fold(f64::NEG_INFINITY, f64::max);
     if highest > most + rounding(first) {
-        line.faults.push(format!("gained energy: {highest:.9e} J from {:.9e} J", first.total()));
+        line.faults.push(format!(
+            "gained energy: {highest:.9e} J from {:.9e} J",
+            first.total()
+        ));
     }
 }

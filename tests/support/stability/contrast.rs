@@ -17,11 +17,16 @@ pub(super) fn cases() -> Vec<Case> {
         let newton = move |scene: Scene| {
             Made::drape(scene, Method::Newton).asking(|ask| ask.membrane = membrane)
         };
-        cases.push(Case::new(name("warp to weft 1e4 to 1"), move || newton(hung(unlike(), 12))));
-        cases.push(Case::new(name("masses 1 to 1e4, in turns"), move || newton(heavy(|i| i % 2 == 0))));
-        cases.push(Case::new(name("one vertex 1e4 times as heavy"), move || {
-            newton(heavy(|i| i == 12 * 13 / 2))
+        cases.push(Case::new(name("warp to weft 1e4 to 1"), move || {
+            newton(hung(unlike(), 12))
         }));
+        cases.push(Case::new(name("masses 1 to 1e4, in turns"), move || {
+            newton(heavy(|i| i % 2 == 0))
+        }));
+        cases.push(Case::new(
+            name("one vertex 1e4 times as heavy"),
+            move || newton(heavy(|i| i == 12 * 13 / 2)),
+        ));
         cases.push(Case::new(name("slivers 1e-4"), move || newton(slivers())));
     }
     cases.push(Case::new("contrast: springs of 1e-9 m", || net(1e-9)));

@@ -18,10 +18,17 @@ pub(super) fn cases() -> Vec<Case> {
     let mut cases = vec![];
     for method in METHODS {
         let explicit = matches!(method, Method::SymplecticEuler | Method::Verlet);
-        for (step, duration) in [(1e-5, 0.01), (1e-4, 0.05), (1e-3, 0.2), (1e-2, 0.5), (1e-1, 1.0)] {
-            let case = Case::new(format!("motion: steps of {step:.0e} s, {}", word(method)), move || {
-                motion(1.0, method, Some(step), duration)
-            });
+        for (step, duration) in [
+            (1e-5, 0.01),
+            (1e-4, 0.05),
+            (1e-3, 0.2),
+            (1e-2, 0.5),
+            (1e-1, 1.0),
+        ] {
+            let case = Case::new(
+                format!("motion: steps of {step:.0e} s, {}", word(method)),
+                move || motion(1.0, method, Some(step), duration),
+            );
             cases.push(if explicit && step > 1e-4 {
                 case.expect(Expect::Refused("stability limit"))
             } else {
@@ -29,9 +36,10 @@ pub(super) fn cases() -> Vec<Case> {
             });
         }
         for by in FACTORS {
-            let case = Case::new(format!("motion: x{by:.0e}, steps chosen, {}", word(method)), move || {
-                motion(by, method, None, 0.2)
-            });
+            let case = Case::new(
+                format!("motion: x{by:.0e}, steps chosen, {}", word(method)),
+                move || motion(by, method, None, 0.2),
+            );
             cases.push(match by {
                 1.0 | 1e2 => case.within(10.0),
                 _ if explicit => case.within(100.0).whole_only(),
@@ -40,8 +48,11 @@ pub(super) fn cases() -> Vec<Case> {
         }
         if explicit {
             cases.push(
-                Case::new(format!("motion: a minute at x1e6, {}", word(method)), move || motion(1e6, method, None, 60.0))
-                    .expect(Expect::Refused("needs ")),
+                Case::new(
+                    format!("motion: a minute at x1e6, {}", word(method)),
+                    move || motion(1e6, method, None, 60.0),
+                )
+                .expect(Expect::Refused("needs ")),
             );
         }
     }

@@ -63,17 +63,21 @@ fn simulate(made: &Made, line: &mut Line) {
             check::drape(scene, made, &drape, finest, line);
         }
         Work::Fit(prepared) => {
-            let outcome = with_context(&made.limits, &CancelToken::new(), |_| {}, |context| {
-                fit::run(prepared, context)
-            });
+            let outcome = with_context(
+                &made.limits,
+                &CancelToken::new(),
+                |_| {},
+                |context| fit::run(prepared, context),
+            );
             line.cpu_s = cpu_s() - began;
             line.memory_peak_bytes = memory_peak_bytes();
             match outcome {
                 Ok(outcome) => {
                     of_report(&outcome.report, line);
                     let panels = outcome.mesh.panels.iter();
-                    let positions: Vec<Vector3<f64>> =
-                        panels.flat_map(|p| p.positions.iter().map(|x| (*x).into())).collect();
+                    let positions: Vec<Vector3<f64>> = panels
+                        .flat_map(|p| p.positions.iter().map(|x| (*x).into()))
+                        .collect();
                     check::finite(positions.iter(), line);
                     line.energy_unbounded = Some("friction".to_owned());
                 }
@@ -85,9 +89,12 @@ fn simulate(made: &Made, line: &mut Line) {
         }
         Work::Motion(scene, start) => {
             let cancel = CancelToken::new();
-            let trajectory = with_context(&made.limits, &cancel, |_| {}, |context| {
-                solver::trajectory(scene, &made.ask, start.clone(), context)
-            });
+            let trajectory = with_context(
+                &made.limits,
+                &cancel,
+                |_| {},
+                |context| solver::trajectory(scene, &made.ask, start.clone(), context),
+            );
             line.cpu_s = cpu_s() - began;
             line.memory_peak_bytes = memory_peak_bytes();
             of_trajectory(&trajectory, scene, line);
@@ -119,9 +126,12 @@ pub(super) fn draped(scene: &Scene, made: &Made, until: f64) -> (Drape, f64) {
 /// The shape that `drape` leads to, to the round-off floor.
 pub(super) fn continued(scene: &Scene, ask: &Simulate, drape: &Drape) -> Drape {
     let limits = Limits::default();
-    with_context(&limits, &CancelToken::new(), |_| {}, |context| {
-        solver::drape_on(scene, ask, &drape.positions, context)
-    })
+    with_context(
+        &limits,
+        &CancelToken::new(),
+        |_| {},
+        |context| solver::drape_on(scene, ask, &drape.positions, context),
+    )
 }
 
 fn of_report(report: &Report, line: &mut Line) {

@@ -19,14 +19,20 @@ const STARTS: [Start; 6] = [
     ("collapsed to a point, pins too", collapsed_with_pins),
     ("collapsed to a line", to_a_line),
     ("inverted", inverted),
-    ("1e3 times as large", |scene| scene.start.iter_mut().for_each(|p| *p *= 1e3)),
+    ("1e3 times as large", |scene| {
+        scene.start.iter_mut().for_each(|p| *p *= 1e3)
+    }),
 ];
 
 pub(super) fn cases() -> Vec<Case> {
     let mut cases = vec![];
     for (name, change) in STARTS {
         for membrane in [Membrane::Continuum, Membrane::Springs] {
-            let model = if membrane == Membrane::Springs { "springs" } else { "continuum" };
+            let model = if membrane == Membrane::Springs {
+                "springs"
+            } else {
+                "continuum"
+            };
             cases.push(Case::new(format!("start: {name}, {model}"), move || {
                 let mut scene = hung(poplin(), 10);
                 change(&mut scene);
@@ -37,18 +43,24 @@ pub(super) fn cases() -> Vec<Case> {
             Made::drape(planar(change), Method::Newton)
         }));
         for method in [Method::ImplicitEuler, Method::SymplecticEuler] {
-            cases.push(Case::new(format!("start: {name}, {}", word(method)), move || {
-                let mut scene = hung(poplin(), 8);
-                change(&mut scene);
-                Made::drape(scene, method).asking(|ask| ask.tolerance = 1e-3)
-            }));
+            cases.push(Case::new(
+                format!("start: {name}, {}", word(method)),
+                move || {
+                    let mut scene = hung(poplin(), 8);
+                    change(&mut scene);
+                    Made::drape(scene, method).asking(|ask| ask.tolerance = 1e-3)
+                },
+            ));
         }
     }
-    cases.push(Case::new("start: panels on the wrong side of each other", || {
-        let mut scene = sewn(poplin(), 500);
-        scene.start.iter_mut().for_each(|p| p.z = -p.z);
-        Made::drape(scene, Method::Newton)
-    }));
+    cases.push(Case::new(
+        "start: panels on the wrong side of each other",
+        || {
+            let mut scene = sewn(poplin(), 500);
+            scene.start.iter_mut().for_each(|p| p.z = -p.z);
+            Made::drape(scene, Method::Newton)
+        },
+    ));
     cases.push(Case::new("start: panels through each other", || {
         let mut scene = sewn(poplin(), 500);
         scene.start.iter_mut().for_each(|p| p.z *= 3.0 * p.x);
@@ -61,10 +73,16 @@ pub(super) fn cases() -> Vec<Case> {
     }));
     cases.push(Case::new("start: panels 5 m apart", || {
         let mut scene = sewn(poplin(), 500);
-        scene.start.iter_mut().for_each(|p| p.z += 2.5 * p.z.signum());
+        scene
+            .start
+            .iter_mut()
+            .for_each(|p| p.z += 2.5 * p.z.signum());
         Made::drape(scene, Method::Newton)
     }));
-    for (name, height) in [("through the middle of a ball", 0.0), ("a third into a ball", 0.1)] {
+    for (name, height) in [
+        ("through the middle of a ball", 0.0),
+        ("a third into a ball", 0.1),
+    ] {
         cases.push(Case::new(format!("start: {name}"), move || {
             let mut scene = scenes::scene("S2_17").expect("a scene of the benchmark");
             scene.start.iter_mut().for_each(|p| p.z = height);

@@ -23,9 +23,12 @@ pub(super) fn cases() -> Vec<Case> {
             move || Made::drape(sewn(stiffer(by), 500), Method::Newton),
         ));
         for method in [Method::SymplecticEuler, Method::Verlet] {
-            let case = Case::new(format!("stiffness: hung x{by:.0e}, {}", word(method)), move || {
-                Made::drape(hung(stiffer(by), 8), method).asking(|ask| ask.tolerance = 1e-3)
-            });
+            let case = Case::new(
+                format!("stiffness: hung x{by:.0e}, {}", word(method)),
+                move || {
+                    Made::drape(hung(stiffer(by), 8), method).asking(|ask| ask.tolerance = 1e-3)
+                },
+            );
             cases.push(match by {
                 1e6 => case.expect(Expect::Refused("needs ")),
                 1e4 => case.within(60.0).whole_only(),
@@ -33,9 +36,12 @@ pub(super) fn cases() -> Vec<Case> {
             });
         }
         for method in [Method::ImplicitEuler, Method::Bdf2] {
-            cases.push(Case::new(format!("stiffness: hung x{by:.0e}, {}", word(method)), move || {
-                Made::drape(hung(stiffer(by), 8), method).asking(|ask| ask.tolerance = 1e-3)
-            }));
+            cases.push(Case::new(
+                format!("stiffness: hung x{by:.0e}, {}", word(method)),
+                move || {
+                    Made::drape(hung(stiffer(by), 8), method).asking(|ask| ask.tolerance = 1e-3)
+                },
+            ));
         }
     }
     cases
