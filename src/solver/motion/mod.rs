@@ -3,6 +3,7 @@
 //! m dv/dt = F(x) - c m v (P8), c the drag per mass. All methods move the same [`stepper::State`] and may be asked for a motion
 //! ([`trajectory`]) or, with drag, for the shape at rest ([`run`]).
 
+mod balance;
 mod bdf2;
 mod choose;
 mod control;
@@ -22,7 +23,7 @@ mod trajectory;
 mod verlet;
 
 pub(crate) use needs::refuse;
-pub(crate) use rest::{Motion, run};
+pub(crate) use rest::{Motion, Moved, run};
 
 pub use report::{Frame, MotionEnergy, MotionReport, Trajectory};
 pub use trajectory::{Start, trajectory};

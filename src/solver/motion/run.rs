@@ -160,11 +160,13 @@ impl Run<'_, '_, '_> {
             before.copy_from(state);
             let error = match stepper.advance(system, state, h, count) {
                 Ok(error) if state.is_finite() => error,
-                Ok(_) | Err(Trouble::NotFinite) => {
+                Ok(_) | Err(Trouble::NotFinite) if self.ask.step_s.is_some() => {
                     state.copy_from(&before);
-                    return Err("forces became infinite".to_owned());
+                    return Err(format!(
+                        "forces became infinite in steps of {h:.1e} s: give a shorter one or leave it out"
+                    ));
                 }
-                Err(Trouble::NotSolved) => f64::INFINITY,
+                Ok(_) | Err(_) => f64::INFINITY,
             };
             let solved = error.is_finite();
             let accepted = solved && control.accepts(h, error);

@@ -153,6 +153,3 @@ pub(crate) fn cases() -> Vec<Case> {
     ];
     groups.into_iter().flatten().collect()
 }
-pub(crate) fn motion_case(by: f64, method: Method, step: Option<f64>, duration: f64) -> Made {
-    motion::motion(by, method, step, duration)
-}

@@ -31,8 +31,9 @@ pub(super) fn cases() -> Vec<Case> {
             );
             cases.push(match by {
                 1e6 => case.expect(Expect::Refused("needs ")),
-                1e4 => case.within(60.0).whole_only(),
-                _ => case.within(10.0),
+                1e4 => case.within(200.0).whole_only(),
+                1e2 => case.within(30.0).whole_only(),
+                _ => case.within(5.0),
             });
         }
         for method in [Method::ImplicitEuler, Method::Bdf2] {
