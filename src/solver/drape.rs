@@ -8,7 +8,7 @@ use super::report::Report;
 use super::stage::{Bounds, push_once};
 use super::summary::{left_out, worn};
 use super::trace::Trace;
-use super::{Context, Drape, motion, unfinished};
+use super::{Context, Drape, collapsed, motion, unfinished};
 use crate::scene::Scene;
 use nalgebra::Vector3;
 
@@ -68,6 +68,9 @@ fn run(
     let refused = motion::refuse(scene, ask, bounds.steps, clock);
     let coarsest = cascade.coarsest();
     let mut x = closed.unwrap_or(&cascade.scene(coarsest).start).to_vec();
+    if closed.is_none() && refused.is_none() {
+        collapsed::scatter(cascade.scene(coarsest), &mut x);
+    }
     let mut sewn = closed.is_some();
     let mut sunk = 0.0;
     let mut handed_on: Option<Vec<Vector3<f64>>> = None;

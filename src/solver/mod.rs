@@ -4,6 +4,7 @@ mod ask;
 mod assemble;
 mod cascade;
 mod cholesky;
+mod collapsed;
 mod contact;
 mod dissection;
 mod drape;

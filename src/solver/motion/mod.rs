@@ -23,7 +23,7 @@ mod trajectory;
 mod verlet;
 
 pub(crate) use needs::refuse;
-pub(crate) use rest::{Motion, Moved, run};
+pub(crate) use rest::{Motion, run};
 
 pub use report::{Frame, MotionEnergy, MotionReport, Trajectory};
 pub use trajectory::{Start, trajectory};

@@ -3,7 +3,7 @@
 use super::cloth::{hung, poplin, sewn};
 use super::motion::moving;
 use super::samples::sample;
-use super::{Case, Made, Work, scenes, word};
+use super::{Case, Expect, Made, Work, scenes, word};
 use nalgebra::Vector3;
 use seamster::config::Limits;
 use seamster::scene::{Fabric, Scene, Wind};
@@ -35,7 +35,7 @@ pub(super) fn cases() -> Vec<Case> {
                         drag: Some(0.0),
                         ..hung(poplin(), 8)
                     };
-                    moving(weighing(scene, by), method, None, 0.2)
+                    moving(weighing(scene, by), method, Some(1e-5), 0.02)
                 },
             ));
         }
@@ -53,18 +53,24 @@ pub(super) fn cases() -> Vec<Case> {
             move || Made::drape(sewn(fabric(), 500), Method::Newton),
         ));
     }
-    for speed in [40.0, 100.0] {
-        cases.push(Case::new(format!("wind of {speed} m/s: hung"), move || {
+    for (speed, expect) in [
+        (40.0, Expect::Converged),
+        // Ten kilograms a square metre: cloth flutters, there is no shape at rest.
+        (100.0, Expect::NotConverged("limit of iterations")),
+    ] {
+        let drape = Case::new(format!("wind of {speed} m/s: hung"), move || {
             Made::drape(blown(speed), Method::Newton)
-        }));
-        for method in [Method::ImplicitEuler, Method::Bdf2, Method::Verlet] {
-            cases.push(
-                Case::new(
-                    format!("wind of {speed} m/s: motion, {}", word(method)),
-                    move || moving(blown(speed), method, None, 0.2),
-                )
-                .within(20.0),
-            );
+        });
+        cases.push(drape.expect(expect));
+        for (method, step) in [
+            (Method::ImplicitEuler, Some(1e-3)),
+            (Method::Bdf2, Some(1e-3)),
+            (Method::Verlet, None),
+        ] {
+            cases.push(Case::new(
+                format!("wind of {speed} m/s: motion, {}", word(method)),
+                move || moving(blown(speed), method, step, 0.2),
+            ));
         }
     }
     cases.extend(garments());
