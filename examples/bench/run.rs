@@ -6,12 +6,11 @@
 use crate::line::Line;
 use crate::plan::Run;
 use crate::scenes;
-use nalgebra::Vector3;
 use rustix::time::{ClockId, clock_gettime};
 use seamster::config::Limits;
 use seamster::progress::CancelToken;
 use seamster::scene::Scene;
-use seamster::solver::{self, Context, Drape, Method, Simulate};
+use seamster::solver::{self, Context, Drape, Method, Simulate, rms_distance};
 use serde_json::{Value, json};
 use std::time::Instant;
 
@@ -79,13 +78,13 @@ pub(crate) fn measured(run: &Run) -> Option<Line> {
     // A shape whose seams are still open has no rest shape to go on to.
     let sewn = report.seam_gap_max_m < ask.seam_eps_m;
     if (scene.friction == 0.0 || scene.body.is_none()) && sewn {
-        refer(&scene, &ask, &timed.drape.positions, run.confirm, &mut line);
+        refer(&scene, &ask, &timed.drape, run.confirm, &mut line);
     }
     Some(line)
 }
 
 /// Fills in the distance from the reference.
-fn refer(scene: &Scene, ask: &Simulate, stopped: &[Vector3<f64>], confirm: bool, line: &mut Line) {
+fn refer(scene: &Scene, ask: &Simulate, stopped: &Drape, confirm: bool, line: &mut Line) {
     let on_by = |method: Method| {
         let ask = Simulate {
             method,
@@ -100,7 +99,7 @@ fn refer(scene: &Scene, ask: &Simulate, stopped: &[Vector3<f64>], confirm: bool,
     let Some(reference) = on_by(Method::Newton) else {
         return;
     };
-    let moved = rms_distance(stopped, &reference.positions);
+    let moved = rms_distance(&stopped.positions, &reference.positions);
     // Two shapes that are both at the floor say nothing of the distance to the exact one: the estimate bounds it.
     line.error_m = reference
         .report
@@ -171,11 +170,6 @@ fn memory_peak_bytes() -> u64 {
     let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
     let kilobytes = peak.and_then(|peak| peak.split_whitespace().next()?.parse::<u64>().ok());
     1024 * kilobytes.unwrap_or(0)
-}
-
-fn rms_distance(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
-    let squares = x.iter().zip(y).map(|(x, y)| (x - y).norm_squared());
-    (squares.sum::<f64>() / x.len() as f64).sqrt()
 }
 
 /// The name that an enum has in JSON.

@@ -36,6 +36,12 @@ impl<'s> Cascade<'s> {
         self.coarser.len()
     }
 
+    /// Vertices of each level, coarsest first.
+    pub(super) fn sizes(&self) -> Vec<usize> {
+        let levels = (0..=self.coarsest()).rev();
+        levels.map(|level| self.scene(level).start.len()).collect()
+    }
+
     /// The scene on a level.
     pub(super) fn scene(&self, level: usize) -> &Scene {
         match level.checked_sub(1) {

@@ -90,6 +90,8 @@ pub(crate) fn run(
             number,
             residual,
             positions: x,
+            convex: true,
+            estimate_before: None,
         });
         match verdict {
             Verdict::Continue => {}
