@@ -6,10 +6,10 @@ use super::level::{Level, Rest};
 use super::measure::{self, rms_distance};
 use super::plan;
 use super::report::{Plan, Report};
-use super::stage::Bounds;
+use super::stage::{Bounds, push_once};
 use super::summary::{left_out, worn};
 use super::trace::Trace;
-use super::{Context, Drape};
+use super::{Context, Drape, motion, unfinished};
 use crate::scene::Scene;
 use nalgebra::Vector3;
 
@@ -97,13 +97,25 @@ fn run(
 
 impl Run<'_, '_, '_, '_> {
     fn go(mut self) -> Drape {
-        let (mut x, last, rest) = self.down();
-        x = self.cascade.to_finest(last, x);
         let scene = self.cascade.scene(0);
+        let refused = motion::refuse(scene, self.ask, self.bounds.steps, self.clock);
+        let (mut x, last, rest) = match refused {
+            None => self.down(),
+            Some(why) => {
+                self.report.why = why;
+                self.report.residual = f64::NAN;
+                (scene.start.clone(), 0, Rest::default())
+            }
+        };
+        x = self.cascade.to_finest(last, x);
         if !x.iter().all(|p| p.iter().all(|c| c.is_finite())) {
             x.clone_from(&scene.start);
         }
-        self.say_error(last, &rest);
+        if self.report.residual.is_finite() {
+            self.say_error(last, &rest);
+        } else {
+            unfinished::describe(scene, self.ask, &x, self.clock, &mut self.report);
+        }
         measure_all(scene, &x, &mut self.report);
         self.report.worn = worn(scene, &self.report, self.sunk);
         let handed_on = self.handed_on.as_ref();
@@ -137,7 +149,11 @@ impl Run<'_, '_, '_, '_> {
                 return (x, number, rest);
             }
             x = self.cascade.refine(number, &x);
-            self.handed_on = (self.report.converged && number == 1).then(|| x.clone());
+            if self.cascade.is_softer(number) {
+                push_once(&mut self.report.ladder, "softer_cloth");
+            } else {
+                self.handed_on = self.report.converged.then(|| x.clone());
+            }
             number -= 1;
         }
     }

@@ -70,6 +70,8 @@ impl Level<'_, '_, '_> {
             Err(why) => {
                 report.why = why;
                 report.converged = false;
+                report.residual = f64::NAN;
+                report.residual = f64::NAN;
                 Rest::default()
             }
         };

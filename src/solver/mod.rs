@@ -17,12 +17,14 @@ mod plan;
 mod report;
 mod settling;
 mod skew;
+mod softer;
 mod sparsity;
 mod stage;
 mod summary;
 mod system;
 mod topology;
 mod trace;
+mod unfinished;
 mod way;
 
 pub use ask::{Membrane, Method, SeamClose, Simulate, Want};

@@ -22,9 +22,10 @@ pub(super) const ESTIMATE_HOLDS: f64 = 1e-2;
 /// Share of the tolerance at which a shape counts as at rest even if it is not in a minimum.
 const SADDLE: f64 = 0.01;
 /// Drag \[1/s\] and speed limit \[m/s\] of explicit steps. A garment sways at about 4 rad/s: twice that is critical.
+pub(super) const DRAG: f64 = 8.0;
 const MOTION: Motion = Motion {
     method: Method::SymplecticEuler,
-    drag: 8.0,
+    drag: DRAG,
     speed_limit: 5.0,
     step: None,
     tolerance: SETTLED,

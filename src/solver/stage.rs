@@ -54,7 +54,14 @@ pub(super) fn run(
     };
     if let Some(motion) = how.motion {
         return match motion::run(system, x, motion, how.bounds.steps, judge) {
-            Ok(stop) => (ended(stop), None),
+            Ok(moved) => {
+                let rungs = Rungs {
+                    smaller_step: moved.shorter,
+                    ..Rungs::default()
+                };
+                let ended = ended(moved.stop);
+                (Ended { rungs, ..ended }, None)
+            }
             Err(stable) => (
                 Ended {
                     too_long: Some(stable),
