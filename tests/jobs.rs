@@ -81,7 +81,6 @@ fn outcome(converged: bool) -> Outcome {
             why: "as told".to_owned(),
             ..Report::default()
         },
-        scene: serde_json::json!({"particles": 3}),
         canceled: false,
     }
 }
@@ -178,8 +177,6 @@ fn converged_fit_succeeds_and_leaves_its_files() {
     let report = queue.file(&record, ResultFile::Report).unwrap().unwrap();
     let report: Report = serde_json::from_slice(&report).unwrap();
     assert_eq!(report, outcome(true).report);
-    let scene = queue.file(&record, ResultFile::Scene).unwrap().unwrap();
-    assert_eq!(scene, br#"{"particles":3}"#);
     assert!(queue.file(&record, ResultFile::Mesh).unwrap().is_some());
     let kept: Garment = serde_json::from_slice(&queue.garment(id).unwrap().unwrap()).unwrap();
     assert_eq!(kept, garment("sew"));
@@ -561,7 +558,7 @@ impl Runner for Stalled {
             sleep(Duration::from_millis(1_500));
         }
         let mut outcome = outcome(true);
-        outcome.scene = serde_json::json!({ "is_first": is_first });
+        outcome.report.why = format!("the first: {is_first}");
         Ok(outcome)
     }
 }
@@ -584,8 +581,9 @@ fn attempt_that_lost_its_lease_has_no_effect() {
     let record = finished(&queue, id);
     assert_eq!((record.status, record.attempts), (Status::Succeeded, 3));
     assert_eq!(record.result, Some(3));
-    let scene = queue.file(&record, ResultFile::Scene).unwrap().unwrap();
-    assert_eq!(scene, br#"{"is_first":false}"#);
+    let report = queue.file(&record, ResultFile::Report).unwrap().unwrap();
+    let report: Report = serde_json::from_slice(&report).unwrap();
+    assert_eq!(report.why, "the first: false");
     let results = folder.path().join(format!("blobs/results/{id}"));
     assert!(!results.join(first.attempts.to_string()).exists());
     pool.shutdown(PATIENCE);

@@ -7,7 +7,10 @@ use super::prefer;
 use super::problem::Problem;
 use super::state::{App, Shared};
 use crate::export::{self, GarmentMesh};
+use crate::fit;
 use crate::job::{ResultFile, StoreError};
+use crate::progress::CancelToken;
+use crate::solver::Context;
 use axum::Router;
 use axum::extract::State;
 use axum::http::{HeaderMap, HeaderValue, header};
@@ -130,20 +133,33 @@ pub(super) async fn report(
     Answer::new(json, JSON).to(&headers)
 }
 
-/// The assembled scene in neutral JSON, for other simulators
+/// The assembled scene in neutral JSON, for other simulators; made when it is asked for, whatever has become of the fit
 #[utoipa::path(get, path = "/v1/fits/{id}/scene", tag = "results", params(("id" = Uuid, Path)), responses(
     (status = 200, description = "The scene", body = Object),
-    (status = 404, description = "There is no such fit, or it left none", body = Problem, content_type = "application/problem+json"),
-    (status = 409, description = "The fit has not ended yet", body = Problem, content_type = "application/problem+json")))]
+    (status = 404, description = "There is no such fit", body = Problem, content_type = "application/problem+json"),
+    (status = 422, description = "What keeps it from being assembled", body = Problem, content_type = "application/problem+json")))]
 pub(super) async fn scene(
     State(app): State<App>,
     Id(id): Id,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let json = app
-        .blocking(move |app| file(app, id, ResultFile::Scene))
-        .await??;
+    let json = app.heavy(move |app| assembled(app, id)).await??;
     Answer::new(json, JSON).to(&headers)
+}
+
+/// The scene of a stored garment, as the worker assembles it.
+fn assembled(app: &Shared, id: Uuid) -> Result<Vec<u8>, Problem> {
+    let garment = app.queue.garment(id)?.ok_or_else(|| fits::unknown(id))?;
+    let garment = serde_json::from_slice(&garment)
+        .map_err(|cause| StoreError::new("reading a garment", cause))?;
+    let prepared = fit::prepare(garment, app.catalogue(), app.limits())?;
+    let context = Context {
+        cpu_s: &|| 0.0,
+        cancel: &CancelToken::new(),
+        progress: &mut |_| {},
+        limits: app.limits(),
+    };
+    Ok(fit::scene_json(&prepared, &context)?)
 }
 
 /// The saved garment file, complete in itself

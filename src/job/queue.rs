@@ -36,8 +36,6 @@ pub enum ResultFile {
     Mesh,
     /// `solver::Report`.
     Report,
-    /// The assembled scene in neutral JSON.
-    Scene,
 }
 
 impl ResultFile {
@@ -45,7 +43,6 @@ impl ResultFile {
         let name = match self {
             Self::Mesh => "mesh",
             Self::Report => "report",
-            Self::Scene => "scene",
         };
         format!("{}/{name}.json", results(fit, attempt))
     }

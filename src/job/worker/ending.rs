@@ -105,6 +105,5 @@ fn files(outcome: &Outcome) -> serde_json::Result<Files> {
     Ok(vec![
         (ResultFile::Mesh, json(&outcome.mesh)?),
         (ResultFile::Report, json(&outcome.report)?),
-        (ResultFile::Scene, json(&outcome.scene)?),
     ])
 }
