@@ -41,6 +41,12 @@ pub struct Limits {
     pub trajectory_positions: usize,
     /// CPU time of one fit \[s\].
     pub fit_cpu_s: f64,
+    /// Runs of one study.
+    pub study_runs: usize,
+    /// Items of each list of a study: methods, tolerances, steps, edge lengths.
+    pub study_list: usize,
+    /// CPU time of one study \[s\].
+    pub study_cpu_s: f64,
     /// Fits waiting in the queue.
     pub queued_fits: usize,
     /// How often a fit is begun again after its worker died.
@@ -71,6 +77,9 @@ impl Default for Limits {
             steps: 20_000_000,
             trajectory_positions: 10_000_000,
             fit_cpu_s: 3_600.0,
+            study_runs: 200,
+            study_list: 16,
+            study_cpu_s: 7_200.0,
             queued_fits: 1_000,
             attempts: 3,
             wait_s: 60.0,
