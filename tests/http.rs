@@ -55,7 +55,7 @@ fn what_is_not_there_is_a_problem_that_names_what_is() {
     let server = Server::start();
     for path in [
         "/nothing",
-        "/v1/studies",
+        "/v1/textiles",
         "/v1/fits/x/y/z",
         "/../Cargo.toml",
         "/node_modules/three/package.json",
@@ -69,7 +69,13 @@ fn what_is_not_there_is_a_problem_that_names_what_is() {
             "{problem}"
         );
     }
-    for path in ["/v1/patterns/", "/v1/fits/", "/v1/avatars/", "/v1/fabrics/"] {
+    for path in [
+        "/v1/patterns/",
+        "/v1/fits/",
+        "/v1/studies/",
+        "/v1/avatars/",
+        "/v1/fabrics/",
+    ] {
         server.get(&format!("{path}{NO_ID}")).problem(404);
     }
     server.get("/v1/fits/not-an-id").problem(404);
@@ -161,7 +167,13 @@ fn with_tokens_only_they_may_call() {
     let mut config = config();
     config.tokens = vec!["secret".to_owned()];
     let server = Server::with(config, 0);
-    for path in ["/v1/fabrics", "/v1/patterns", "/v1/fits", "/metrics"] {
+    for path in [
+        "/v1/fabrics",
+        "/v1/patterns",
+        "/v1/fits",
+        "/v1/studies",
+        "/metrics",
+    ] {
         let refused = server.get(path);
         refused.problem(401);
         assert!(
@@ -276,7 +288,7 @@ fn syntax_is_told_by_line_and_column() {
 #[test]
 fn a_body_of_another_type_is_refused() {
     let server = Server::start();
-    for path in ["/v1/fits", "/v1/fabrics", "/v1/avatars"] {
+    for path in ["/v1/fits", "/v1/studies", "/v1/fabrics", "/v1/avatars"] {
         server
             .send("POST", path, &[("content-type", "text/plain")], b"{}")
             .problem(415);
@@ -886,7 +898,7 @@ fn a_key_makes_a_repeated_request_the_same_fit() {
 #[test]
 fn a_full_queue_says_when_to_try_again() {
     let mut config = config();
-    config.limits.queued_fits = 1;
+    config.limits.queued_jobs = 1;
     let server = Server::with(config, 0);
     assert_eq!(submit(&server, &[]).status, 202);
     let full = submit(&server, &[]);
@@ -1077,6 +1089,7 @@ fn lists_begin_empty() {
         ("/v1/patterns", "patterns"),
         ("/v1/avatars", "avatars"),
         ("/v1/fits", "fits"),
+        ("/v1/studies", "studies"),
     ] {
         let list = server.get(path).json();
         assert_eq!(list, json!({name: [], "next_cursor": null}));

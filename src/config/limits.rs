@@ -47,9 +47,9 @@ pub struct Limits {
     pub study_list: usize,
     /// CPU time of one study \[s\].
     pub study_cpu_s: f64,
-    /// Fits waiting in the queue.
-    pub queued_fits: usize,
-    /// How often a fit is begun again after its worker died.
+    /// Fits and studies waiting in the queue.
+    pub queued_jobs: usize,
+    /// How often a fit or a study is begun again after its worker died.
     pub attempts: u32,
     /// Longest wait of one request that asks to wait \[s\].
     pub wait_s: f64,
@@ -80,7 +80,7 @@ impl Default for Limits {
             study_runs: 200,
             study_list: 16,
             study_cpu_s: 7_200.0,
-            queued_fits: 1_000,
+            queued_jobs: 1_000,
             attempts: 3,
             wait_s: 60.0,
         }

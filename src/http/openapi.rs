@@ -3,7 +3,7 @@
 use super::answer::Answer;
 use super::problem::Problem;
 use super::state::App;
-use super::{avatars, events, fabrics, fits, health, metrics, patterns, results, seams};
+use super::{avatars, events, fabrics, fits, health, metrics, patterns, results, seams, studies};
 use crate::fit::Garment;
 use axum::Router;
 use axum::http::HeaderMap;
@@ -30,9 +30,10 @@ pub(super) fn router() -> Router<App> {
         patterns::create, patterns::list, patterns::show, patterns::drawing, patterns::remove, seams::check, seams::suggest,
         fabrics::list, fabrics::create, fabrics::show,
         avatars::create, avatars::list, avatars::show, avatars::remove, avatars::mesh,
-        fits::create, fits::list, fits::show, fits::cancel, events::events,
+        fits::create, fits::list, fits::show, fits::cancel, events::of_fit,
         results::mesh, results::mesh_glb, results::mesh_obj, results::mesh_json,
         results::report, results::scene, results::garment,
+        studies::create, studies::list, studies::show, studies::cancel, studies::plot, studies::asked, events::of_study,
         health::live, health::ready, metrics::metrics,
     ),
     components(schemas(crate::progress::Progress)),
