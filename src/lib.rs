@@ -15,7 +15,7 @@
 //! - [`export`]: a drape to GLB, OBJ and JSON.
 //! - [`fit`]: the saved garment file and the whole way from it to an outcome.
 //! - [`study`]: a garment by many methods, settings and meshes: error against run time.
-//! - [`job`]: fits queued, stored and run by workers.
+//! - [`job`]: fits and studies queued, stored and run by workers.
 //! - [`http`]: the service.
 
 pub mod config;
