@@ -15,7 +15,7 @@ const NO_ID: &str = "019a0000-0000-7000-8000-000000000000";
 
 /// Sends bytes as they are and returns the answer as it is: for what an HTTP client would not send.
 fn raw(server: &Server, request: &str) -> String {
-    let mut stream = TcpStream::connect(server.address()).unwrap();
+    let mut stream = TcpStream::connect(server.address).unwrap();
     stream.write_all(request.as_bytes()).unwrap();
     let mut answer = String::new();
     stream.read_to_string(&mut answer).unwrap();
@@ -147,7 +147,7 @@ fn a_foreign_host_is_misdirected() {
 #[test]
 fn a_writing_call_from_a_foreign_page_is_refused() {
     let server = Server::with(config(), 0);
-    let own = format!("http://{}", server.address());
+    let own = format!("http://{}", server.address);
     for (origin, status) in [
         ("https://evil.example", 403),
         ("null", 403),
@@ -1134,6 +1134,20 @@ fn every_call_of_the_document_is_answered() {
             );
         }
     }
+}
+
+#[test]
+fn every_call_of_the_document_has_a_name_of_its_own() {
+    let document: Value = serde_json::from_str(&seamster::http::openapi_json()).unwrap();
+    let paths = document["paths"].as_object().unwrap().values();
+    let calls = paths.flat_map(|calls| calls.as_object().unwrap().values());
+    let mut names: Vec<_> = calls
+        .map(|call| call["operationId"].as_str().unwrap())
+        .collect();
+    names.sort_unstable();
+    let all = names.len();
+    names.dedup();
+    assert_eq!((names.len(), all > 20), (all, true), "{names:?}");
 }
 
 #[test]

@@ -31,7 +31,7 @@ fn cloth() -> Value {
             "name": "cloth", "panels": [panel],
             "source": {"format": "dxf", "units": "m", "scale_to_m": 1.0, "allowance": "none"},
         },
-        "seams": [], "avatar": null,
+        "seams": [], "avatar": null, "panels": {"cloth": {"placement": {"at": "origin"}}},
         "pins": [{"panel": "cloth", "corner": 1}, {"panel": "cloth", "corner": 2}],
     })
 }

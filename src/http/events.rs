@@ -24,8 +24,8 @@ const AHEAD: usize = 16;
 
 pub(super) fn router() -> Router<App> {
     Router::new()
-        .route("/v1/fits/{id}/events", get(of_fit))
-        .route("/v1/studies/{id}/events", get(of_study))
+        .route("/v1/fits/{id}/events", get(fit_events))
+        .route("/v1/studies/{id}/events", get(study_events))
 }
 
 /// Nothing can be asked of it yet.
@@ -36,13 +36,13 @@ pub(super) struct EventsAsked {}
 /// What happens to a fit, as server-sent events
 ///
 /// `progress` carries a `Progress`, `status` a `Fit`; the stream ends after a final status. `Last-Event-ID` resumes.
-#[utoipa::path(get, path = "/v1/fits/{id}/events", tag = "fits",
+#[utoipa::path(get, path = "/v1/fits/{id}/events", tag = "fits", operation_id = "events",
     params(("id" = Uuid, Path), ("Last-Event-ID" = Option<u64>, Header, description = "The last event that was read")),
     responses(
         (status = 200, description = "The events", content_type = "text/event-stream", body = String),
         (status = 404, description = "There is no such fit", body = Problem, content_type = "application/problem+json"),
         (status = 503, description = "Too many follow already", body = Problem, content_type = "application/problem+json")))]
-pub(super) async fn of_fit(
+pub(super) async fn fit_events(
     State(app): State<App>,
     Id(id): Id,
     Asking(EventsAsked {}): Asking<EventsAsked>,
@@ -55,13 +55,13 @@ pub(super) async fn of_fit(
 ///
 /// `progress` carries a `Progress`, `status` a `StudyJob` without its report; the stream ends after a final status.
 /// `Last-Event-ID` resumes.
-#[utoipa::path(get, path = "/v1/studies/{id}/events", tag = "studies",
+#[utoipa::path(get, path = "/v1/studies/{id}/events", tag = "studies", operation_id = "events",
     params(("id" = Uuid, Path), ("Last-Event-ID" = Option<u64>, Header, description = "The last event that was read")),
     responses(
         (status = 200, description = "The events", content_type = "text/event-stream", body = String),
         (status = 404, description = "There is no such study", body = Problem, content_type = "application/problem+json"),
         (status = 503, description = "Too many follow already", body = Problem, content_type = "application/problem+json")))]
-pub(super) async fn of_study(
+pub(super) async fn study_events(
     State(app): State<App>,
     Id(id): Id,
     Asking(EventsAsked {}): Asking<EventsAsked>,
