@@ -25,7 +25,10 @@ pub use ask::{Membrane, Method, SeamClose, Simulate, Want};
 pub use assemble::{kept_distance, springs};
 pub use contact::{contact_force, contact_pressure};
 pub use drape::{drape, drape_on};
-pub use motion::{Frame, MotionEnergy, MotionReport, Start, Trajectory, trajectory};
+pub use motion::{
+    Frame, MotionEnergy, MotionReport, StableStep, Start, Trajectory, allowed_step, stable_step,
+    trajectory,
+};
 pub use report::{CpuSeconds, Energy, ErrorPoint, LeftOut, Report, Term, Worn};
 
 use crate::config::Limits;

@@ -4,10 +4,20 @@
 //! [`read_study`] → [`prepare`] → [`run`] → [`Study`] → [`plot_svg`].
 
 mod asked;
+mod compare;
+mod drapes;
+mod minima;
+mod motions;
+mod order;
 mod plot;
 mod prepare;
+mod recommend;
+mod reference;
 mod report;
+mod rest;
 mod run;
+mod stable;
+mod work;
 
 pub use asked::{StudyAsked, read_study};
 pub use plot::plot_svg;
@@ -16,4 +26,5 @@ pub use report::{
     NotDone, SCHEMA, Study, StudyMesh, StudyMinimum, StudyOrder, StudyReference, StudyRun,
     StudyStability,
 };
-pub use run::run;
+pub use rest::{Rest, rms_distance};
+pub use run::{StudyPlan, StudyScene, run, run_scenes};

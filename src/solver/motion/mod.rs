@@ -15,6 +15,7 @@ mod limit;
 mod report;
 mod rest;
 mod run;
+mod stability;
 mod stepper;
 mod symplectic_euler;
 mod trajectory;
@@ -23,6 +24,7 @@ mod verlet;
 pub(crate) use rest::{Motion, run};
 
 pub use report::{Frame, MotionEnergy, MotionReport, Trajectory};
+pub use stability::{StableStep, allowed_step, stable_step};
 pub use trajectory::{Start, trajectory};
 
 use super::ask::Method;

@@ -14,7 +14,7 @@ use crate::solver::topology::Particles;
 use nalgebra::Vector3;
 
 /// Distance for which explicit steps carry on a sample of the body \[m\]: third-order terms stay below 1e-11 m.
-const EXPLICIT_REUSE: f64 = 2e-5;
+pub(super) const EXPLICIT_REUSE: f64 = 2e-5;
 
 /// What a motion begins with.
 #[derive(Clone, Debug, Default, PartialEq)]
