@@ -59,11 +59,11 @@ impl Runner for Script {
 
 fn done(kind: JobKind, good: bool, canceled: bool) -> Done {
     match kind {
-        JobKind::Fit => Done::Fit(Outcome {
+        JobKind::Fit => Done::Fit(Box::new(Outcome {
             canceled,
             ..outcome(good)
-        }),
-        JobKind::Study => Done::Study(study(good, canceled)),
+        })),
+        JobKind::Study => Done::Study(Box::new(study(good, canceled))),
     }
 }
 
@@ -747,7 +747,7 @@ impl Runner for Stalled {
         }
         let mut outcome = outcome(true);
         outcome.report.why = format!("the first: {is_first}");
-        Ok(Done::Fit(outcome))
+        Ok(Done::Fit(Box::new(outcome)))
     }
 }
 

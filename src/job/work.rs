@@ -46,9 +46,9 @@ impl Work {
 #[derive(Clone, Debug)]
 pub enum Done {
     /// A garment sewn and draped, or as far as it came.
-    Fit(Outcome),
+    Fit(Box<Outcome>),
     /// A study, or as far as it came.
-    Study(Study),
+    Study(Box<Study>),
 }
 
 impl Done {

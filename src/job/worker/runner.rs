@@ -51,11 +51,13 @@ impl Runner for Sewing {
         match work {
             Work::Fit(garment) => {
                 let prepared = fit::prepare(*garment, library, limits)?;
-                fit::run(&prepared, &mut context).map(Done::Fit)
+                let outcome = fit::run(&prepared, &mut context)?;
+                Ok(Done::Fit(Box::new(outcome)))
             }
             Work::Study(asked) => {
                 let prepared = study::prepare(*asked, library, limits)?;
-                study::run(&prepared, &mut context).map(Done::Study)
+                let study = study::run(&prepared, &mut context)?;
+                Ok(Done::Study(Box::new(study)))
             }
         }
     }
