@@ -29,7 +29,7 @@ struct Program {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Serve over HTTP and run fits
+    /// Serve over HTTP and run fits and studies
     Serve(Box<Config>),
     /// Run fits for a store that many processes share
     Worker,

@@ -52,10 +52,11 @@ type Refused<'a> = (&'a Path, Faults);
 /// Sews a garment, and says by the exit code what came of it.
 pub(super) fn sew(asked: &SewAsked) -> ExitCode {
     let limits = Limits::default();
-    let ran = prepared(asked, &limits)
-        .and_then(|prepared| run(&prepared, &limits).map_err(|faults| (asked.garment(), faults)));
+    let ran = prepared(asked, &limits).and_then(|prepared| {
+        run(asked, &prepared, &limits).map_err(|faults| (asked.garment(), faults))
+    });
     match ran {
-        Ok(outcome) => written(asked, &outcome),
+        Ok(sewn) => written(asked, &sewn),
         Err((file, faults)) => {
             faults::tell(file, &faults);
             BAD_INPUT.into()
@@ -128,7 +129,13 @@ fn read(file: &Path, limit: usize) -> Result<Vec<u8>, Faults> {
     Ok(bytes)
 }
 
-fn run(prepared: &Prepared, limits: &Limits) -> Result<Outcome, Faults> {
+/// What came of it, and the scene where it is asked for.
+struct Sewn {
+    outcome: Outcome,
+    scene: Option<Vec<u8>>,
+}
+
+fn run(asked: &SewAsked, prepared: &Prepared, limits: &Limits) -> Result<Sewn, Faults> {
     let began = thread_cpu_s();
     let mut context = Context {
         cpu_s: &|| thread_cpu_s() - began,
@@ -136,7 +143,13 @@ fn run(prepared: &Prepared, limits: &Limits) -> Result<Outcome, Faults> {
         progress: &mut teller(),
         limits,
     };
-    fit::run(prepared, &mut context)
+    let outcome = fit::run(prepared, &mut context)?;
+    let scene = asked.scene.is_some();
+    let scene = scene.then(|| fit::scene_json(prepared, &context));
+    Ok(Sewn {
+        outcome,
+        scene: scene.transpose()?,
+    })
 }
 
 /// Logs each stage as it begins.
@@ -150,11 +163,11 @@ fn teller() -> impl FnMut(Progress) {
     }
 }
 
-fn written(asked: &SewAsked, outcome: &Outcome) -> ExitCode {
-    if let Err(error) = write_all(asked, outcome) {
+fn written(asked: &SewAsked, sewn: &Sewn) -> ExitCode {
+    if let Err(error) = write_all(asked, sewn) {
         return super::fail(&error);
     }
-    let report = &outcome.report;
+    let report = &sewn.outcome.report;
     if !report.converged {
         eprintln!("seamster: it did not converge: {}", report.why);
         return FAILED.into();
@@ -162,15 +175,14 @@ fn written(asked: &SewAsked, outcome: &Outcome) -> ExitCode {
     ExitCode::SUCCESS
 }
 
-fn write_all(asked: &SewAsked, outcome: &Outcome) -> Result<(), String> {
+fn write_all(asked: &SewAsked, Sewn { outcome, scene }: &Sewn) -> Result<(), String> {
     asked.output.write(&outcome.mesh)?;
     if let Some(path) = &asked.report {
         let json = serde_json::to_vec_pretty(&outcome.report).map_err(|error| error.to_string())?;
         write(path, &json)?;
     }
-    if let Some(path) = &asked.scene {
-        let json = serde_json::to_vec(&outcome.scene).map_err(|error| error.to_string())?;
-        write(path, &json)?;
+    if let (Some(path), Some(json)) = (&asked.scene, scene) {
+        write(path, json)?;
     }
     Ok(())
 }

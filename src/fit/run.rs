@@ -1,7 +1,6 @@
 //! Sews and drapes a prepared garment.
 
 use super::garment::AvatarAsked;
-use super::neutral;
 use super::prepare::{Prepared, fabric, placement};
 use crate::export::{GarmentMesh, PanelMesh};
 use crate::fault::{Fault, Faults};
@@ -20,8 +19,6 @@ pub struct Outcome {
     pub mesh: GarmentMesh,
     /// How far to trust it.
     pub report: Report,
-    /// The assembled scene in neutral JSON.
-    pub scene: serde_json::Value,
     /// Whether it was stopped by the cancel token.
     pub canceled: bool,
 }
@@ -43,7 +40,6 @@ pub fn run(prepared: &Prepared, context: &mut Context<'_>) -> Result<Outcome, Fa
     let drape = solver::drape(&scene, simulate, context);
     let solved = (context.cpu_s)();
     let mesh = garment_mesh(prepared, &scene, &drape.positions);
-    let neutral = neutral::scene_json(&scene);
     let mut report = drape.report;
     report.cpu_s.mesh = meshed - began;
     report.cpu_s.assemble = assembled - meshed;
@@ -54,7 +50,6 @@ pub fn run(prepared: &Prepared, context: &mut Context<'_>) -> Result<Outcome, Fa
     Ok(Outcome {
         mesh,
         report,
-        scene: neutral,
         canceled: drape.canceled,
     })
 }

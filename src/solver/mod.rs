@@ -32,7 +32,10 @@ pub use assemble::{kept_distance, springs};
 pub use contact::{Anchors, contact_force, contact_pressure};
 pub use drape::{drape, drape_on};
 pub use measure::rms_distance;
-pub use motion::{Frame, MotionEnergy, MotionReport, Start, Trajectory, trajectory};
+pub use motion::{
+    Frame, MotionEnergy, MotionReport, StableStep, Start, Trajectory, allowed_step, stable_step,
+    trajectory,
+};
 pub use report::{
     Advice, CpuSeconds, Energy, ErrorPoint, LeftOut, LevelReport, Plan, Report, Term, Worn,
 };
@@ -52,6 +55,18 @@ pub struct Drape {
     pub report: Report,
     /// Whether it was stopped by the cancel token.
     pub canceled: bool,
+}
+
+impl Drape {
+    /// A shape \[m; `#V`\] of which nothing else is known.
+    pub fn of_shape(positions: &[Vector3<f64>]) -> Self {
+        Self {
+            positions: positions.to_vec(),
+            anchors: Anchors::default(),
+            report: Report::default(),
+            canceled: false,
+        }
+    }
 }
 
 /// What a computation may use of the world outside.
