@@ -61,6 +61,8 @@ impl Event {
 pub struct Events {
     past: VecDeque<Event>,
     live: Option<broadcast::Receiver<Event>>,
+    /// The last event that was handed out.
+    seen: Option<u64>,
 }
 
 impl Events {
@@ -69,6 +71,7 @@ impl Events {
         Self {
             past: past.into_iter().collect(),
             live: None,
+            seen: None,
         }
     }
 
@@ -84,15 +87,22 @@ impl Events {
     ///
     /// A follower that falls far behind misses progress, never the last event.
     pub async fn next(&mut self) -> Option<Event> {
-        let event = match self.past.pop_front() {
-            Some(event) => event,
-            None => received(self.live.as_mut()?).await?,
-        };
-        if event.is_last() {
-            self.past.clear();
-            self.live = None;
+        loop {
+            let event = match self.past.pop_front() {
+                Some(event) => event,
+                None => received(self.live.as_mut()?).await?,
+            };
+            // Old news that was still on its way when what is known now was told.
+            if self.seen >= Some(event.id) {
+                continue;
+            }
+            self.seen = Some(event.id);
+            if event.is_last() {
+                self.past.clear();
+                self.live = None;
+            }
+            return Some(event);
         }
-        Some(event)
     }
 }
 
@@ -179,6 +189,7 @@ impl Feeds {
         Events {
             past: channel.past.iter().filter(is_new).cloned().collect(),
             live: Some(channel.sender.subscribe()),
+            seen: None,
         }
     }
 
@@ -226,5 +237,36 @@ impl Channels {
             attempt: 0,
             last_id: 0,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::record::JobKind;
+    use jiff::Timestamp;
+
+    #[test]
+    fn ids_grow_though_old_news_comes_late() {
+        let feeds = Feeds::default();
+        let waits = JobRecord::queued(JobKind::Fit, Uuid::now_v7(), Timestamp::now());
+        let mut runs = waits.clone();
+        (runs.status, runs.attempts) = (Status::Running, 1);
+        let mut ends = runs.clone();
+        ends.status = Status::Succeeded;
+        let mut events = feeds.follow(waits.id, None).or_now(runs.clone(), None);
+        for record in [waits, runs, ends] {
+            feeds.tell(Notice::Status(Box::new(record)));
+        }
+        let mut told = Vec::new();
+        let runtime = tokio::runtime::Builder::new_current_thread().build();
+        runtime.unwrap().block_on(async {
+            while let Some(event) = events.next().await {
+                told.push(event);
+            }
+        });
+        assert!(told.windows(2).all(|pair| pair[0].id < pair[1].id));
+        assert!(told.last().is_some_and(Event::is_last), "{told:?}");
+        assert_eq!(told.len(), 3);
     }
 }
