@@ -11,14 +11,13 @@ use seamster::config::Limits;
 use seamster::progress::CancelToken;
 use seamster::scene::Scene;
 use seamster::solver::{self, Context, Drape, Method, Simulate, rms_distance};
+use seamster::study::Rest;
 use serde_json::{Value, json};
 use std::time::Instant;
 
 /// Runs shorter than this are repeated \[CPU s\], so often at most.
 const SHORT: f64 = 0.5;
 const REPEATS: usize = 5;
-/// Residual asked of the reference: below any floor, which then is what stops it.
-const TO_THE_FLOOR: f64 = 1e-300;
 /// CPU time allowed to a reference \[s\].
 const REFERENCE_LIMIT: f64 = 20.0;
 
@@ -88,29 +87,23 @@ fn refer(scene: &Scene, ask: &Simulate, stopped: &Drape, confirm: bool, line: &m
     let on_by = |method: Method| {
         let ask = Simulate {
             method,
-            tolerance: TO_THE_FLOOR,
             time_limit_s: Some(REFERENCE_LIMIT),
             ..ask.clone()
         };
-        let drape = with_context(|context| solver::drape_on(scene, &ask, stopped, context));
-        // a method that there is not yet is done by another, which would agree with itself
-        (drape.report.converged && drape.report.method == name(&method)).then_some(drape)
+        with_context(|context| Rest::of(scene, &ask, stopped, context))
     };
     let Some(reference) = on_by(Method::Newton) else {
         return;
     };
-    let moved = rms_distance(&stopped.positions, &reference.positions);
-    // Two shapes that are both at the floor say nothing of the distance to the exact one: the estimate bounds it.
-    line.error_m = reference
-        .report
-        .error_estimate_m
-        .map(|estimate| moved.max(estimate));
-    line.reference_moved_m = Some(moved);
-    line.reference_floors = Some(reference.report.residual / reference.report.residual_floor);
+    let report = &reference.drape.report;
+    line.error_m = report.error_estimate_m.map(|_| reference.error_m());
+    line.reference_moved_m = Some(reference.moved_m);
+    line.reference_floors = Some(report.residual / report.residual_floor);
     // a reference that is the stopped shape itself would be confirmed by anything
-    if confirm && moved > 0.0 {
+    if confirm && reference.moved_m > 0.0 {
         let second = SECOND.into_iter().find_map(on_by);
-        line.reference_apart_m = second.map(|s| rms_distance(&s.positions, &reference.positions));
+        let apart = |s: Rest| rms_distance(&s.drape.positions, &reference.drape.positions);
+        line.reference_apart_m = second.map(apart);
     }
 }
 

@@ -152,7 +152,7 @@ impl Trial<'_, '_, '_> {
 
     /// Narrows a bracket round the limit that begins about `guess` \[s\] and is widened until it holds it.
     fn bisect(&mut self, guess: f64, step: &mut StableStep) {
-        let (mut low, mut high) = (guess / WIDER, guess * WIDER);
+        let (mut low, mut high) = (guess / WIDER, guess * WIDER.powi(2));
         let (mut low_known, mut high_known) = (false, false);
         for _ in 0..2 * WIDENINGS {
             if low_known && high_known {
