@@ -14,7 +14,8 @@
 //! - [`solver`]: a scene to a [`solver::Drape`] and how far to trust it.
 //! - [`export`]: a drape to GLB, OBJ and JSON.
 //! - [`fit`]: the saved garment file and the whole way from it to an outcome.
-//! - [`job`]: fits queued, stored and run by workers.
+//! - [`study`]: a garment by many methods, settings and meshes: error against run time.
+//! - [`job`]: fits and studies queued, stored and run by workers.
 //! - [`http`]: the service.
 
 pub mod config;
@@ -29,3 +30,4 @@ pub mod progress;
 pub mod scene;
 pub mod seam;
 pub mod solver;
+pub mod study;

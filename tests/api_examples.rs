@@ -94,6 +94,7 @@ fn every_example_is_run_by_a_test() {
             "own_fabric.sh",
             "avatar.sh",
             "sew.sh",
+            "study.sh",
         ]
         .map(String::from),
     );
@@ -221,6 +222,23 @@ fn canceled_fit_says_so() {
     let program = Program::start();
     let fit = &lines(&program.run("cancel.sh"))[0];
     assert_eq!(fit["status"], "canceled", "{fit}");
+}
+
+#[test]
+fn study_leaves_a_table_and_a_plot() {
+    let program = Program::start();
+    program.run("study.sh");
+    let study: Value = serde_json::from_slice(&program.file("skirt.study.json")).unwrap();
+    assert_eq!(study["status"], "succeeded", "{study}");
+    let runs = study["report"]["runs"].as_array().unwrap();
+    assert_eq!(runs.len(), 6, "{study}");
+    assert!(
+        !study["report"]["recommendation"]
+            .as_str()
+            .unwrap()
+            .is_empty()
+    );
+    assert!(program.file("skirt.study.svg").starts_with(b"<svg "));
 }
 
 #[test]

@@ -391,6 +391,29 @@ fn killed_service_finishes_the_fit_after_a_restart() {
 }
 
 #[test]
+fn killed_service_finishes_the_study_after_a_restart() {
+    let data = tempfile::tempdir().unwrap();
+    let service = Service::start(data.path());
+    let dxf = std::fs::read(sample("skirt.dxf")).unwrap();
+    let mut garment = garment();
+    garment["pattern"] = service.post("/v1/patterns", &dxf, "application/dxf")["id"].clone();
+    let asked = serde_json::json!({
+        "garment": garment, "methods": ["newton"], "tolerances": [1e-1, 1e-2], "edge_lengths_m": [0.05],
+    });
+    let body = asked.to_string();
+    let study = service.post("/v1/studies", body.as_bytes(), "application/json");
+    let study = format!("/v1/studies/{}", study["id"].as_str().unwrap());
+    until("it runs", || service.has_status(&study, &["running"]));
+    service.signal("KILL");
+    drop(service);
+    let service = Service::start(data.path());
+    let record = until("it ends", || service.has_status(&study, &FINAL));
+    assert_eq!(record["status"], "succeeded", "{record}");
+    assert_eq!(record["attempts"], 2);
+    assert_eq!(record["report"]["runs"].as_array().unwrap().len(), 2);
+}
+
+#[test]
 fn terminated_service_gives_the_fit_back_and_ends() {
     let data = tempfile::tempdir().unwrap();
     let service = Service::start(data.path());

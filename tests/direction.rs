@@ -16,6 +16,7 @@ const ORDER: &[&[&str]] = &[
     &["solver"],
     &["export"],
     &["fit"],
+    &["study"],
     &["job"],
     &["http"],
     &["cli"],

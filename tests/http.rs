@@ -15,7 +15,7 @@ const NO_ID: &str = "019a0000-0000-7000-8000-000000000000";
 
 /// Sends bytes as they are and returns the answer as it is: for what an HTTP client would not send.
 fn raw(server: &Server, request: &str) -> String {
-    let mut stream = TcpStream::connect(server.address()).unwrap();
+    let mut stream = TcpStream::connect(server.address).unwrap();
     stream.write_all(request.as_bytes()).unwrap();
     let mut answer = String::new();
     stream.read_to_string(&mut answer).unwrap();
@@ -55,7 +55,7 @@ fn what_is_not_there_is_a_problem_that_names_what_is() {
     let server = Server::start();
     for path in [
         "/nothing",
-        "/v1/studies",
+        "/v1/textiles",
         "/v1/fits/x/y/z",
         "/../Cargo.toml",
         "/node_modules/three/package.json",
@@ -69,7 +69,13 @@ fn what_is_not_there_is_a_problem_that_names_what_is() {
             "{problem}"
         );
     }
-    for path in ["/v1/patterns/", "/v1/fits/", "/v1/avatars/", "/v1/fabrics/"] {
+    for path in [
+        "/v1/patterns/",
+        "/v1/fits/",
+        "/v1/studies/",
+        "/v1/avatars/",
+        "/v1/fabrics/",
+    ] {
         server.get(&format!("{path}{NO_ID}")).problem(404);
     }
     server.get("/v1/fits/not-an-id").problem(404);
@@ -141,7 +147,7 @@ fn a_foreign_host_is_misdirected() {
 #[test]
 fn a_writing_call_from_a_foreign_page_is_refused() {
     let server = Server::with(config(), 0);
-    let own = format!("http://{}", server.address());
+    let own = format!("http://{}", server.address);
     for (origin, status) in [
         ("https://evil.example", 403),
         ("null", 403),
@@ -161,7 +167,13 @@ fn with_tokens_only_they_may_call() {
     let mut config = config();
     config.tokens = vec!["secret".to_owned()];
     let server = Server::with(config, 0);
-    for path in ["/v1/fabrics", "/v1/patterns", "/v1/fits", "/metrics"] {
+    for path in [
+        "/v1/fabrics",
+        "/v1/patterns",
+        "/v1/fits",
+        "/v1/studies",
+        "/metrics",
+    ] {
         let refused = server.get(path);
         refused.problem(401);
         assert!(
@@ -276,7 +288,7 @@ fn syntax_is_told_by_line_and_column() {
 #[test]
 fn a_body_of_another_type_is_refused() {
     let server = Server::start();
-    for path in ["/v1/fits", "/v1/fabrics", "/v1/avatars"] {
+    for path in ["/v1/fits", "/v1/studies", "/v1/fabrics", "/v1/avatars"] {
         server
             .send("POST", path, &[("content-type", "text/plain")], b"{}")
             .problem(415);
@@ -886,7 +898,7 @@ fn a_key_makes_a_repeated_request_the_same_fit() {
 #[test]
 fn a_full_queue_says_when_to_try_again() {
     let mut config = config();
-    config.limits.queued_fits = 1;
+    config.limits.queued_jobs = 1;
     let server = Server::with(config, 0);
     assert_eq!(submit(&server, &[]).status, 202);
     let full = submit(&server, &[]);
@@ -929,9 +941,11 @@ fn a_waiting_fit_is_listed_and_canceled_at_once() {
         server.get("/v1/fits?status=failed").json()["fits"],
         json!([])
     );
-    for part in ["mesh", "report", "scene"] {
+    for part in ["mesh", "report"] {
         server.get(&format!("{at}/{part}")).problem(409);
     }
+    let scene = server.get(&format!("{at}/scene"));
+    assert_eq!(scene.json()["schema"], "seamster/scene/1");
 
     let canceled = server.ask("DELETE", &at, &[]);
     assert_eq!(
@@ -1075,6 +1089,7 @@ fn lists_begin_empty() {
         ("/v1/patterns", "patterns"),
         ("/v1/avatars", "avatars"),
         ("/v1/fits", "fits"),
+        ("/v1/studies", "studies"),
     ] {
         let list = server.get(path).json();
         assert_eq!(list, json!({name: [], "next_cursor": null}));
@@ -1119,6 +1134,20 @@ fn every_call_of_the_document_is_answered() {
             );
         }
     }
+}
+
+#[test]
+fn every_call_of_the_document_has_a_name_of_its_own() {
+    let document: Value = serde_json::from_str(&seamster::http::openapi_json()).unwrap();
+    let paths = document["paths"].as_object().unwrap().values();
+    let calls = paths.flat_map(|calls| calls.as_object().unwrap().values());
+    let mut names: Vec<_> = calls
+        .map(|call| call["operationId"].as_str().unwrap())
+        .collect();
+    names.sort_unstable();
+    let all = names.len();
+    names.dedup();
+    assert_eq!((names.len(), all > 20), (all, true), "{names:?}");
 }
 
 #[test]

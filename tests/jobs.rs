@@ -1,4 +1,4 @@
-//! Fits on the queue and their workers, with a runner that does what the test says instead of sewing.
+//! Fits and studies on the queue and their workers, with a runner that does what the test says instead of sewing.
 #![expect(
     clippy::unwrap_used,
     reason = "a failure is a failed test, in its helpers too"
@@ -8,11 +8,12 @@ use seamster::config::Limits;
 use seamster::fault::{Fault, Faults};
 use seamster::fit::{Garment, Outcome};
 use seamster::job::{
-    Event, EventKind, FileBlobs, FitRecord, IdempotencyKey, JobStore, PageAsked, Queue, QueueError,
-    ResultFile, Runner, SqliteStore, Status, WorkerPool,
+    Done, Event, EventKind, FileBlobs, IdempotencyKey, JobKind, JobRecord, JobStore, PageAsked,
+    Queue, QueueError, ResultFile, Runner, SqliteStore, Status, Work, WorkerPool,
 };
 use seamster::progress::{CancelToken, Progress};
 use seamster::solver::Report;
+use seamster::study::{Study, StudyAsked};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -31,25 +32,56 @@ struct Script {
 impl Runner for Script {
     fn run(
         &self,
-        garment: Garment,
+        work: Work,
         cancel: &CancelToken,
         progress: &mut dyn FnMut(Progress),
-    ) -> Result<Outcome, Faults> {
+    ) -> Result<Done, Faults> {
         self.begun.fetch_add(1, Ordering::SeqCst);
-        let mut outcome = outcome(true);
+        let (kind, mut good, mut canceled) = (work.kind(), true, false);
+        let garment = match work {
+            Work::Fit(garment) => *garment,
+            Work::Study(asked) => asked.garment,
+        };
         match garment.default_fabric.as_str() {
             "refuse" => return Err(Fault::new("seam/twisted", "/seams/0", "it is").into()),
             "panic" => panic!("as told"),
-            "diverge" => outcome = self::outcome(false),
+            "diverge" => good = false,
             "count" => (1..=1_000).for_each(|step| progress(at(f64::from(step) / 1_000.0, 0.0))),
-            "wait" => outcome.canceled = wait(cancel, progress, 0.0),
-            "burn" => outcome.canceled = wait(cancel, progress, 1e9),
+            "wait" => canceled = wait(cancel, progress, 0.0),
+            "burn" => canceled = wait(cancel, progress, 1e9),
             "infinite" => progress(at(f64::NAN, f64::INFINITY)),
             "deaf" => sleep(Duration::from_millis(600)),
             _ => {}
         }
-        Ok(outcome)
+        Ok(done(kind, good, canceled))
     }
+}
+
+fn done(kind: JobKind, good: bool, canceled: bool) -> Done {
+    match kind {
+        JobKind::Fit => Done::Fit(Box::new(Outcome {
+            canceled,
+            ..outcome(good)
+        })),
+        JobKind::Study => Done::Study(Box::new(study(good, canceled))),
+    }
+}
+
+/// A study of one run, or of none.
+fn study(good: bool, canceled: bool) -> Study {
+    let run = serde_json::json!({
+        "method": "newton", "used": "newton", "tolerance": 1e-3, "step_s": null, "edge_length_m": 0.02, "vertices": 9,
+        "cpu_s": 0.5, "error_m": 1e-5, "error_certain": true, "estimate_m": null, "estimate_valid": false,
+        "energy_j": 1.0, "residual": 1e-4, "minimum": 0, "minimum_energy_j": 1.0, "same_as_reference": true,
+        "steps": 7, "converged": true, "why": "as told",
+    });
+    let study = serde_json::json!({
+        "schema": "seamster/study/1", "want": "drape", "membrane": "continuum", "start": "flat", "meshes": [],
+        "runs": if good { vec![run] } else { vec![] }, "orders": [], "stability": [], "recommendation": "none",
+        "notes": [], "left_out": [{"what": "all", "because": "as told"}], "complete": false, "canceled": canceled,
+        "cpu_s": 0.5, "version": "0",
+    });
+    serde_json::from_value(study).unwrap()
 }
 
 /// Polls the flag as a solver does; says whether it was raised before a long time had passed.
@@ -81,7 +113,6 @@ fn outcome(converged: bool) -> Outcome {
             why: "as told".to_owned(),
             ..Report::default()
         },
-        scene: serde_json::json!({"particles": 3}),
         canceled: false,
     }
 }
@@ -91,6 +122,17 @@ fn garment(does: &str) -> Garment {
         "pattern": Uuid::nil(), "seams": "suggest", "default_fabric": does,
     });
     serde_json::from_value(garment).unwrap()
+}
+
+fn work(kind: JobKind, does: &str) -> Work {
+    match kind {
+        JobKind::Fit => Work::Fit(Box::new(garment(does))),
+        JobKind::Study => Work::Study(Box::new(asked(does))),
+    }
+}
+
+fn asked(does: &str) -> StudyAsked {
+    serde_json::from_value(serde_json::json!({"garment": garment(does)})).unwrap()
 }
 
 fn open_with(folder: &Path, lease: Duration, limits: Limits) -> Arc<Queue> {
@@ -115,14 +157,21 @@ fn start(queue: &Arc<Queue>, count: usize) -> WorkerPool {
 }
 
 fn submit(queue: &Queue, does: &str) -> Uuid {
-    queue.submit(&garment(does), None).unwrap().id
+    submit_as(JobKind::Fit, queue, does)
 }
 
-fn get(queue: &Queue, id: Uuid) -> FitRecord {
-    queue.fit(id).unwrap().expect("it was submitted")
+fn submit_as(kind: JobKind, queue: &Queue, does: &str) -> Uuid {
+    queue.submit(&work(kind, does), None).unwrap().id
 }
 
-fn wait_for(queue: &Queue, id: Uuid, is_there: impl Fn(&FitRecord) -> bool) -> FitRecord {
+fn get(queue: &Queue, id: Uuid) -> JobRecord {
+    let mut found = JobKind::ALL
+        .iter()
+        .filter_map(|kind| queue.job(*kind, id).unwrap());
+    found.next().expect("it was submitted")
+}
+
+fn wait_for(queue: &Queue, id: Uuid, is_there: impl Fn(&JobRecord) -> bool) -> JobRecord {
     let deadline = Instant::now() + PATIENCE;
     loop {
         let record = get(queue, id);
@@ -134,23 +183,26 @@ fn wait_for(queue: &Queue, id: Uuid, is_there: impl Fn(&FitRecord) -> bool) -> F
     }
 }
 
-fn finished(queue: &Queue, id: Uuid) -> FitRecord {
+fn finished(queue: &Queue, id: Uuid) -> JobRecord {
     wait_for(queue, id, |record| record.status.is_final())
 }
 
-fn running(queue: &Queue, id: Uuid) -> FitRecord {
+fn running(queue: &Queue, id: Uuid) -> JobRecord {
     wait_for(queue, id, |record| {
         record.status == Status::Running && record.progress.fraction > 0.0
     })
 }
 
-fn error_code(record: &FitRecord) -> &str {
+fn error_code(record: &JobRecord) -> &str {
     record.error.as_ref().map_or("", |error| &error.code)
 }
 
 /// All events from after `after` to the last.
 fn events(queue: &Queue, id: Uuid, after: Option<u64>) -> Vec<Event> {
-    let mut events = queue.events(id, after).unwrap().expect("it was submitted");
+    let mut events = queue
+        .events(JobKind::Fit, id, after)
+        .unwrap()
+        .expect("it was submitted");
     let mut runtime = tokio::runtime::Builder::new_current_thread();
     let collect = async {
         let mut all = Vec::new();
@@ -178,12 +230,111 @@ fn converged_fit_succeeds_and_leaves_its_files() {
     let report = queue.file(&record, ResultFile::Report).unwrap().unwrap();
     let report: Report = serde_json::from_slice(&report).unwrap();
     assert_eq!(report, outcome(true).report);
-    let scene = queue.file(&record, ResultFile::Scene).unwrap().unwrap();
-    assert_eq!(scene, br#"{"particles":3}"#);
     assert!(queue.file(&record, ResultFile::Mesh).unwrap().is_some());
-    let kept: Garment = serde_json::from_slice(&queue.garment(id).unwrap().unwrap()).unwrap();
+    let kept: Garment =
+        serde_json::from_slice(&queue.asked(JobKind::Fit, id).unwrap().unwrap()).unwrap();
     assert_eq!(kept, garment("sew"));
     pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn study_succeeds_and_leaves_its_report() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let id = submit_as(JobKind::Study, &queue, "sew");
+    let pool = start(&queue, 1);
+    let record = finished(&queue, id);
+    assert_eq!((record.status, record.attempts), (Status::Succeeded, 1));
+    let report = queue.file(&record, ResultFile::Report).unwrap().unwrap();
+    let report: Study = serde_json::from_slice(&report).unwrap();
+    assert_eq!(report, study(true, false));
+    assert_eq!(queue.file(&record, ResultFile::Mesh).unwrap(), None);
+    let kept = queue.asked(JobKind::Study, id).unwrap().unwrap();
+    assert_eq!(
+        serde_json::from_slice::<StudyAsked>(&kept).unwrap(),
+        asked("sew")
+    );
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn failed_studies_say_why_in_codes_of_their_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    for (does, code, has_report) in [
+        ("diverge", "study/nothing_ran", true),
+        ("refuse", "study/refused", false),
+        ("panic", "study/panicked", false),
+        ("burn", "study/time_limit", true),
+    ] {
+        let record = finished(&queue, submit_as(JobKind::Study, &queue, does));
+        assert_eq!((record.status, error_code(&record)), (Status::Failed, code));
+        let report = queue.file(&record, ResultFile::Report).unwrap();
+        assert_eq!(report.is_some(), has_report, "{does}");
+    }
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn running_study_is_canceled_within_a_second() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    let id = submit_as(JobKind::Study, &queue, "wait");
+    running(&queue, id);
+    let asked = Instant::now();
+    queue.cancel(JobKind::Study, id).unwrap().unwrap();
+    let record = finished(&queue, id);
+    assert!(asked.elapsed() < Duration::from_secs(1));
+    assert_eq!((record.status, record.result), (Status::Canceled, None));
+    pool.shutdown(PATIENCE);
+}
+
+/// A fit may use as much CPU time as a fit may, however much a study may use.
+#[test]
+fn each_kind_has_its_own_limit_of_cpu_time() {
+    let limits = Limits {
+        fit_cpu_s: 1e10,
+        ..Limits::default()
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open_with(folder.path(), Duration::from_secs(30), limits);
+    let pool = start(&queue, 1);
+    let study = submit_as(JobKind::Study, &queue, "burn");
+    assert_eq!(error_code(&finished(&queue, study)), "study/time_limit");
+    let fit = submit(&queue, "burn");
+    running(&queue, fit);
+    queue.cancel(JobKind::Fit, fit).unwrap();
+    assert_eq!(finished(&queue, fit).status, Status::Canceled);
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn jobs_of_one_kind_are_not_found_as_the_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    for (own, other) in [
+        (JobKind::Fit, JobKind::Study),
+        (JobKind::Study, JobKind::Fit),
+    ] {
+        let id = submit_as(own, &queue, "sew");
+        assert!(queue.job(own, id).unwrap().is_some());
+        assert_eq!(queue.job(other, id).unwrap(), None);
+        assert!(queue.events(other, id, None).unwrap().is_none());
+        assert_eq!(queue.asked(other, id).unwrap(), None);
+        assert_eq!(queue.cancel(other, id).unwrap(), None);
+        assert_eq!(get(&queue, id).status, Status::Queued);
+    }
+    let page = PageAsked {
+        limit: 10,
+        ..PageAsked::default()
+    };
+    for kind in JobKind::ALL {
+        let found = queue.jobs(kind, &page).unwrap().items;
+        let kinds: Vec<_> = found.iter().map(|record| record.kind).collect();
+        assert_eq!(kinds, [kind]);
+    }
 }
 
 #[test]
@@ -245,13 +396,19 @@ fn running_fit_is_canceled_within_a_second() {
     let id = submit(&queue, "wait");
     running(&queue, id);
     let asked = Instant::now();
-    assert!(queue.cancel(id).unwrap().unwrap().cancel_requested);
+    assert!(
+        queue
+            .cancel(JobKind::Fit, id)
+            .unwrap()
+            .unwrap()
+            .cancel_requested
+    );
     let record = finished(&queue, id);
     assert!(asked.elapsed() < Duration::from_secs(1));
     assert_eq!((record.status, record.result), (Status::Canceled, None));
     // Asking again changes nothing.
-    assert_eq!(queue.cancel(id).unwrap(), Some(record));
-    assert_eq!(queue.cancel(Uuid::now_v7()).unwrap(), None);
+    assert_eq!(queue.cancel(JobKind::Fit, id).unwrap(), Some(record));
+    assert_eq!(queue.cancel(JobKind::Fit, Uuid::now_v7()).unwrap(), None);
     pool.shutdown(PATIENCE);
 }
 
@@ -260,7 +417,7 @@ fn queued_fit_is_canceled_at_once_and_never_run() {
     let folder = tempfile::tempdir().unwrap();
     let queue = open(folder.path());
     let id = submit(&queue, "sew");
-    let record = queue.cancel(id).unwrap().unwrap();
+    let record = queue.cancel(JobKind::Fit, id).unwrap().unwrap();
     assert_eq!(record.status, Status::Canceled);
     assert!(record.finished_at.is_some());
     let script = Script::default();
@@ -278,7 +435,7 @@ fn fit_that_ends_by_itself_after_it_was_canceled_is_canceled() {
     let pool = start(&queue, 1);
     let id = submit(&queue, "deaf");
     wait_for(&queue, id, |record| record.status == Status::Running);
-    queue.cancel(id).unwrap();
+    queue.cancel(JobKind::Fit, id).unwrap();
     let record = finished(&queue, id);
     assert_eq!((record.status, record.result), (Status::Canceled, None));
     pool.shutdown(PATIENCE);
@@ -317,8 +474,8 @@ fn shutdown_gives_running_fits_back_and_does_not_count_it() {
 }
 
 /// Leaves a fit as a process that was killed leaves it: claimed, its record running, nothing given back.
-fn die_while_running(folder: &Path, does: &str) -> Uuid {
-    let id = submit(&open(folder), does);
+fn die_while_running(kind: JobKind, folder: &Path, does: &str) -> Uuid {
+    let id = submit_as(kind, &open(folder), does);
     for _ in 0..100 {
         if let Ok(store) = SqliteStore::open(folder) {
             begin_and_die(&store, id);
@@ -331,7 +488,7 @@ fn die_while_running(folder: &Path, does: &str) -> Uuid {
 
 fn begin_and_die(store: &SqliteStore, id: Uuid) {
     store.claim().unwrap().expect("it waits");
-    let mut record = store.fit(id).unwrap().expect("it was submitted");
+    let mut record = store.job(id).unwrap().expect("it was submitted");
     record.status = Status::Running;
     record.attempts += 1;
     store
@@ -341,39 +498,44 @@ fn begin_and_die(store: &SqliteStore, id: Uuid) {
 }
 
 #[test]
-fn fit_of_a_process_that_died_runs_again() {
-    let folder = tempfile::tempdir().unwrap();
-    let id = die_while_running(folder.path(), "sew");
-    let queue = open(folder.path());
-    let pool = start(&queue, 1);
-    let record = finished(&queue, id);
-    assert_eq!((record.status, record.attempts), (Status::Succeeded, 2));
-    assert_eq!(record.result, Some(2));
-    pool.shutdown(PATIENCE);
+fn job_of_a_process_that_died_runs_again() {
+    for kind in JobKind::ALL {
+        let folder = tempfile::tempdir().unwrap();
+        let id = die_while_running(kind, folder.path(), "sew");
+        let queue = open(folder.path());
+        let pool = start(&queue, 1);
+        let record = finished(&queue, id);
+        assert_eq!((record.status, record.attempts), (Status::Succeeded, 2));
+        assert_eq!(record.result, Some(2));
+        pool.shutdown(PATIENCE);
+    }
 }
 
 #[test]
-fn fit_that_keeps_killing_its_process_is_given_up() {
-    let folder = tempfile::tempdir().unwrap();
-    let id = die_while_running(folder.path(), "sew");
-    for _ in 0..3 {
-        let store = SqliteStore::open(folder.path()).unwrap();
-        begin_and_die(&store, id);
+fn job_that_keeps_killing_its_process_is_given_up() {
+    for kind in JobKind::ALL {
+        let folder = tempfile::tempdir().unwrap();
+        let id = die_while_running(kind, folder.path(), "sew");
+        for _ in 0..3 {
+            let store = SqliteStore::open(folder.path()).unwrap();
+            begin_and_die(&store, id);
+        }
+        let queue = open(folder.path());
+        let pool = start(&queue, 1);
+        let record = finished(&queue, id);
+        assert_eq!((record.status, record.attempts), (Status::Failed, 4));
+        let code = format!("{}/abandoned", kind.as_str());
+        assert_eq!(error_code(&record), code);
+        pool.shutdown(PATIENCE);
     }
-    let queue = open(folder.path());
-    let pool = start(&queue, 1);
-    let record = finished(&queue, id);
-    assert_eq!((record.status, record.attempts), (Status::Failed, 4));
-    assert_eq!(error_code(&record), "fit/abandoned");
-    pool.shutdown(PATIENCE);
 }
 
 #[test]
 fn fit_canceled_before_its_process_died_is_canceled_at_the_next_start() {
     let folder = tempfile::tempdir().unwrap();
-    let id = die_while_running(folder.path(), "wait");
+    let id = die_while_running(JobKind::Fit, folder.path(), "wait");
     let store = SqliteStore::open(folder.path()).unwrap();
-    let mut record = store.fit(id).unwrap().unwrap();
+    let mut record = store.job(id).unwrap().unwrap();
     record.cancel_requested = true;
     store.replace(&record).unwrap().unwrap();
     drop(store);
@@ -397,7 +559,7 @@ fn long_fit_keeps_its_lease_and_runs_once() {
     finished(&queue, submit(&queue, "sew"));
     assert_eq!(get(&queue, id).attempts, 1);
     assert_eq!(script.begun.load(Ordering::SeqCst), 2);
-    queue.cancel(id).unwrap();
+    queue.cancel(JobKind::Fit, id).unwrap();
     finished(&queue, id);
     pool.shutdown(PATIENCE);
 }
@@ -411,7 +573,7 @@ fn workers_run_as_many_fits_at_once_as_there_are() {
     running(&queue, fits[0]);
     running(&queue, fits[1]);
     assert_eq!(get(&queue, fits[2]).status, Status::Queued);
-    queue.cancel(fits[0]).unwrap();
+    queue.cancel(JobKind::Fit, fits[0]).unwrap();
     running(&queue, fits[2]);
     pool.shutdown(PATIENCE);
 }
@@ -463,7 +625,12 @@ fn events_are_numbered_and_end_with_the_final_status() {
     assert_eq!(late.len(), 1);
     assert!(late[0].is_last());
     assert!(events(&queue, id, Some(late[0].id)).is_empty());
-    assert!(queue.events(Uuid::now_v7(), None).unwrap().is_none());
+    assert!(
+        queue
+            .events(JobKind::Fit, Uuid::now_v7(), None)
+            .unwrap()
+            .is_none()
+    );
     pool.shutdown(PATIENCE);
 }
 
@@ -477,9 +644,9 @@ fn follower_who_comes_back_gets_what_came_since() {
     let runtime = tokio::runtime::Builder::new_current_thread()
         .build()
         .unwrap();
-    let mut first = queue.events(id, None).unwrap().unwrap();
+    let mut first = queue.events(JobKind::Fit, id, None).unwrap().unwrap();
     let seen = runtime.block_on(first.next()).unwrap();
-    queue.cancel(id).unwrap();
+    queue.cancel(JobKind::Fit, id).unwrap();
     let rest = events(&queue, id, Some(seen.id));
     assert!(rest.iter().all(|event| event.id > seen.id));
     assert!(rest.last().unwrap().is_last());
@@ -505,7 +672,7 @@ fn closing_the_queue_ends_all_events() {
 fn full_queue_and_reused_keys_are_refused_and_leave_nothing() {
     let folder = tempfile::tempdir().unwrap();
     let limits = Limits {
-        queued_fits: 2,
+        queued_jobs: 2,
         ..Limits::default()
     };
     let queue = open_with(folder.path(), Duration::from_secs(30), limits);
@@ -513,17 +680,35 @@ fn full_queue_and_reused_keys_are_refused_and_leave_nothing() {
         key: "k".to_owned(),
         digest: [digest; 32],
     };
-    let first = queue.submit(&garment("sew"), Some(&key(1))).unwrap();
-    let same = queue.submit(&garment("sew"), Some(&key(1))).unwrap();
+    let first = queue
+        .submit(&work(JobKind::Fit, "sew"), Some(&key(1)))
+        .unwrap();
+    let same = queue
+        .submit(&work(JobKind::Fit, "sew"), Some(&key(1)))
+        .unwrap();
     assert_eq!(first.id, same.id);
-    assert_eq!(queue.submitted(&key(1)).unwrap().unwrap().id, first.id);
-    let reused = queue.submit(&garment("sew"), Some(&key(2)));
-    assert!(matches!(reused, Err(QueueError::KeyReused)));
+    assert_eq!(
+        queue.submitted(JobKind::Fit, &key(1)).unwrap().unwrap().id,
+        first.id
+    );
+    let reused = queue.submit(&work(JobKind::Fit, "sew"), Some(&key(2)));
+    assert!(matches!(reused, Err(QueueError::KeyReused(JobKind::Fit))));
+    // The same bytes under the same key as another kind of job are another request.
+    for found in [
+        queue
+            .submit(&work(JobKind::Study, "sew"), Some(&key(1)))
+            .map(Some),
+        queue.submitted(JobKind::Study, &key(1)),
+    ] {
+        assert!(matches!(found, Err(QueueError::KeyReused(JobKind::Study))));
+    }
     submit(&queue, "sew");
-    let full = queue.submit(&garment("sew"), None);
+    let full = queue.submit(&work(JobKind::Fit, "sew"), None);
     assert!(matches!(full, Err(QueueError::Full(2))));
     let garments = folder.path().join("blobs/garments");
     assert_eq!(std::fs::read_dir(garments).unwrap().count(), 2);
+    let studies = folder.path().join("blobs/studies");
+    assert_eq!(std::fs::read_dir(studies).unwrap().count(), 0);
 }
 
 #[test]
@@ -537,7 +722,7 @@ fn list_is_newest_first_with_the_latest_progress() {
         limit: 10,
         ..PageAsked::default()
     };
-    let found = queue.fits(&page).unwrap().items;
+    let found = queue.jobs(JobKind::Fit, &page).unwrap().items;
     assert_eq!([found[0].id, found[1].id], [waits, runs]);
     assert!(found[1].progress.fraction > 0.0);
     pool.shutdown(PATIENCE);
@@ -552,17 +737,17 @@ struct Stalled {
 impl Runner for Stalled {
     fn run(
         &self,
-        _garment: Garment,
+        _work: Work,
         _cancel: &CancelToken,
         _progress: &mut dyn FnMut(Progress),
-    ) -> Result<Outcome, Faults> {
+    ) -> Result<Done, Faults> {
         let is_first = !std::mem::replace(&mut *self.stalled.lock().unwrap(), true);
         if is_first {
             sleep(Duration::from_millis(1_500));
         }
         let mut outcome = outcome(true);
-        outcome.scene = serde_json::json!({ "is_first": is_first });
-        Ok(outcome)
+        outcome.report.why = format!("the first: {is_first}");
+        Ok(Done::Fit(Box::new(outcome)))
     }
 }
 
@@ -577,15 +762,16 @@ fn attempt_that_lost_its_lease_has_no_effect() {
     let id = submit(&queue, "sew");
     let first = wait_for(&queue, id, |record| record.status == Status::Running);
     // What another worker does that was given the fit meanwhile.
-    let mut second = store.fit(id).unwrap().unwrap();
+    let mut second = store.job(id).unwrap().unwrap();
     second.attempts += 1;
     store.replace(&second).unwrap().expect("nobody is faster");
     // The first attempt ends and finds that; a third one is then free to win.
     let record = finished(&queue, id);
     assert_eq!((record.status, record.attempts), (Status::Succeeded, 3));
     assert_eq!(record.result, Some(3));
-    let scene = queue.file(&record, ResultFile::Scene).unwrap().unwrap();
-    assert_eq!(scene, br#"{"is_first":false}"#);
+    let report = queue.file(&record, ResultFile::Report).unwrap().unwrap();
+    let report: Report = serde_json::from_slice(&report).unwrap();
+    assert_eq!(report.why, "the first: false");
     let results = folder.path().join(format!("blobs/results/{id}"));
     assert!(!results.join(first.attempts.to_string()).exists());
     pool.shutdown(PATIENCE);

@@ -46,6 +46,24 @@ fn a_skirt_comes_to_rest_in_wind_and_is_blown_downwind() {
 }
 
 #[test]
+fn the_neutral_scene_has_the_wind_of_its_garment() {
+    let scene = |wind: Value| -> Value {
+        let changes = json!({"wind": wind, "simulate": {"edge_length_m": 0.04}});
+        let prepared = sample("skirt", changes);
+        let json = with_context(
+            &Limits::default(),
+            &CancelToken::new(),
+            |_| {},
+            |context| fit::scene_json(&prepared, context),
+        );
+        serde_json::from_slice(&json.expect("the sample has a mesh")).expect("JSON")
+    };
+    let wind = json!({"velocity_m_s": [0.5, 0.0, -3.0], "gust": 0.25});
+    assert_eq!(scene(wind.clone())["wind"], wind);
+    assert_eq!(scene(Value::Null).get("wind"), Some(&Value::Null));
+}
+
+#[test]
 fn a_wind_that_no_garment_is_worn_in_is_refused() {
     let garment = json!({
         "schema": "seamster/garment/1",

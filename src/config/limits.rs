@@ -41,9 +41,15 @@ pub struct Limits {
     pub trajectory_positions: usize,
     /// CPU time of one fit \[s\].
     pub fit_cpu_s: f64,
-    /// Fits waiting in the queue.
-    pub queued_fits: usize,
-    /// How often a fit is begun again after its worker died.
+    /// Runs of one study.
+    pub study_runs: usize,
+    /// Items of each list of a study: methods, tolerances, steps, edge lengths.
+    pub study_list: usize,
+    /// CPU time of one study \[s\].
+    pub study_cpu_s: f64,
+    /// Fits and studies waiting in the queue.
+    pub queued_jobs: usize,
+    /// How often a fit or a study is begun again after its worker died.
     pub attempts: u32,
     /// Longest wait of one request that asks to wait \[s\].
     pub wait_s: f64,
@@ -71,7 +77,10 @@ impl Default for Limits {
             steps: 20_000_000,
             trajectory_positions: 10_000_000,
             fit_cpu_s: 3_600.0,
-            queued_fits: 1_000,
+            study_runs: 200,
+            study_list: 16,
+            study_cpu_s: 7_200.0,
+            queued_jobs: 1_000,
             attempts: 3,
             wait_s: 60.0,
         }

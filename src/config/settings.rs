@@ -21,7 +21,7 @@ pub struct Config {
     /// Where results are kept: file
     #[arg(long, env = "SEAMSTER_BLOBS", default_value = "file")]
     pub blobs: BlobKind,
-    /// Fits run at the same time; one less than the cores if not given
+    /// Fits and studies run at the same time; one less than the cores if not given
     #[arg(long, env = "SEAMSTER_WORKERS")]
     pub workers: Option<usize>,
     /// Bearer tokens that may call, separated by commas
@@ -80,7 +80,7 @@ impl Config {
         Ok(self)
     }
 
-    /// Fits run at the same time: as set, else one less than the cores so that requests are still answered.
+    /// Fits and studies run at the same time: as set, else one less than the cores so that requests are still answered.
     pub fn worker_count(&self) -> usize {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         self.workers.unwrap_or(cores.saturating_sub(1)).max(1)

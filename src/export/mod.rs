@@ -1,4 +1,4 @@
-//! From a drape to bytes: GLB, OBJ, JSON; and from a pattern to a drawing.
+//! From a drape to bytes: GLB, OBJ, JSON; from a pattern to a drawing; from measurements to a plot.
 //!
 //! In all of them the first texture coordinates are the pattern coordinates in metres, v up, so that a fabric
 //! of known repeat can be laid on to scale.
@@ -6,10 +6,12 @@
 mod glb;
 mod normals;
 mod obj;
+mod plot;
 mod svg;
 
 pub use glb::{avatar_glb, garment_with_avatar_glb, glb};
 pub use obj::obj;
+pub use plot::{Plot, PlotPoint, PlotSeries};
 pub use svg::drawing_svg;
 
 use serde::{Deserialize, Serialize};

@@ -43,7 +43,8 @@ fn to_value(part: &impl serde::Serialize) -> Value {
 /// Makes the schema say all that serde will ask for: local references, closed objects, lengths of tuples, ranges of integers.
 ///
 /// `depth` counts the arrays round this schema. The derive drops the length of `[f64; N]`; in what clients send, a
-/// row of numbers that is a field of its own is a vector of three, and one that is an item of a list is a point of two.
+/// row of numbers that is a field of its own is a vector of three, and one that is an item of a list is a point of two; a list
+/// of any length says so by `minItems`.
 fn tighten(schema: &mut Value, depth: usize) {
     let Some(object) = schema.as_object_mut() else {
         return;
@@ -60,7 +61,8 @@ fn tighten(schema: &mut Value, depth: usize) {
             .entry("additionalProperties")
             .or_insert(Value::Bool(false));
     }
-    if object.get("type") == Some(&json!("array")) && object["items"]["type"] == "number" {
+    let is_row = object.get("type") == Some(&json!("array")) && object["items"]["type"] == "number";
+    if is_row && !object.contains_key("minItems") {
         let length = if depth == 0 { 3 } else { 2 };
         object.insert("minItems".to_owned(), json!(length));
         object.insert("maxItems".to_owned(), json!(length));

@@ -17,6 +17,7 @@ pub use garment::{
     SeamsAsked, SelfContact, SuggestWord, Wind,
 };
 pub use json_schema::garment_schema_json;
+pub use neutral::scene_json;
 pub use prepare::{Prepared, prepare};
 pub use run::{Outcome, run, scene};
 pub(crate) use seams::check_seams;

@@ -1,14 +1,13 @@
 //! Sews and drapes a prepared garment.
 
 use super::garment::AvatarAsked;
-use super::neutral;
 use super::prepare::{Prepared, fabric, placement};
 use crate::export::{GarmentMesh, PanelMesh};
 use crate::fault::{Fault, Faults};
 use crate::mesh::{self, ClothMesh};
 use crate::scene::{self, Avatar, Body, Cut, PanelParts, Parts, Scene, ToPlace};
 use crate::seam::Face;
-use crate::solver::{self, Context, Report};
+use crate::solver::{self, Context, Report, Simulate};
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -20,8 +19,6 @@ pub struct Outcome {
     pub mesh: GarmentMesh,
     /// How far to trust it.
     pub report: Report,
-    /// The assembled scene in neutral JSON.
-    pub scene: serde_json::Value,
     /// Whether it was stopped by the cancel token.
     pub canceled: bool,
 }
@@ -40,23 +37,31 @@ pub fn run(prepared: &Prepared, context: &mut Context<'_>) -> Result<Outcome, Fa
     let meshed = (context.cpu_s)();
     let scene = assemble(prepared, cloth)?;
     let assembled = (context.cpu_s)();
-    let drape = solver::drape(&scene, simulate, context);
+    let drape = solver::drape(&scene, &within(simulate, assembled - began), context);
     let solved = (context.cpu_s)();
     let mesh = garment_mesh(prepared, &scene, &drape.positions);
-    let neutral = neutral::scene_json(&scene);
     let mut report = drape.report;
     report.cpu_s.mesh = meshed - began;
     report.cpu_s.assemble = assembled - meshed;
     report.cpu_s.export = (context.cpu_s)() - solved;
     report.cpu_s.total = (context.cpu_s)() - began;
     report.memory_peak_bytes = memory_peak();
+    report.plan.time_limit_s = simulate.time_limit_s;
     report.warnings = prepared.warnings().to_vec();
     Ok(Outcome {
         mesh,
         report,
-        scene: neutral,
         canceled: drape.canceled,
     })
+}
+
+/// The same with the CPU time that was spent already taken off what is allowed \[s\].
+fn within(asked: &Simulate, spent: f64) -> Simulate {
+    let left = |limit: f64| (limit - spent).max(0.0);
+    Simulate {
+        time_limit_s: asked.time_limit_s.map(left),
+        ..asked.clone()
+    }
 }
 
 /// The assembled scene of a prepared garment, before anything moves.

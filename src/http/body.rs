@@ -8,11 +8,13 @@ use crate::fault::Fault;
 use crate::fit::{self, Garment, Misshapen, Shape};
 use crate::job::AvatarRecord;
 use crate::scene::Fabric;
+use crate::study::{self, StudyAsked};
 use axum::body::{Body, Bytes};
 use axum::extract::multipart::{MultipartError, MultipartRejection};
 use axum::extract::{DefaultBodyLimit, FromRequest, Multipart, Request};
 use axum::http::{HeaderMap, header};
 use serde::de::DeserializeOwned;
+use sha2::{Digest, Sha256};
 use std::sync::LazyLock;
 use tokio_stream::StreamExt;
 
@@ -35,6 +37,16 @@ pub(super) trait Asked: DeserializeOwned + Send + 'static {
 impl Asked for Garment {
     fn read(bytes: &[u8]) -> Result<Self, Misshapen> {
         fit::read_garment(bytes)
+    }
+
+    fn most(limits: &Limits) -> usize {
+        limits.json_bytes
+    }
+}
+
+impl Asked for StudyAsked {
+    fn read(bytes: &[u8]) -> Result<Self, Misshapen> {
+        study::read_study(bytes)
     }
 
     fn most(limits: &Limits) -> usize {
@@ -79,6 +91,20 @@ impl<T: Asked> FromRequest<App> for Checked<T> {
         let bytes = read(request, T::most(app.limits())).await?;
         let read = app.heavy(move |_| T::read(&bytes)).await?;
         Ok(Self(read?))
+    }
+}
+
+/// The same with the SHA-256 of what was sent.
+pub(super) struct Hashed<T>(pub(super) T, pub(super) [u8; 32]);
+
+impl<T: Asked> FromRequest<App> for Hashed<T> {
+    type Rejection = Problem;
+
+    async fn from_request(request: Request, app: &App) -> Result<Self, Problem> {
+        json_type(request.headers())?;
+        let bytes = read(request, T::most(app.limits())).await?;
+        let read = move |_: &_| Ok(Self(T::read(&bytes)?, Sha256::digest(&bytes).into()));
+        app.heavy(read).await?
     }
 }
 
@@ -266,6 +292,7 @@ mod tests {
         assert!(AvatarRecord::read(b"[]").is_err());
         assert!(Fabric::read(b"[]").is_err());
         assert!(SuggestAsked::read(b"{}").is_ok());
+        assert!(StudyAsked::read(br#"{"garment": {"seams": []}}"#).is_ok());
     }
 
     #[test]

@@ -1,11 +1,13 @@
-//! `/v1/fits/{id}/events`: what happens to a fit, as it happens.
+//! `/v1/fits/{id}/events`, `/v1/studies/{id}/events`: what happens to a job, as it happens.
 
-use super::fits::{self, Fit};
+use super::fits::Fit;
+use super::jobs;
 use super::listing::{Asking, Id};
 use super::problem::Problem;
 use super::state::App;
+use super::studies::StudyJob;
 use crate::fault::Fault;
-use crate::job::{Event, EventKind, Events};
+use crate::job::{Event, EventKind, Events, JobKind};
 use axum::Router;
 use axum::extract::State;
 use axum::http::HeaderMap;
@@ -15,12 +17,15 @@ use axum::routing::get;
 use serde::Deserialize;
 use tokio::sync::{OwnedSemaphorePermit, mpsc};
 use tokio_stream::wrappers::ReceiverStream;
+use uuid::Uuid;
 
-/// Events that wait for a slow reader; the fit's own past is longer.
+/// Events that wait for a slow reader; the job's own past is longer.
 const AHEAD: usize = 16;
 
 pub(super) fn router() -> Router<App> {
-    Router::new().route("/v1/fits/{id}/events", get(events))
+    Router::new()
+        .route("/v1/fits/{id}/events", get(fit_events))
+        .route("/v1/studies/{id}/events", get(study_events))
 }
 
 /// Nothing can be asked of it yet.
@@ -31,29 +36,54 @@ pub(super) struct EventsAsked {}
 /// What happens to a fit, as server-sent events
 ///
 /// `progress` carries a `Progress`, `status` a `Fit`; the stream ends after a final status. `Last-Event-ID` resumes.
-#[utoipa::path(get, path = "/v1/fits/{id}/events", tag = "fits",
+#[utoipa::path(get, path = "/v1/fits/{id}/events", tag = "fits", operation_id = "events",
     params(("id" = Uuid, Path), ("Last-Event-ID" = Option<u64>, Header, description = "The last event that was read")),
     responses(
         (status = 200, description = "The events", content_type = "text/event-stream", body = String),
         (status = 404, description = "There is no such fit", body = Problem, content_type = "application/problem+json"),
         (status = 503, description = "Too many follow already", body = Problem, content_type = "application/problem+json")))]
-pub(super) async fn events(
+pub(super) async fn fit_events(
     State(app): State<App>,
     Id(id): Id,
     Asking(EventsAsked {}): Asking<EventsAsked>,
     headers: HeaderMap,
 ) -> Result<impl IntoResponse, Problem> {
-    let after = last_event_id(&headers)?;
-    let events = app
-        .blocking(move |app| app.queue.events(id, after))
-        .await??;
-    let events = events.ok_or_else(|| fits::unknown(id))?;
-    let full = || Problem::unavailable("Too many clients follow fits already.", 5);
+    follow(&app, JobKind::Fit, id, &headers).await
+}
+
+/// What happens to a study, as server-sent events
+///
+/// `progress` carries a `Progress`, `status` a `StudyJob` without its report; the stream ends after a final status.
+/// `Last-Event-ID` resumes.
+#[utoipa::path(get, path = "/v1/studies/{id}/events", tag = "studies", operation_id = "events",
+    params(("id" = Uuid, Path), ("Last-Event-ID" = Option<u64>, Header, description = "The last event that was read")),
+    responses(
+        (status = 200, description = "The events", content_type = "text/event-stream", body = String),
+        (status = 404, description = "There is no such study", body = Problem, content_type = "application/problem+json"),
+        (status = 503, description = "Too many follow already", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn study_events(
+    State(app): State<App>,
+    Id(id): Id,
+    Asking(EventsAsked {}): Asking<EventsAsked>,
+    headers: HeaderMap,
+) -> Result<impl IntoResponse, Problem> {
+    follow(&app, JobKind::Study, id, &headers).await
+}
+
+async fn follow(
+    app: &App,
+    kind: JobKind,
+    id: Uuid,
+    headers: &HeaderMap,
+) -> Result<impl IntoResponse + use<>, Problem> {
+    let after = last_event_id(headers)?;
+    let events = app.blocking(move |app| app.queue.events(kind, id, after));
+    let events = events.await??.ok_or_else(|| jobs::unknown(kind, id))?;
+    let full = || Problem::unavailable("Too many clients follow fits and studies already.", 5);
     let place = app.follower().ok_or_else(full)?;
     let (sender, receiver) = mpsc::channel(AHEAD);
     tokio::spawn(pass_on(events, sender, place));
-    let keep_alive = KeepAlive::default();
-    Ok(Sse::new(ReceiverStream::new(receiver)).keep_alive(keep_alive))
+    Ok(Sse::new(ReceiverStream::new(receiver)).keep_alive(KeepAlive::default()))
 }
 
 /// Sends events until the last one, or until nobody listens.
@@ -78,7 +108,13 @@ fn written(event: Event) -> Result<sse::Event, axum::Error> {
     let wire = sse::Event::default().id(event.id.to_string());
     match event.kind {
         EventKind::Progress(progress) => wire.event("progress").json_data(progress),
-        EventKind::Status(record) => wire.event("status").json_data(Fit::from(*record)),
+        EventKind::Status(record) => {
+            let wire = wire.event("status");
+            match record.kind {
+                JobKind::Fit => wire.json_data(Fit::from(*record)),
+                JobKind::Study => wire.json_data(StudyJob::from(*record)),
+            }
+        }
     }
 }
 

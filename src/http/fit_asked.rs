@@ -1,6 +1,6 @@
 //! What `POST /v1/fits` reads: a garment, or a form of a DXF and a garment.
 
-use super::body::{self, Upload};
+use super::body::{self, Hashed, Upload};
 use super::problem::Problem;
 use super::state::{App, Shared};
 use crate::fault::{Fault, Faults};
@@ -32,17 +32,9 @@ impl FromRequest<App> for FitAsked {
                 .heavy(move |app| of_form(app, pattern, &garment))
                 .await?;
         }
-        body::json_type(request.headers())?;
-        let bytes = body::read(request, app.limits().json_bytes).await?;
-        app.heavy(move |_| of_json(&bytes)).await?
+        let Hashed(garment, digest) = Hashed::from_request(request, app).await?;
+        Ok(Self { garment, digest })
     }
-}
-
-fn of_json(bytes: &[u8]) -> Result<FitAsked, Problem> {
-    Ok(FitAsked {
-        garment: fit::read_garment(bytes)?,
-        digest: Sha256::digest(bytes).into(),
-    })
 }
 
 /// Reads both parts and tells the faults of both at once.

@@ -1,16 +1,16 @@
 //! `/v1/fits`: garments in; fits found, listed and canceled.
 
 use super::fit_asked::FitAsked;
-use super::listing::{Asking, FitsAsked, Id};
-use super::prefer;
+use super::jobs::{self, Submission};
+use super::listing::{Asking, Id, JobsAsked};
 use super::problem::Problem;
 use super::state::App;
 use crate::fit;
-use crate::job::{FitRecord, IdempotencyKey, Status};
+use crate::job::{JobKind, JobRecord, Status, Work};
 use crate::progress::Progress;
 use axum::extract::State;
-use axum::http::{HeaderMap, StatusCode, header};
-use axum::response::{IntoResponse, Response};
+use axum::http::HeaderMap;
+use axum::response::Response;
 use axum::routing::get;
 use axum::{Json, Router};
 use jiff::Timestamp;
@@ -68,9 +68,9 @@ pub(super) struct Links {
     pub cancel: String,
 }
 
-impl From<FitRecord> for Fit {
-    fn from(record: FitRecord) -> Self {
-        let own = format!("/v1/fits/{}", record.id);
+impl From<JobRecord> for Fit {
+    fn from(record: JobRecord) -> Self {
+        let own = jobs::path(JobKind::Fit, record.id);
         Self {
             id: record.id,
             status: record.status,
@@ -119,78 +119,29 @@ pub(super) async fn create(
     headers: HeaderMap,
     asked: FitAsked,
 ) -> Result<Response, Problem> {
-    let wait = prefer::wait(&headers, app.limits().wait_s);
-    let key = prefer::idempotency_key(&headers, asked.digest)?;
-    let submitted = app.heavy(move |app| submit(app, asked, key)).await??;
-    let record = match wait {
-        Some(wait) if !submitted.status.is_final() => settled(&app, submitted, wait).await?,
-        _ => submitted,
-    };
-    Ok(respond(record, wait))
+    let submission = Submission::of(&app, JobKind::Fit, &headers, asked.digest)?;
+    let record = submission.submit(&app, move |app| {
+        let prepared = fit::prepare(asked.garment, app.catalogue(), app.limits())?;
+        Ok(Work::Fit(Box::new(prepared.garment().clone())))
+    });
+    Ok(respond(record.await?, submission.wait))
 }
 
-fn submit(
-    app: &super::state::Shared,
-    asked: FitAsked,
-    key: Option<IdempotencyKey>,
-) -> Result<FitRecord, Problem> {
-    if let Some(key) = &key
-        && let Some(same) = app.queue.submitted(key)?
-    {
-        return Ok(same);
-    }
-    let prepared = fit::prepare(asked.garment, app.catalogue(), app.limits())?;
-    Ok(app.queue.submit(prepared.garment(), key.as_ref())?)
-}
-
-/// The fit once it has ended, or as it is after `wait`. Where too many wait already, as it is now: to wait is only preferred.
-async fn settled(app: &App, record: FitRecord, wait: Duration) -> Result<FitRecord, Problem> {
-    let id = record.id;
-    let Some(_place) = app.follower() else {
-        return Ok(record);
-    };
-    let events = app
-        .blocking(move |app| app.queue.events(id, None))
-        .await??;
-    if let Some(mut events) = events {
-        let end = async { while events.next().await.is_some_and(|event| !event.is_last()) {} };
-        // Either way the record says what has become of it.
-        let _ = tokio::time::timeout(wait, end).await;
-    }
-    let record = app.blocking(move |app| app.queue.fit(id)).await??;
-    record.ok_or_else(|| unknown(id))
-}
-
-fn respond(record: FitRecord, wait: Option<Duration>) -> Response {
-    let status = if record.status.is_final() {
-        StatusCode::OK
-    } else {
-        StatusCode::ACCEPTED
-    };
-    let location = format!("/v1/fits/{}", record.id);
-    let mut response = (
-        status,
-        [(header::LOCATION, location)],
-        Json(Fit::from(record)),
-    )
-        .into_response();
-    if let Some(wait) = wait {
-        response
-            .headers_mut()
-            .insert("Preference-Applied", prefer::applied(wait));
-    }
-    response
+fn respond(record: JobRecord, wait: Option<Duration>) -> Response {
+    jobs::respond(&record.clone(), &Fit::from(record), wait)
 }
 
 /// The fits, newest first
-#[utoipa::path(get, path = "/v1/fits", tag = "fits", params(FitsAsked), responses(
+#[utoipa::path(get, path = "/v1/fits", tag = "fits", params(JobsAsked), responses(
     (status = 200, description = "A part of the list", body = FitList)))]
 pub(super) async fn list(
     State(app): State<App>,
-    Asking(asked): Asking<FitsAsked>,
+    Asking(asked): Asking<JobsAsked>,
 ) -> Result<Json<FitList>, Problem> {
     let page = asked.page()?;
-    let page = app.blocking(move |app| app.queue.fits(&page)).await??;
+    let page = app
+        .blocking(move |app| app.queue.jobs(JobKind::Fit, &page))
+        .await??;
     Ok(Json(FitList {
         fits: page.items.into_iter().map(Fit::from).collect(),
         next_cursor: page.next,
@@ -202,8 +153,8 @@ pub(super) async fn list(
     (status = 200, description = "The fit", body = Fit),
     (status = 404, description = "There is none", body = Problem, content_type = "application/problem+json")))]
 pub(super) async fn show(State(app): State<App>, Id(id): Id) -> Result<Json<Fit>, Problem> {
-    let record = app.blocking(move |app| app.queue.fit(id)).await??;
-    Ok(Json(record.ok_or_else(|| unknown(id))?.into()))
+    let record = app.blocking(move |app| jobs::found(app, JobKind::Fit, id));
+    Ok(Json(record.await??.into()))
 }
 
 /// Stop a fit; stopping one that has ended changes nothing
@@ -212,11 +163,6 @@ pub(super) async fn show(State(app): State<App>, Id(id): Id) -> Result<Json<Fit>
     (status = 202, description = "It will stop within a second", body = Fit),
     (status = 404, description = "There is none", body = Problem, content_type = "application/problem+json")))]
 pub(super) async fn cancel(State(app): State<App>, Id(id): Id) -> Result<Response, Problem> {
-    let record = app.blocking(move |app| app.queue.cancel(id)).await??;
-    Ok(respond(record.ok_or_else(|| unknown(id))?, None))
-}
-
-/// There is no such fit.
-pub(super) fn unknown(id: Uuid) -> Problem {
-    Problem::not_found(format!("There is no fit {id}."))
+    let record = app.blocking(move |app| jobs::canceled(app, JobKind::Fit, id));
+    Ok(respond(record.await??, None))
 }

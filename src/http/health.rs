@@ -2,6 +2,7 @@
 
 use super::problem::Problem;
 use super::state::App;
+use crate::job::JobKind;
 use axum::extract::State;
 use axum::routing::get;
 use axum::{Json, Router};
@@ -46,7 +47,7 @@ pub(super) async fn live() -> Json<Health> {
     (status = 503, description = "It cannot now", body = Problem, content_type = "application/problem+json")
 ))]
 pub(super) async fn ready(State(app): State<App>) -> Result<Json<Health>, Problem> {
-    let counts = app.blocking(|app| app.queue.counts()).await?;
+    let counts = app.blocking(|app| app.queue.counts(JobKind::Fit)).await?;
     counts.map_err(|error| {
         tracing::error!(%error, "the store does not answer");
         Problem::unavailable("The store does not answer.", 5)

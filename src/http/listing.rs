@@ -26,16 +26,16 @@ pub(super) struct ListAsked {
     pub cursor: Option<Uuid>,
 }
 
-/// Which fits are wanted, newest first.
+/// Which fits or studies are wanted, newest first.
 #[derive(Clone, Copy, Debug, Default, Deserialize, IntoParams)]
 #[serde(default, deny_unknown_fields)]
 #[into_params(parameter_in = Query)]
-pub(super) struct FitsAsked {
+pub(super) struct JobsAsked {
     /// The most items wanted, 1 to 200; 50 if not given.
     pub limit: Option<usize>,
     /// `next_cursor` of the page before.
     pub cursor: Option<Uuid>,
-    /// Only fits of this status.
+    /// Only those of this status.
     pub status: Option<Status>,
 }
 
@@ -54,7 +54,7 @@ impl ListAsked {
     }
 }
 
-impl FitsAsked {
+impl JobsAsked {
     pub(super) fn page(self) -> Result<PageAsked, Problem> {
         let Self {
             limit,

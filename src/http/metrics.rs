@@ -2,7 +2,7 @@
 
 use super::problem::Problem;
 use super::state::App;
-use crate::job::{Counts, Status};
+use crate::job::{Counts, JobKind, Status};
 use axum::Router;
 use axum::extract::State;
 use axum::http::{Method, header};
@@ -63,30 +63,37 @@ impl Metrics {
     }
 }
 
-fn write_fits(text: &mut String, counts: &Counts) -> fmt::Result {
-    text.push_str("# HELP seamster_fits Fits by status.\n# TYPE seamster_fits gauge\n");
+fn write_jobs(text: &mut String, kind: JobKind, counts: &Counts) -> fmt::Result {
+    let (name, help) = match kind {
+        JobKind::Fit => ("seamster_fits", "Fits by status."),
+        JobKind::Study => ("seamster_studies", "Studies by status."),
+    };
+    writeln!(text, "# HELP {name} {help}\n# TYPE {name} gauge")?;
     for status in Status::ALL {
-        writeln!(
-            text,
-            "seamster_fits{{status=\"{}\"}} {}",
-            status.as_str(),
-            counts.of(status)
-        )?;
+        let word = status.as_str();
+        writeln!(text, "{name}{{status=\"{word}\"}} {}", counts.of(status))?;
     }
-    let version = env!("CARGO_PKG_VERSION");
-    text.push_str(
-        "# HELP seamster_build_info The running version.\n# TYPE seamster_build_info gauge\n",
-    );
-    writeln!(text, "seamster_build_info{{version=\"{version}\"}} 1")
+    Ok(())
+}
+
+fn write_version(text: &mut String) -> fmt::Result {
+    let (name, version) = ("seamster_build_info", env!("CARGO_PKG_VERSION"));
+    writeln!(
+        text,
+        "# HELP {name} The running version.\n# TYPE {name} gauge\n{name}{{version=\"{version}\"}} 1"
+    )
 }
 
 /// Counters in the Prometheus text format
 #[utoipa::path(get, path = "/metrics", tag = "service", responses(
     (status = 200, description = "The counters", content_type = "text/plain", body = String)))]
 pub(super) async fn metrics(State(app): State<App>) -> Result<impl IntoResponse, Problem> {
-    let counts = app.blocking(|app| app.queue.counts()).await??;
     let mut text = String::new();
-    write_fits(&mut text, &counts).map_err(Problem::internal)?;
+    for kind in JobKind::ALL {
+        let counts = app.blocking(move |app| app.queue.counts(kind)).await??;
+        write_jobs(&mut text, kind, &counts).map_err(Problem::internal)?;
+    }
+    write_version(&mut text).map_err(Problem::internal)?;
     app.metrics.write(&mut text).map_err(Problem::internal)?;
     let kind = "text/plain; version=0.0.4; charset=utf-8";
     Ok(([(header::CONTENT_TYPE, kind)], text))

@@ -13,6 +13,7 @@ mod fits;
 mod forms;
 mod guard;
 mod health;
+mod jobs;
 mod listing;
 mod metrics;
 mod observe;
@@ -24,6 +25,7 @@ mod problem;
 mod results;
 mod seams;
 mod state;
+mod studies;
 
 pub use openapi::openapi_json;
 pub use problem::Problem;
@@ -108,6 +110,7 @@ fn calls() -> Router<App> {
         .merge(fabrics::router())
         .merge(avatars::router())
         .merge(fits::router())
+        .merge(studies::router())
         .merge(events::router())
         .merge(results::router())
         .merge(metrics::router())

@@ -3,7 +3,7 @@
 use super::answer::Answer;
 use super::problem::Problem;
 use super::state::App;
-use super::{avatars, events, fabrics, fits, health, metrics, patterns, results, seams};
+use super::{avatars, events, fabrics, fits, health, metrics, patterns, results, seams, studies};
 use crate::fit::Garment;
 use axum::Router;
 use axum::http::HeaderMap;
@@ -30,14 +30,15 @@ pub(super) fn router() -> Router<App> {
         patterns::create, patterns::list, patterns::show, patterns::drawing, patterns::remove, seams::check, seams::suggest,
         fabrics::list, fabrics::create, fabrics::show,
         avatars::create, avatars::list, avatars::show, avatars::remove, avatars::mesh,
-        fits::create, fits::list, fits::show, fits::cancel, events::events,
+        fits::create, fits::list, fits::show, fits::cancel, events::fit_events,
         results::mesh, results::mesh_glb, results::mesh_obj, results::mesh_json,
         results::report, results::scene, results::garment,
+        studies::create, studies::list, studies::show, studies::cancel, studies::plot, studies::asked, events::study_events,
         health::live, health::ready, metrics::metrics,
     ),
     components(schemas(crate::progress::Progress)),
     security(("token" = []), ()),
-    modifiers(&Token, &ClosedPlaces, &WholeSuggestedSeam)
+    modifiers(&Token, &ClosedPlaces, &WholeSuggestedSeam, &OwnNames)
 )]
 struct Document;
 
@@ -98,6 +99,22 @@ impl Modify for WholeSuggestedSeam {
         }
         if let Some(suggested) = suggested {
             *suggested = RefOr::T(Schema::Object(whole));
+        }
+    }
+}
+
+/// The names of operations must differ, and handlers of different resources have the same: the resource goes before.
+struct OwnNames;
+
+impl Modify for OwnNames {
+    fn modify(&self, document: &mut utoipa::openapi::OpenApi) {
+        for calls in document.paths.paths.values_mut() {
+            let calls = [&mut calls.get, &mut calls.post, &mut calls.delete];
+            for call in calls.into_iter().flatten() {
+                let resource = call.tags.iter().flatten().next();
+                let names = resource.zip(call.operation_id.as_ref());
+                call.operation_id = names.map(|(resource, name)| format!("{resource}_{name}"));
+            }
         }
     }
 }

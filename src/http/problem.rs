@@ -232,8 +232,9 @@ impl From<QueueError> for Problem {
     fn from(error: QueueError) -> Self {
         match error {
             QueueError::Full(_) => Self::unavailable(error.to_string(), RETRY_FULL_S),
-            QueueError::KeyReused => {
-                Fault::new("fit/key_reused", "/Idempotency-Key", error.to_string())
+            QueueError::KeyReused(kind) => {
+                let code = format!("{}/key_reused", kind.as_str());
+                Fault::new(&code, "/Idempotency-Key", error.to_string())
                     .fix("send a new key with a new request")
                     .into()
             }
@@ -242,20 +243,22 @@ impl From<QueueError> for Problem {
     }
 }
 
-/// A failed fit's reason, as the answer that it would have been.
+/// A failed job's reason, as the answer that it would have been.
 impl From<Failure> for Problem {
     fn from(failure: Failure) -> Self {
-        let status = match failure.code.as_str() {
-            "fit/panicked" | "fit/storage" | "fit/abandoned" => StatusCode::INTERNAL_SERVER_ERROR,
+        let (what, why) = failure.code.split_once('/').unwrap_or(("fit", ""));
+        let status = match why {
+            "panicked" | "storage" | "abandoned" => StatusCode::INTERNAL_SERVER_ERROR,
             _ => StatusCode::UNPROCESSABLE_ENTITY,
         };
+        let title = format!("The {what} failed");
         let kind = failure.code.replace(['/', '_'], "-");
         let faults = if failure.errors.is_empty() {
             Fault::new(&failure.code, "", failure.detail.clone()).into()
         } else {
             Faults(failure.errors)
         };
-        Self::new(status, &kind, "The fit failed", failure.detail).because(faults)
+        Self::new(status, &kind, &title, failure.detail).because(faults)
     }
 }
 

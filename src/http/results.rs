@@ -1,13 +1,16 @@
 //! `/v1/fits/{id}/...`: what a fit leaves: mesh, report, scene, and the garment it was asked as.
 
 use super::answer::Answer;
-use super::fits;
+use super::jobs;
 use super::listing::Id;
 use super::prefer;
 use super::problem::Problem;
 use super::state::{App, Shared};
 use crate::export::{self, GarmentMesh};
-use crate::job::{ResultFile, StoreError};
+use crate::fit;
+use crate::job::{JobKind, ResultFile, StoreError};
+use crate::progress::CancelToken;
+use crate::solver::Context;
 use axum::Router;
 use axum::extract::State;
 use axum::http::{HeaderMap, HeaderValue, header};
@@ -94,7 +97,7 @@ async fn mesh_as(
 ) -> Result<Response, Problem> {
     let answer = app
         .heavy(move |app| {
-            let json = file(app, id, ResultFile::Mesh)?;
+            let json = jobs::file(app, JobKind::Fit, id, ResultFile::Mesh)?;
             Ok::<_, Problem>(Answer::new(in_format(json, format)?, format))
         })
         .await??;
@@ -125,25 +128,38 @@ pub(super) async fn report(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let json = app
-        .blocking(move |app| file(app, id, ResultFile::Report))
+        .blocking(move |app| jobs::file(app, JobKind::Fit, id, ResultFile::Report))
         .await??;
     Answer::new(json, JSON).to(&headers)
 }
 
-/// The assembled scene in neutral JSON, for other simulators
+/// The assembled scene in neutral JSON, for other simulators; made when it is asked for, whatever has become of the fit
 #[utoipa::path(get, path = "/v1/fits/{id}/scene", tag = "results", params(("id" = Uuid, Path)), responses(
     (status = 200, description = "The scene", body = Object),
-    (status = 404, description = "There is no such fit, or it left none", body = Problem, content_type = "application/problem+json"),
-    (status = 409, description = "The fit has not ended yet", body = Problem, content_type = "application/problem+json")))]
+    (status = 404, description = "There is no such fit", body = Problem, content_type = "application/problem+json"),
+    (status = 422, description = "What keeps it from being assembled", body = Problem, content_type = "application/problem+json")))]
 pub(super) async fn scene(
     State(app): State<App>,
     Id(id): Id,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let json = app
-        .blocking(move |app| file(app, id, ResultFile::Scene))
-        .await??;
+    let json = app.heavy(move |app| assembled(app, id)).await??;
     Answer::new(json, JSON).to(&headers)
+}
+
+/// The scene of a stored garment, as the worker assembles it.
+fn assembled(app: &Shared, id: Uuid) -> Result<Vec<u8>, Problem> {
+    let garment = jobs::asked(app, JobKind::Fit, id)?;
+    let garment = serde_json::from_slice(&garment)
+        .map_err(|cause| StoreError::new("reading a garment", cause))?;
+    let prepared = fit::prepare(garment, app.catalogue(), app.limits())?;
+    let context = Context {
+        cpu_s: &|| 0.0,
+        cancel: &CancelToken::new(),
+        progress: &mut |_| {},
+        limits: app.limits(),
+    };
+    Ok(fit::scene_json(&prepared, &context)?)
 }
 
 /// The saved garment file, complete in itself
@@ -155,24 +171,6 @@ pub(super) async fn garment(
     Id(id): Id,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let found = app.blocking(move |app| app.queue.garment(id)).await??;
-    Answer::new(found.ok_or_else(|| fits::unknown(id))?, JSON).to(&headers)
-}
-
-/// A file that a fit left.
-fn file(app: &Shared, id: Uuid, file: ResultFile) -> Result<Vec<u8>, Problem> {
-    let record = app.queue.fit(id)?.ok_or_else(|| fits::unknown(id))?;
-    match app.queue.file(&record, file)? {
-        Some(bytes) => Ok(bytes),
-        None if record.status.is_final() => {
-            let status = record.status.as_str();
-            Err(Problem::not_found(format!(
-                "The fit {id} {status} and left no result."
-            )))
-        }
-        None => Err(Problem::conflict(format!(
-            "The fit {id} is {}; its events tell when it has ended.",
-            record.status.as_str()
-        ))),
-    }
+    let json = app.blocking(move |app| jobs::asked(app, JobKind::Fit, id));
+    Answer::new(json.await??, JSON).to(&headers)
 }

@@ -10,7 +10,7 @@ use std::ops::Deref;
 use std::sync::Arc;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
-/// Connections that follow a fit or wait for one, at most.
+/// Connections that follow a job or wait for one, at most.
 const FOLLOWERS: usize = 256;
 
 /// A cheap handle on what all calls share.
@@ -19,7 +19,7 @@ pub(super) struct App(Arc<Shared>);
 
 /// What all calls share.
 pub(super) struct Shared {
-    /// Fits.
+    /// Fits and studies.
     pub(super) queue: Arc<Queue>,
     /// Who may call.
     pub(super) guard: Guard,
@@ -90,7 +90,7 @@ impl App {
         .await
     }
 
-    /// A place among those who follow a fit, while there is one.
+    /// A place among those who follow a job, while there is one.
     pub(super) fn follower(&self) -> Option<OwnedSemaphorePermit> {
         Arc::clone(&self.0.followers).try_acquire_owned().ok()
     }

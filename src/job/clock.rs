@@ -1,4 +1,4 @@
-//! The clock of a fit.
+//! The clock of a job.
 
 use rustix::time::{ClockId, clock_gettime};
 

@@ -1,8 +1,8 @@
 //! What every [`JobStore`] must keep, as tests that each implementation runs.
 
-use super::record::{FitRecord, Status};
+use super::record::{JobKind, JobRecord, Status};
 use super::store::{
-    DocumentKind, Documents, IdempotencyKey, JobStore, Lease, NewFit, Notice, PageAsked, Submitted,
+    DocumentKind, Documents, IdempotencyKey, JobStore, Lease, NewJob, Notice, PageAsked, Submitted,
 };
 use jiff::Timestamp;
 use std::collections::BTreeSet;
@@ -17,40 +17,52 @@ const LONG: Duration = Duration::from_secs(600);
 const SHORT: Duration = Duration::from_millis(300);
 const NO_LIMIT: usize = usize::MAX;
 
-/// Runs every test. `open(space, lease)` opens the store named `space`: the same name finds what was there, once
-/// the store opened before is dropped.
+/// Runs every test, for each kind of job. `open(space, lease)` opens the store named `space`: the same name finds what was
+/// there, once the store opened before is dropped.
 pub(super) fn store_contract(open: impl Fn(&str, Duration) -> Arc<dyn JobStore>) {
-    submitted_fit_is_found(&*open("found", LONG));
-    stale_revision_changes_nothing(&*open("stale", LONG));
-    concurrent_changes_are_all_kept(&open("concurrent", LONG));
-    oldest_fit_is_claimed_first_and_once(&*open("oldest", LONG));
-    concurrent_claims_differ(&open("claims", LONG));
-    lease_that_is_not_renewed_runs_out(&*open("lease", SHORT));
-    renewed_lease_lasts(&*open("renewed", SHORT));
-    ended_lease_hands_out_again_unless_final(&*open("ended", LONG));
-    lost_lease_cannot_end_the_next(&*open("lost", SHORT));
-    same_key_is_the_same_fit(&*open("key", LONG));
-    concurrent_submissions_of_one_key_are_one_fit(&open("keys", LONG));
-    full_queue_refuses(&*open("full", LONG));
-    pages_are_newest_first_and_whole(&*open("pages", LONG));
-    notices_reach_all_who_listen(&*open("notices", LONG));
-    what_ran_when_the_process_died_is_handed_out_again(&open);
+    for kind in JobKind::ALL {
+        let open = |space: &str, lease| open(&format!("{}-{space}", kind.as_str()), lease);
+        contract_of_one_kind(kind, &open);
+    }
+    kinds_share_the_queue_and_no_list(&*open("kinds", LONG));
 }
 
-fn submit(store: &dyn JobStore) -> Uuid {
-    let record = FitRecord::queued(Uuid::now_v7(), Timestamp::now());
+fn contract_of_one_kind(kind: JobKind, open: &impl Fn(&str, Duration) -> Arc<dyn JobStore>) {
+    submitted_job_is_found(kind, &*open("found", LONG));
+    stale_revision_changes_nothing(kind, &*open("stale", LONG));
+    concurrent_changes_are_all_kept(kind, &open("concurrent", LONG));
+    oldest_job_is_claimed_first_and_once(kind, &*open("oldest", LONG));
+    concurrent_claims_differ(kind, &open("claims", LONG));
+    lease_that_is_not_renewed_runs_out(kind, &*open("lease", SHORT));
+    renewed_lease_lasts(kind, &*open("renewed", SHORT));
+    ended_lease_hands_out_again_unless_final(kind, &*open("ended", LONG));
+    lost_lease_cannot_end_the_next(kind, &*open("lost", SHORT));
+    same_key_is_the_same_job(kind, &*open("key", LONG));
+    concurrent_submissions_of_one_key_are_one_job(kind, &open("keys", LONG));
+    full_queue_refuses(kind, &*open("full", LONG));
+    pages_are_newest_first_and_whole(kind, &*open("pages", LONG));
+    notices_reach_all_who_listen(kind, &*open("notices", LONG));
+    what_ran_when_the_process_died_is_handed_out_again(kind, open);
+}
+
+fn new(kind: JobKind) -> JobRecord {
+    JobRecord::queued(kind, Uuid::now_v7(), Timestamp::now())
+}
+
+fn submit(kind: JobKind, store: &dyn JobStore) -> Uuid {
+    let record = new(kind);
     assert_eq!(put(store, &record, None, NO_LIMIT), Submitted::New);
     record.id
 }
 
 fn put(
     store: &dyn JobStore,
-    record: &FitRecord,
+    record: &JobRecord,
     key: Option<&IdempotencyKey>,
     queue_limit: usize,
 ) -> Submitted {
     store
-        .submit(&NewFit {
+        .submit(&NewJob {
             record,
             key,
             queue_limit,
@@ -58,8 +70,8 @@ fn put(
         .unwrap()
 }
 
-fn get(store: &dyn JobStore, id: Uuid) -> FitRecord {
-    store.fit(id).unwrap().expect("it was submitted")
+fn get(store: &dyn JobStore, id: Uuid) -> JobRecord {
+    store.job(id).unwrap().expect("it was submitted")
 }
 
 fn set_status(store: &dyn JobStore, id: Uuid, status: Status) {
@@ -72,22 +84,22 @@ fn claim(store: &dyn JobStore) -> Option<Lease> {
     store.claim().unwrap()
 }
 
-fn submitted_fit_is_found(store: &dyn JobStore) {
-    let record = FitRecord::queued(Uuid::now_v7(), Timestamp::now());
+fn submitted_job_is_found(kind: JobKind, store: &dyn JobStore) {
+    let record = new(kind);
     assert_eq!(put(store, &record, None, NO_LIMIT), Submitted::New);
     let found = get(store, record.id);
     assert_eq!(
-        FitRecord {
+        JobRecord {
             revision: record.revision,
             ..found
         },
         record
     );
-    assert_eq!(store.fit(Uuid::now_v7()).unwrap(), None);
+    assert_eq!(store.job(Uuid::now_v7()).unwrap(), None);
 }
 
-fn stale_revision_changes_nothing(store: &dyn JobStore) {
-    let id = submit(store);
+fn stale_revision_changes_nothing(kind: JobKind, store: &dyn JobStore) {
+    let id = submit(kind, store);
     let stale = get(store, id);
     let mut record = stale.clone();
     record.attempts = 1;
@@ -95,13 +107,13 @@ fn stale_revision_changes_nothing(store: &dyn JobStore) {
     assert_eq!(get(store, id).revision, revision);
     assert_eq!(store.replace(&stale).unwrap(), None);
     assert_eq!(get(store, id).attempts, 1);
-    let unknown = FitRecord::queued(Uuid::now_v7(), Timestamp::now());
+    let unknown = new(kind);
     assert_eq!(store.replace(&unknown).unwrap(), None);
-    assert_eq!(store.fit(unknown.id).unwrap(), None);
+    assert_eq!(store.job(unknown.id).unwrap(), None);
 }
 
-fn concurrent_changes_are_all_kept(store: &Arc<dyn JobStore>) {
-    let id = submit(&**store);
+fn concurrent_changes_are_all_kept(kind: JobKind, store: &Arc<dyn JobStore>) {
+    let id = submit(kind, &**store);
     let add_one = |store: &dyn JobStore| loop {
         let mut record = get(store, id);
         record.attempts += 1;
@@ -117,24 +129,28 @@ fn concurrent_changes_are_all_kept(store: &Arc<dyn JobStore>) {
     assert_eq!(get(&**store, id).attempts, 40);
 }
 
-fn oldest_fit_is_claimed_first_and_once(store: &dyn JobStore) {
+fn oldest_job_is_claimed_first_and_once(kind: JobKind, store: &dyn JobStore) {
     assert_eq!(claim(store), None);
-    let fits = [submit(store), submit(store), submit(store)];
-    set_status(store, fits[1], Status::Canceled);
-    assert_eq!(claim(store).map(|lease| lease.fit), Some(fits[0]));
-    set_status(store, fits[0], Status::Running);
-    assert_eq!(claim(store).map(|lease| lease.fit), Some(fits[2]));
+    let jobs = [
+        submit(kind, store),
+        submit(kind, store),
+        submit(kind, store),
+    ];
+    set_status(store, jobs[1], Status::Canceled);
+    assert_eq!(claim(store).map(|lease| lease.job), Some(jobs[0]));
+    set_status(store, jobs[0], Status::Running);
+    assert_eq!(claim(store).map(|lease| lease.job), Some(jobs[2]));
     assert_eq!(claim(store), None);
 }
 
-fn concurrent_claims_differ(store: &Arc<dyn JobStore>) {
-    let fits: BTreeSet<Uuid> = (0..20).map(|_| submit(&**store)).collect();
+fn concurrent_claims_differ(kind: JobKind, store: &Arc<dyn JobStore>) {
+    let jobs: BTreeSet<Uuid> = (0..20).map(|_| submit(kind, &**store)).collect();
     let claimed: Vec<Uuid> = thread::scope(|scope| {
         let workers: Vec<_> = (0..4)
             .map(|_| {
                 scope.spawn(|| {
-                    let fits = std::iter::from_fn(|| claim(&**store));
-                    fits.map(|lease| lease.fit).collect::<Vec<_>>()
+                    let jobs = std::iter::from_fn(|| claim(&**store));
+                    jobs.map(|lease| lease.job).collect::<Vec<_>>()
                 })
             })
             .collect();
@@ -144,22 +160,22 @@ fn concurrent_claims_differ(store: &Arc<dyn JobStore>) {
             .collect()
     });
     assert_eq!(claimed.len(), 20);
-    assert_eq!(claimed.into_iter().collect::<BTreeSet<_>>(), fits);
+    assert_eq!(claimed.into_iter().collect::<BTreeSet<_>>(), jobs);
 }
 
-fn lease_that_is_not_renewed_runs_out(store: &dyn JobStore) {
-    let id = submit(store);
+fn lease_that_is_not_renewed_runs_out(kind: JobKind, store: &dyn JobStore) {
+    let id = submit(kind, store);
     let first = claim(store).expect("one waits");
     set_status(store, id, Status::Running);
     thread::sleep(2 * store.lease_time());
     let second = claim(store).expect("its lease ran out");
-    assert_eq!(second.fit, id);
+    assert_eq!(second.job, id);
     assert!(!store.renew(&first).unwrap());
     assert!(store.renew(&second).unwrap());
 }
 
-fn renewed_lease_lasts(store: &dyn JobStore) {
-    submit(store);
+fn renewed_lease_lasts(kind: JobKind, store: &dyn JobStore) {
+    submit(kind, store);
     let lease = claim(store).expect("one waits");
     let start = Instant::now();
     while start.elapsed() < 3 * store.lease_time() {
@@ -169,8 +185,8 @@ fn renewed_lease_lasts(store: &dyn JobStore) {
     }
 }
 
-fn ended_lease_hands_out_again_unless_final(store: &dyn JobStore) {
-    let id = submit(store);
+fn ended_lease_hands_out_again_unless_final(kind: JobKind, store: &dyn JobStore) {
+    let id = submit(kind, store);
     let lease = claim(store).expect("one waits");
     let notices = store.listen();
     store.end(&lease).unwrap();
@@ -179,14 +195,14 @@ fn ended_lease_hands_out_again_unless_final(store: &dyn JobStore) {
         Ok(Notice::Queued)
     );
     let lease = claim(store).expect("it was given back");
-    assert_eq!(lease.fit, id);
+    assert_eq!(lease.job, id);
     set_status(store, id, Status::Succeeded);
     store.end(&lease).unwrap();
     assert_eq!(claim(store), None);
 }
 
-fn lost_lease_cannot_end_the_next(store: &dyn JobStore) {
-    submit(store);
+fn lost_lease_cannot_end_the_next(kind: JobKind, store: &dyn JobStore) {
+    submit(kind, store);
     let first = claim(store).expect("one waits");
     thread::sleep(2 * store.lease_time());
     let second = claim(store).expect("its lease ran out");
@@ -202,46 +218,45 @@ fn key(key: &str, digest: u8) -> IdempotencyKey {
     }
 }
 
-fn same_key_is_the_same_fit(store: &dyn JobStore) {
-    let new = || FitRecord::queued(Uuid::now_v7(), Timestamp::now());
-    let (first, a) = (new(), key("a", 1));
+fn same_key_is_the_same_job(kind: JobKind, store: &dyn JobStore) {
+    let (first, a) = (new(kind), key("a", 1));
     assert_eq!(store.submitted(&a).unwrap(), None);
     assert_eq!(put(store, &first, Some(&a), NO_LIMIT), Submitted::New);
     let same = Submitted::Same(first.id);
-    assert_eq!(put(store, &new(), Some(&a), NO_LIMIT), same);
+    assert_eq!(put(store, &new(kind), Some(&a), NO_LIMIT), same);
     assert_eq!(store.submitted(&a).unwrap(), Some(same));
     let other = key("a", 2);
     let reused = Submitted::KeyReused;
-    assert_eq!(put(store, &new(), Some(&other), NO_LIMIT), reused);
+    assert_eq!(put(store, &new(kind), Some(&other), NO_LIMIT), reused);
     assert_eq!(store.submitted(&other).unwrap(), Some(reused));
     let b = key("b", 1);
-    assert_eq!(put(store, &new(), Some(&b), NO_LIMIT), Submitted::New);
-    assert_eq!(store.counts().unwrap().of(Status::Queued), 2);
+    assert_eq!(put(store, &new(kind), Some(&b), NO_LIMIT), Submitted::New);
+    assert_eq!(store.counts(kind).unwrap().of(Status::Queued), 2);
 }
 
-fn concurrent_submissions_of_one_key_are_one_fit(store: &Arc<dyn JobStore>) {
+fn concurrent_submissions_of_one_key_are_one_job(kind: JobKind, store: &Arc<dyn JobStore>) {
     let key = key("once", 1);
     thread::scope(|scope| {
         for _ in 0..8 {
             scope.spawn(|| {
-                let record = FitRecord::queued(Uuid::now_v7(), Timestamp::now());
+                let record = new(kind);
                 put(&**store, &record, Some(&key), NO_LIMIT)
             });
         }
     });
-    assert_eq!(store.counts().unwrap().of(Status::Queued), 1);
+    assert_eq!(store.counts(kind).unwrap().of(Status::Queued), 1);
 }
 
-fn full_queue_refuses(store: &dyn JobStore) {
+fn full_queue_refuses(kind: JobKind, store: &dyn JobStore) {
     let known = key("known", 1);
-    let record = FitRecord::queued(Uuid::now_v7(), Timestamp::now());
+    let record = new(kind);
     assert_eq!(put(store, &record, Some(&known), 2), Submitted::New);
-    submit(store);
-    let late = FitRecord::queued(Uuid::now_v7(), Timestamp::now());
+    submit(kind, store);
+    let late = new(kind);
     assert_eq!(put(store, &late, Some(&key("late", 1)), 2), Submitted::Full);
-    assert_eq!(store.fit(late.id).unwrap(), None);
+    assert_eq!(store.job(late.id).unwrap(), None);
     assert_eq!(store.submitted(&key("late", 1)).unwrap(), None);
-    // What was accepted before is still the same fit.
+    // What was accepted before is still the same job.
     let same = Submitted::Same(record.id);
     assert_eq!(put(store, &late, Some(&known), 2), same);
     // What runs does not wait.
@@ -249,21 +264,21 @@ fn full_queue_refuses(store: &dyn JobStore) {
     assert_eq!(put(store, &late, None, 2), Submitted::New);
 }
 
-fn pages_are_newest_first_and_whole(store: &dyn JobStore) {
-    let mut fits: Vec<Uuid> = (0..7).map(|_| submit(store)).collect();
-    fits.reverse();
-    for id in &fits[2..5] {
+fn pages_are_newest_first_and_whole(kind: JobKind, store: &dyn JobStore) {
+    let mut jobs: Vec<Uuid> = (0..7).map(|_| submit(kind, store)).collect();
+    jobs.reverse();
+    for id in &jobs[2..5] {
         set_status(store, *id, Status::Failed);
     }
-    assert_eq!(walk(store, None), fits);
-    assert_eq!(walk(store, Some(Status::Failed)), fits[2..5]);
-    assert!(walk(store, Some(Status::Succeeded)).is_empty());
-    let counts = store.counts().unwrap();
+    assert_eq!(walk(kind, store, None), jobs);
+    assert_eq!(walk(kind, store, Some(Status::Failed)), jobs[2..5]);
+    assert!(walk(kind, store, Some(Status::Succeeded)).is_empty());
+    let counts = store.counts(kind).unwrap();
     assert_eq!(counts.of(Status::Queued), 4);
     assert_eq!(counts.of(Status::Failed), 3);
 }
 
-fn walk(store: &dyn JobStore, status: Option<Status>) -> Vec<Uuid> {
+fn walk(kind: JobKind, store: &dyn JobStore, status: Option<Status>) -> Vec<Uuid> {
     let mut page = PageAsked {
         limit: 3,
         after: None,
@@ -271,7 +286,7 @@ fn walk(store: &dyn JobStore, status: Option<Status>) -> Vec<Uuid> {
     };
     let mut seen = Vec::new();
     loop {
-        let found = store.fits(&page).unwrap();
+        let found = store.jobs(kind, &page).unwrap();
         assert!(found.items.len() <= page.limit);
         seen.extend(found.items.iter().map(|record| record.id));
         assert_eq!(
@@ -285,9 +300,9 @@ fn walk(store: &dyn JobStore, status: Option<Status>) -> Vec<Uuid> {
     }
 }
 
-fn notices_reach_all_who_listen(store: &dyn JobStore) {
+fn notices_reach_all_who_listen(kind: JobKind, store: &dyn JobStore) {
     let listeners = [store.listen(), store.listen()];
-    let id = submit(store);
+    let id = submit(kind, store);
     store.publish(Notice::Cancel(id));
     for listener in listeners {
         let wait = Duration::from_secs(10);
@@ -297,10 +312,11 @@ fn notices_reach_all_who_listen(store: &dyn JobStore) {
 }
 
 fn what_ran_when_the_process_died_is_handed_out_again(
+    kind: JobKind,
     open: &impl Fn(&str, Duration) -> Arc<dyn JobStore>,
 ) {
     let store = open("died", SHORT);
-    let (ran, done) = (submit(&*store), submit(&*store));
+    let (ran, done) = (submit(kind, &*store), submit(kind, &*store));
     claim(&*store).expect("one waits");
     let mut record = get(&*store, ran);
     record.status = Status::Running;
@@ -310,10 +326,42 @@ fn what_ran_when_the_process_died_is_handed_out_again(
     drop(store);
     let store = open("died", SHORT);
     thread::sleep(2 * store.lease_time());
-    assert_eq!(claim(&*store).map(|lease| lease.fit), Some(ran));
+    assert_eq!(claim(&*store).map(|lease| lease.job), Some(ran));
     assert_eq!(claim(&*store), None);
     assert_eq!(get(&*store, ran).attempts, 1);
     assert_eq!(get(&*store, done).status, Status::Succeeded);
+}
+
+fn kinds_share_the_queue_and_no_list(store: &dyn JobStore) {
+    let [fit, study] = JobKind::ALL.map(new);
+    let key = key("one", 1);
+    assert_eq!(put(store, &study, Some(&key), 2), Submitted::New);
+    assert_eq!(put(store, &fit, None, 2), Submitted::New);
+    for kind in JobKind::ALL {
+        assert_eq!(put(store, &new(kind), None, 2), Submitted::Full);
+        let same = Submitted::Same(study.id);
+        assert_eq!(put(store, &new(kind), Some(&key), 2), same);
+    }
+    for (kind, record) in [(JobKind::Fit, &fit), (JobKind::Study, &study)] {
+        assert_eq!(get(store, record.id).kind, kind);
+        let page = PageAsked {
+            limit: 9,
+            ..PageAsked::default()
+        };
+        let listed = |status| {
+            let page = PageAsked { status, ..page };
+            let found = store.jobs(kind, &page).unwrap().items;
+            found.into_iter().map(|job| job.id).collect::<Vec<_>>()
+        };
+        assert_eq!(listed(None), [record.id]);
+        assert_eq!(listed(Some(Status::Queued)), [record.id]);
+        assert_eq!(store.counts(kind).unwrap().of(Status::Queued), 1);
+    }
+    // Each is made before the next, so their ids sort as they stand in `ALL`.
+    assert_eq!(claim(store).map(|lease| lease.job), Some(fit.id));
+    assert_eq!(claim(store).map(|lease| lease.job), Some(study.id));
+    set_status(store, study.id, Status::Succeeded);
+    assert_eq!(store.counts(JobKind::Fit).unwrap().of(Status::Succeeded), 0);
 }
 
 /// The same for [`Documents`].

@@ -1,67 +1,35 @@
-//! Submits, finds, lists, cancels and follows fits: what the service is built on. All calls but those of [`Events`] block.
+//! Submits, finds, lists, cancels and follows jobs: what the service is built on. All calls but those of [`Events`] block.
 
 use super::blobs::{Blobs, FileBlobs};
 use super::catalogue::Catalogue;
 use super::feed::{Event, Events, Feeds};
-use super::record::{FitRecord, Status};
+use super::record::{JobKind, JobRecord, Status};
 use super::sqlite::SqliteStore;
 use super::store::{
-    Counts, Documents, IdempotencyKey, JobStore, NewFit, Notice, Page, PageAsked, StoreError,
+    Counts, Documents, IdempotencyKey, JobStore, NewJob, Notice, Page, PageAsked, StoreError,
     Submitted,
 };
+use super::work::{ResultFile, Work, asked_folder, asked_key};
 use crate::config::{Config, Limits};
-use crate::fit::Garment;
 use jiff::Timestamp;
 use std::sync::Arc;
 use uuid::Uuid;
 
-/// Why a fit was not put on the queue.
+/// Why a job was not put on the queue.
 #[derive(Debug, thiserror::Error)]
 pub enum QueueError {
     /// Try again later.
-    #[error("the queue is full: {0} fits wait already")]
+    #[error("the queue is full: {0} jobs wait already")]
     Full(usize),
     /// The same key with another request.
     #[error("this Idempotency-Key was used before for another request")]
-    KeyReused,
+    KeyReused(JobKind),
     /// The service is at fault.
     #[error(transparent)]
     Store(#[from] StoreError),
 }
 
-/// A file that a fit leaves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ResultFile {
-    /// `export::GarmentMesh`.
-    Mesh,
-    /// `solver::Report`.
-    Report,
-    /// The assembled scene in neutral JSON.
-    Scene,
-}
-
-impl ResultFile {
-    pub(super) fn key(self, fit: Uuid, attempt: u32) -> String {
-        let name = match self {
-            Self::Mesh => "mesh",
-            Self::Report => "report",
-            Self::Scene => "scene",
-        };
-        format!("{}/{name}.json", results(fit, attempt))
-    }
-}
-
-/// Where one attempt of a fit leaves its files.
-pub(super) fn results(fit: Uuid, attempt: u32) -> String {
-    format!("results/{fit}/{attempt}")
-}
-
-/// Where the garment of a fit is.
-pub(super) fn garment_key(fit: Uuid) -> String {
-    format!("garments/{fit}/garment.json")
-}
-
-/// The fits of a service.
+/// The jobs of a service. Those of one kind are not found as the other.
 pub struct Queue {
     pub(super) store: Arc<dyn JobStore>,
     pub(super) blobs: Arc<dyn Blobs>,
@@ -81,7 +49,7 @@ impl Queue {
         Self::new(store.clone(), store, blobs, config.limits.clone())
     }
 
-    /// The fits of a store.
+    /// The jobs of a store.
     ///
     /// # Errors
     /// If no thread can be started.
@@ -117,67 +85,80 @@ impl Queue {
         &self.limits
     }
 
-    /// The fit that the same request was submitted as before, if it was.
+    /// The job that the same request was submitted as before, if it was.
     ///
     /// # Errors
     /// If the key was used for another request, or nothing could be read.
-    pub fn submitted(&self, key: &IdempotencyKey) -> Result<Option<FitRecord>, QueueError> {
+    pub fn submitted(
+        &self,
+        kind: JobKind,
+        key: &IdempotencyKey,
+    ) -> Result<Option<JobRecord>, QueueError> {
         match self.store.submitted(key)? {
-            Some(Submitted::Same(id)) => Ok(self.fit(id)?),
-            Some(Submitted::KeyReused) => Err(QueueError::KeyReused),
+            Some(Submitted::Same(id)) => self.same(kind, id).map(Some),
+            Some(Submitted::KeyReused) => Err(QueueError::KeyReused(kind)),
             _ => Ok(None),
         }
     }
 
-    /// Puts a fit on the queue. The garment is complete in itself, as `fit::prepare` leaves it.
+    /// The job that a key stands for. A request for another kind of job is another request.
+    fn same(&self, kind: JobKind, id: Uuid) -> Result<JobRecord, QueueError> {
+        self.job(kind, id)?.ok_or(QueueError::KeyReused(kind))
+    }
+
+    /// Puts work on the queue.
     ///
     /// # Errors
     /// If the queue is full, the key was used for another request, or nothing could be written.
     pub fn submit(
         &self,
-        garment: &Garment,
+        work: &Work,
         key: Option<&IdempotencyKey>,
-    ) -> Result<FitRecord, QueueError> {
-        let record = FitRecord::queued(Uuid::now_v7(), Timestamp::now());
-        let body = serde_json::to_vec(garment)
-            .map_err(|cause| StoreError::new("writing the garment", cause))?;
-        self.blobs.put(&garment_key(record.id), &body)?;
-        let submitted = self.store.submit(&NewFit {
+    ) -> Result<JobRecord, QueueError> {
+        let kind = work.kind();
+        let record = JobRecord::queued(kind, Uuid::now_v7(), Timestamp::now());
+        let body = work
+            .json()
+            .map_err(|cause| StoreError::new("writing what is asked", cause))?;
+        self.blobs.put(&asked_key(kind, record.id), &body)?;
+        let submitted = self.store.submit(&NewJob {
             record: &record,
             key,
-            queue_limit: self.limits.queued_fits,
+            queue_limit: self.limits.queued_jobs,
         });
         if !matches!(submitted, Ok(Submitted::New)) {
-            self.blobs.delete(&format!("garments/{}", record.id))?;
+            self.blobs.delete(&asked_folder(kind, record.id))?;
         }
         match submitted? {
             Submitted::New => {
                 self.store.publish(Notice::Status(Box::new(record.clone())));
                 Ok(record)
             }
-            Submitted::Same(id) => {
-                let same = self.fit(id)?;
-                Ok(same.ok_or_else(|| StoreError::new("reading a fit", "its record is gone"))?)
-            }
-            Submitted::KeyReused => Err(QueueError::KeyReused),
-            Submitted::Full => Err(QueueError::Full(self.limits.queued_fits)),
+            Submitted::Same(id) => self.same(kind, id),
+            Submitted::KeyReused => Err(QueueError::KeyReused(kind)),
+            Submitted::Full => Err(QueueError::Full(self.limits.queued_jobs)),
         }
     }
 
-    /// What is known about a fit, its latest progress included.
+    /// What is known about a job of this kind, its latest progress included.
     ///
     /// # Errors
     /// If nothing could be read.
-    pub fn fit(&self, id: Uuid) -> Result<Option<FitRecord>, StoreError> {
-        Ok(self.store.fit(id)?.map(|record| self.with_progress(record)))
+    pub fn job(&self, kind: JobKind, id: Uuid) -> Result<Option<JobRecord>, StoreError> {
+        let found = self.stored(kind, id)?;
+        Ok(found.map(|record| self.with_progress(record)))
     }
 
-    /// Fits, newest first.
+    fn stored(&self, kind: JobKind, id: Uuid) -> Result<Option<JobRecord>, StoreError> {
+        Ok(self.store.job(id)?.filter(|record| record.kind == kind))
+    }
+
+    /// Jobs of a kind, newest first.
     ///
     /// # Errors
     /// If nothing could be read.
-    pub fn fits(&self, page: &PageAsked) -> Result<Page<FitRecord>, StoreError> {
-        let page = self.store.fits(page)?;
+    pub fn jobs(&self, kind: JobKind, page: &PageAsked) -> Result<Page<JobRecord>, StoreError> {
+        let page = self.store.jobs(kind, page)?;
         let items = page.items.into_iter();
         Ok(Page {
             items: items.map(|record| self.with_progress(record)).collect(),
@@ -185,21 +166,22 @@ impl Queue {
         })
     }
 
-    fn with_progress(&self, mut record: FitRecord) -> FitRecord {
+    fn with_progress(&self, mut record: JobRecord) -> JobRecord {
         if let Some(progress) = self.feeds.latest(&record) {
             record.progress = progress;
         }
         record
     }
 
-    /// Asks a fit to stop, and returns what is then known about it: canceled at once if it waited, soon if it runs,
-    /// unchanged if it has ended. `None` if there is no such fit.
+    /// Asks a job to stop, and returns what is then known about it: canceled at once if it waited, soon if it runs,
+    /// unchanged if it has ended. `None` if there is no such job.
     ///
     /// # Errors
     /// If nothing could be written.
-    pub fn cancel(&self, id: Uuid) -> Result<Option<FitRecord>, StoreError> {
+    pub fn cancel(&self, kind: JobKind, id: Uuid) -> Result<Option<JobRecord>, StoreError> {
         let changed = change(&*self.store, id, |record| {
             match record.status {
+                _ if record.kind != kind => return false,
                 Status::Queued => {
                     record.status = Status::Canceled;
                     record.finished_at = Some(Timestamp::now());
@@ -217,17 +199,22 @@ impl Queue {
             Changed::Yes(_) => self.store.publish(Notice::Cancel(id)),
             Changed::No => {}
         }
-        self.fit(id)
+        self.job(kind, id)
     }
 
-    /// The events of a fit after event `after`, or from the first one kept. `None` if there is no such fit.
+    /// The events of a job after event `after`, or from the first one kept. `None` if there is no such job.
     ///
     /// # Errors
     /// If nothing could be read.
-    pub fn events(&self, id: Uuid, after: Option<u64>) -> Result<Option<Events>, StoreError> {
+    pub fn events(
+        &self,
+        kind: JobKind,
+        id: Uuid,
+        after: Option<u64>,
+    ) -> Result<Option<Events>, StoreError> {
         // Followed before the record is read, so that an end that comes between the two is not missed.
         let events = self.feeds.follow(id, after);
-        Ok(self.store.fit(id)?.map(|record| {
+        Ok(self.stored(kind, id)?.map(|record| {
             if !record.status.is_final() {
                 return events.or_now(record, after);
             }
@@ -236,21 +223,21 @@ impl Queue {
         }))
     }
 
-    /// The garment of a fit, complete in itself. `None` if there is no such fit.
+    /// What a job was asked as, complete in itself, in JSON. `None` if there is no such job.
     ///
     /// # Errors
     /// If nothing could be read.
-    pub fn garment(&self, id: Uuid) -> Result<Option<Vec<u8>>, StoreError> {
-        self.blobs.get(&garment_key(id))
+    pub fn asked(&self, kind: JobKind, id: Uuid) -> Result<Option<Vec<u8>>, StoreError> {
+        self.blobs.get(&asked_key(kind, id))
     }
 
-    /// A file that a fit left, in JSON. `None` while there is none.
+    /// A file that a job left, in JSON. `None` while there is none.
     ///
     /// # Errors
     /// If nothing could be read.
     pub fn file(
         &self,
-        record: &FitRecord,
+        record: &JobRecord,
         file: ResultFile,
     ) -> Result<Option<Vec<u8>>, StoreError> {
         match record.result {
@@ -259,15 +246,15 @@ impl Queue {
         }
     }
 
-    /// How many fits there are of each status. Fails where the store cannot serve: the readiness probe.
+    /// How many jobs of a kind there are of each status. Fails where the store cannot serve: the readiness probe.
     ///
     /// # Errors
     /// If nothing could be read.
-    pub fn counts(&self) -> Result<Counts, StoreError> {
-        self.store.counts()
+    pub fn counts(&self, kind: JobKind) -> Result<Counts, StoreError> {
+        self.store.counts(kind)
     }
 
-    /// Ends the events of everyone who follows a fit, so that open connections can end: for shutdown.
+    /// Ends the events of everyone who follows a job, so that open connections can end: for shutdown.
     pub fn close(&self) {
         self.feeds.close();
     }
@@ -276,7 +263,7 @@ impl Queue {
 /// Whether a record was changed.
 pub(super) enum Changed {
     /// It is this now.
-    Yes(Box<FitRecord>),
+    Yes(Box<JobRecord>),
     /// There is none, or it was not to be changed.
     No,
 }
@@ -288,10 +275,10 @@ pub(super) enum Changed {
 pub(super) fn change(
     store: &dyn JobStore,
     id: Uuid,
-    mut edit: impl FnMut(&mut FitRecord) -> bool,
+    mut edit: impl FnMut(&mut JobRecord) -> bool,
 ) -> Result<Changed, StoreError> {
     loop {
-        let Some(mut record) = store.fit(id)? else {
+        let Some(mut record) = store.job(id)? else {
             return Ok(Changed::No);
         };
         if !edit(&mut record) {

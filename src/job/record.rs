@@ -1,4 +1,4 @@
-//! What is known about one fit.
+//! What is known about one job.
 
 use crate::fault::{Fault, Faults};
 use crate::progress::Progress;
@@ -7,7 +7,31 @@ use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 use uuid::Uuid;
 
-/// What has become of a fit.
+/// What kind of work a job is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum JobKind {
+    /// A garment sewn and draped. Records of before there were studies name no kind.
+    #[default]
+    Fit,
+    /// A garment by many methods, settings and meshes.
+    Study,
+}
+
+impl JobKind {
+    /// All of them.
+    pub const ALL: [Self; 2] = [Self::Fit, Self::Study];
+
+    /// The word for it in codes and in the store.
+    pub fn as_str(self) -> &'static str {
+        match self {
+            Self::Fit => "fit",
+            Self::Study => "study",
+        }
+    }
+}
+
+/// What has become of a job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
@@ -15,9 +39,9 @@ pub enum Status {
     Queued,
     /// A worker has it.
     Running,
-    /// A shape was reached and checked.
+    /// Of a fit, a shape was reached and checked; a study ran to its end.
     Succeeded,
-    /// No shape was reached; the best one and its report may be there all the same.
+    /// It was not; what was reached may be there all the same.
     Failed,
     /// Somebody asked to stop it.
     Canceled,
@@ -50,10 +74,11 @@ impl Status {
     }
 }
 
-/// Why a fit failed.
+/// Why a job failed.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub struct Failure {
-    /// For a client to act on: `fit/not_converged`, `fit/refused`, `fit/time_limit`, `fit/panicked`, `fit/abandoned` or `fit/storage`.
+    /// For a client to act on, of a fit: `fit/not_converged`, `fit/refused`, `fit/time_limit`, `fit/panicked`,
+    /// `fit/abandoned` or `fit/storage`; of a study: `study/nothing_ran` and, but for the first, the same with `study`.
     pub code: String,
     /// What happened, in a sentence for a person.
     pub detail: String,
@@ -64,30 +89,31 @@ pub struct Failure {
 
 impl Failure {
     /// A failure that is no fault of the input.
-    pub fn new(code: &str, detail: impl Into<String>) -> Self {
+    pub fn new(kind: JobKind, why: &str, detail: impl Into<String>) -> Self {
         Self {
-            code: code.to_owned(),
+            code: format!("{}/{why}", kind.as_str()),
             detail: detail.into(),
             errors: Vec::new(),
         }
     }
-}
 
-impl From<Faults> for Failure {
-    fn from(faults: Faults) -> Self {
+    /// A failure by faults of the input.
+    pub fn refused(kind: JobKind, faults: Faults) -> Self {
         Self {
-            code: "fit/refused".to_owned(),
-            detail: faults.to_string(),
-            errors: faults.0,
+            errors: faults.0.clone(),
+            ..Self::new(kind, "refused", faults.to_string())
         }
     }
 }
 
-/// What is known about one fit: the truth that every process sees, changed only by compare-and-set on `revision`.
+/// What is known about one job: the truth that every process sees, changed only by compare-and-set on `revision`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct FitRecord {
+pub struct JobRecord {
     /// `UUIDv7`: ids sort by the time they were submitted.
     pub id: Uuid,
+    /// What kind of work it is.
+    #[serde(default)]
+    pub kind: JobKind,
     /// What has become of it.
     pub status: Status,
     /// When it was submitted.
@@ -113,11 +139,12 @@ pub struct FitRecord {
     pub revision: u64,
 }
 
-impl FitRecord {
-    /// A fit that waits for its first worker.
-    pub fn queued(id: Uuid, created_at: Timestamp) -> Self {
+impl JobRecord {
+    /// A job that waits for its first worker.
+    pub fn queued(kind: JobKind, id: Uuid, created_at: Timestamp) -> Self {
         Self {
             id,
+            kind,
             status: Status::Queued,
             created_at,
             started_at: None,

@@ -2,7 +2,7 @@
 //!
 //! All calls block; async code makes them from a blocking thread.
 
-use super::record::{FitRecord, Status};
+use super::record::{JobKind, JobRecord, Status};
 use crate::progress::Progress;
 use std::sync::mpsc::Receiver;
 use std::time::Duration;
@@ -32,7 +32,7 @@ impl StoreError {
     }
 }
 
-/// Makes a repeated request mean the same fit.
+/// Makes a repeated request mean the same job.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct IdempotencyKey {
     /// As the client chose it.
@@ -41,14 +41,14 @@ pub struct IdempotencyKey {
     pub digest: [u8; 32],
 }
 
-/// A fit to be put on the queue.
+/// A job to be put on the queue.
 #[derive(Clone, Debug)]
-pub struct NewFit<'a> {
+pub struct NewJob<'a> {
     /// Its record, queued.
-    pub record: &'a FitRecord,
-    /// Makes a repeated request mean the same fit.
+    pub record: &'a JobRecord,
+    /// Makes a repeated request mean the same job.
     pub key: Option<&'a IdempotencyKey>,
-    /// The most fits that may wait, this one included.
+    /// The most jobs of all kinds that may wait, this one included.
     pub queue_limit: usize,
 }
 
@@ -57,36 +57,36 @@ pub struct NewFit<'a> {
 pub enum Submitted {
     /// It is on the queue.
     New,
-    /// The same request was submitted before, as this fit.
+    /// The same request was submitted before, as this job.
     Same(Uuid),
     /// The key was used before for another request.
     KeyReused,
-    /// Too many fits wait.
+    /// Too many jobs wait.
     Full,
 }
 
-/// The right to run one fit for a while; renewed until the run ends.
+/// The right to run one job for a while; renewed until the run ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Lease {
-    /// The fit.
-    pub fit: Uuid,
-    /// Tells this lease from any other of the same fit.
+    /// The job.
+    pub job: Uuid,
+    /// Tells this lease from any other of the same job.
     pub token: Uuid,
 }
 
 /// What a store tells everyone who listens. Notices may get lost; records are the truth.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Notice {
-    /// A fit can be claimed.
+    /// A job can be claimed.
     Queued,
-    /// Somebody asked to stop this fit.
+    /// Somebody asked to stop this job.
     Cancel(Uuid),
-    /// The status of this fit has changed.
-    Status(Box<FitRecord>),
-    /// A fit has come further.
+    /// The status of this job has changed.
+    Status(Box<JobRecord>),
+    /// A job has come further.
     Progress {
-        /// The fit.
-        fit: Uuid,
+        /// The job.
+        job: Uuid,
         /// The attempt.
         attempt: u32,
         /// How far it is.
@@ -94,15 +94,15 @@ pub enum Notice {
     },
 }
 
-/// How many fits there are of each status.
+/// How many jobs of a kind there are of each status.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Fits by status, in the order of [`Status::ALL`].
+    /// Jobs by status, in the order of [`Status::ALL`].
     pub by_status: [u64; 5],
 }
 
 impl Counts {
-    /// How many fits have this status.
+    /// How many have this status.
     pub fn of(&self, status: Status) -> u64 {
         self.by_status[status as usize]
     }
@@ -115,7 +115,7 @@ pub struct PageAsked {
     pub limit: usize,
     /// The last id of the page before.
     pub after: Option<Uuid>,
-    /// Only fits of this status; other lists have none.
+    /// Only jobs of this status; other lists have none.
     pub status: Option<Status>,
 }
 
@@ -128,51 +128,51 @@ pub struct Page<T> {
     pub next: Option<Uuid>,
 }
 
-/// Records of fits and their queue.
+/// Records of jobs and their queue, one for all kinds.
 ///
 /// Records are the truth, changed by compare-and-set. The queue only hands out ids: at least once, oldest first, each under a
 /// lease that runs out unless it is renewed. `contract::store_contract` states what every implementation must keep.
 pub trait JobStore: Send + Sync {
-    /// Puts a fit on the queue, all or nothing, and sends [`Notice::Queued`].
+    /// Puts a job on the queue, all or nothing, and sends [`Notice::Queued`].
     ///
     /// # Errors
     /// If nothing could be written.
-    fn submit(&self, fit: &NewFit<'_>) -> Result<Submitted, StoreError>;
+    fn submit(&self, job: &NewJob<'_>) -> Result<Submitted, StoreError>;
 
-    /// The fit that a key stands for, or [`Submitted::KeyReused`]; `None` if the key is new.
+    /// The job that a key stands for, or [`Submitted::KeyReused`]; `None` if the key is new.
     ///
     /// # Errors
     /// If nothing could be read.
     fn submitted(&self, key: &IdempotencyKey) -> Result<Option<Submitted>, StoreError>;
 
-    /// The record of a fit.
+    /// The record of a job.
     ///
     /// # Errors
     /// If nothing could be read.
-    fn fit(&self, id: Uuid) -> Result<Option<FitRecord>, StoreError>;
+    fn job(&self, id: Uuid) -> Result<Option<JobRecord>, StoreError>;
 
     /// Replaces a record if its revision is still `record.revision`. Returns the new revision, or `None` if it had changed.
     ///
     /// # Errors
     /// If nothing could be written.
-    fn replace(&self, record: &FitRecord) -> Result<Option<u64>, StoreError>;
+    fn replace(&self, record: &JobRecord) -> Result<Option<u64>, StoreError>;
 
-    /// Records, newest first.
+    /// Records of a kind, newest first.
     ///
     /// # Errors
     /// If nothing could be read.
-    fn fits(&self, page: &PageAsked) -> Result<Page<FitRecord>, StoreError>;
+    fn jobs(&self, kind: JobKind, page: &PageAsked) -> Result<Page<JobRecord>, StoreError>;
 
-    /// How many fits there are of each status.
+    /// How many jobs of a kind there are of each status.
     ///
     /// # Errors
     /// If nothing could be read.
-    fn counts(&self) -> Result<Counts, StoreError>;
+    fn counts(&self, kind: JobKind) -> Result<Counts, StoreError>;
 
     /// How long a lease lasts unless it is renewed.
     fn lease_time(&self) -> Duration;
 
-    /// The oldest fit that is not final and that nobody has a live lease on.
+    /// The oldest job, of whatever kind, that is not final and that nobody has a live lease on.
     ///
     /// # Errors
     /// If nothing could be read.
@@ -184,7 +184,7 @@ pub trait JobStore: Send + Sync {
     /// If the store could not be asked; the lease may still be live.
     fn renew(&self, lease: &Lease) -> Result<bool, StoreError>;
 
-    /// Ends a lease. If the fit is not final by now it is handed out again at once, and [`Notice::Queued`] is sent.
+    /// Ends a lease. If the job is not final by now it is handed out again at once, and [`Notice::Queued`] is sent.
     ///
     /// # Errors
     /// If the store could not be told; the lease runs out by itself.

@@ -9,11 +9,13 @@ mod geometry;
 mod improve;
 mod joint;
 mod lattice;
+mod locate;
 mod morton;
 mod slots;
 mod stitch;
 
 pub use coarser::{Coarser, coarser};
+pub use locate::Locator;
 
 use crate::config::Limits;
 use crate::fault::{Fault, Faults};

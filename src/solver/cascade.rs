@@ -42,6 +42,12 @@ impl<'s> Cascade<'s> {
         self.coarser.len()
     }
 
+    /// Vertices of each level, coarsest first.
+    pub(super) fn sizes(&self) -> Vec<usize> {
+        let levels = (0..=self.coarsest()).rev();
+        levels.map(|level| self.scene(level).start.len()).collect()
+    }
+
     /// Whether a level is the next finer one's mesh, of softer cloth.
     pub(super) fn is_softer(&self, level: usize) -> bool {
         level > 0 && self.coarser[level - 1].weights.is_empty()

@@ -8,7 +8,7 @@
 //! sewn, 125 instead of 509.
 
 use super::system::STANDARD_GRAVITY;
-use crate::scene::Scene;
+use crate::scene::{Fabric, Scene};
 
 /// Strain of cloth under its own weight below which it is softened first: organza's, the stiffest for its weight that ships, is
 /// twice that and more.
@@ -73,9 +73,15 @@ fn weight_per_width(scene: &Scene) -> f64 {
 fn capped(scene: &Scene, cap: f64) -> Scene {
     let mut scene = scene.clone();
     for fabric in &mut scene.fabrics {
-        fabric.stretch_warp_n_m = fabric.stretch_warp_n_m.min(cap);
-        fabric.stretch_weft_n_m = fabric.stretch_weft_n_m.min(cap);
-        fabric.shear_n_m = fabric.shear_n_m.min(cap);
+        let Fabric {
+            stretch_warp_n_m: warp,
+            stretch_weft_n_m: weft,
+            shear_n_m: shear,
+            ..
+        } = fabric;
+        for modulus in [warp, weft, shear] {
+            *modulus = modulus.min(cap);
+        }
     }
     for spring in scene.net.iter_mut().flatten() {
         spring.stiffness_n_m = spring.stiffness_n_m.min(cap);

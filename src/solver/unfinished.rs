@@ -2,7 +2,7 @@
 
 use super::ask::Simulate;
 use super::assemble::{Stage, assemble};
-use super::level::{SEAM_STIFFNESS, closed_stiffness};
+use super::closing::{SEAM_STIFFNESS, closed_stiffness};
 use super::report::Report;
 use super::summary::energies;
 use super::topology::Particles;
@@ -26,8 +26,8 @@ pub(super) fn describe(
         particles: &particles,
         stitches: (!stitches.is_empty()).then_some((stitches, stiffness)),
         gravity: true,
-        friction: false,
-        reuse: 0.0,
+        friction: None,
+        explicit: false,
     };
     let mut system = assemble(scene, ask, &stage, clock);
     let mut force = vec![Vector3::zeros(); x.len()];

@@ -13,7 +13,8 @@ use tokio::sync::oneshot;
 
 /// A running server; it stops when dropped.
 pub(crate) struct Server {
-    address: SocketAddr,
+    /// Where it listens.
+    pub(crate) address: SocketAddr,
     stop: Option<oneshot::Sender<()>>,
     thread: Option<JoinHandle<()>>,
     agent: ureq::Agent,
@@ -114,11 +115,6 @@ impl Server {
             agent,
             _data: data,
         }
-    }
-
-    /// Where it listens.
-    pub(crate) fn address(&self) -> SocketAddr {
-        self.address
     }
 
     /// A request without a body.

@@ -18,21 +18,21 @@ use std::time::Duration;
 const LEASE: Duration = Duration::from_secs(30);
 
 /// The version of the tables below.
-const VERSION: i64 = 1;
+const VERSION: i64 = 2;
 
 /// Ids are stored as 16 bytes, so that they sort by time.
 const TABLES: &str = "
-    CREATE TABLE fits (
+    CREATE TABLE jobs (
         id BLOB PRIMARY KEY,
+        kind TEXT NOT NULL,
         status TEXT NOT NULL,
         revision INTEGER NOT NULL,
         record TEXT NOT NULL
     ) WITHOUT ROWID;
-    CREATE INDEX fits_by_status ON fits (status, id);
     CREATE TABLE keys (
         key TEXT PRIMARY KEY,
         digest BLOB NOT NULL,
-        fit BLOB NOT NULL
+        job BLOB NOT NULL
     ) WITHOUT ROWID;
     CREATE TABLE documents (
         kind TEXT NOT NULL,
@@ -40,7 +40,22 @@ const TABLES: &str = "
         body BLOB NOT NULL,
         PRIMARY KEY (kind, id)
     );
-    PRAGMA user_version = 1;
+";
+
+/// What version 1, of before there were studies, lacks.
+const FROM_1: &str = "
+    ALTER TABLE fits RENAME TO jobs;
+    ALTER TABLE jobs ADD COLUMN kind TEXT NOT NULL DEFAULT 'fit';
+    ALTER TABLE keys RENAME COLUMN fit TO job;
+    DROP INDEX fits_by_status;
+";
+
+/// One for the queue, one for lists of a kind, and one for those of a status and for counts.
+const INDICES: &str = "
+    CREATE INDEX jobs_by_status ON jobs (status, id);
+    CREATE INDEX jobs_by_kind ON jobs (kind, id);
+    CREATE INDEX jobs_by_kind_and_status ON jobs (kind, status, id);
+    PRAGMA user_version = 2;
 ";
 
 /// Records, queue and documents in one `SQLite` file, for one process.
@@ -122,7 +137,7 @@ impl SqliteStore {
 
     /// Puts back what a process that died was running.
     fn requeue_running(&self) -> Result<(), StoreError> {
-        self.write("requeueing fits", |transaction| {
+        self.write("requeueing jobs", |transaction| {
             for mut record in records::of_status(transaction, Status::Running)? {
                 record.status = Status::Queued;
                 record.started_at = None;
@@ -147,20 +162,21 @@ fn locked(folder: &Path) -> Result<File, Box<dyn std::error::Error + Send + Sync
 fn opened(file: &Path) -> Result<Connection, Box<dyn std::error::Error + Send + Sync>> {
     let mut connection = Connection::open(file)?;
     connection.pragma_update(None, "journal_mode", "WAL")?;
-    // FULL, since a fit that was accepted must survive a power cut too; one flush per change is nothing beside a fit.
+    // FULL, since a job that was accepted must survive a power cut too; one flush per change is nothing beside a job.
     connection.pragma_update(None, "synchronous", "FULL")?;
     let version: i64 = connection.pragma_query_value(None, "user_version", |row| row.get(0))?;
-    match version {
-        0 => {
-            let transaction = connection.transaction()?;
-            transaction.execute_batch(TABLES)?;
-            transaction.commit()?;
-        }
-        VERSION => {}
+    let tables = match version {
+        0 => TABLES,
+        1 => FROM_1,
+        VERSION => return Ok(connection),
         _ => {
             return Err(format!("its version is {version}, this program knows {VERSION}").into());
         }
-    }
+    };
+    let transaction = connection.transaction()?;
+    transaction.execute_batch(tables)?;
+    transaction.execute_batch(INDICES)?;
+    transaction.commit()?;
     Ok(connection)
 }
 
@@ -173,7 +189,12 @@ fn unreadable(cause: impl std::error::Error + Send + Sync + 'static) -> rusqlite
 mod tests {
     use super::*;
     use crate::job::contract::{documents_contract, store_contract};
+    use crate::job::record::JobKind;
+    use crate::job::store::{
+        DocumentKind, Documents, IdempotencyKey, JobStore, PageAsked, Submitted,
+    };
     use std::sync::Arc;
+    use uuid::Uuid;
 
     #[test]
     fn contract_is_kept() {
@@ -206,8 +227,80 @@ mod tests {
         assert!(SqliteStore::open(folder.path()).is_err());
     }
 
+    /// The tables as version 1 made them, with a fit that ran, one that had ended, and the key of the first.
+    const VERSION_1: &str = "
+        CREATE TABLE fits (
+            id BLOB PRIMARY KEY,
+            status TEXT NOT NULL,
+            revision INTEGER NOT NULL,
+            record TEXT NOT NULL
+        ) WITHOUT ROWID;
+        CREATE INDEX fits_by_status ON fits (status, id);
+        CREATE TABLE keys (
+            key TEXT PRIMARY KEY,
+            digest BLOB NOT NULL,
+            fit BLOB NOT NULL
+        ) WITHOUT ROWID;
+        CREATE TABLE documents (
+            kind TEXT NOT NULL,
+            id BLOB NOT NULL,
+            body BLOB NOT NULL,
+            PRIMARY KEY (kind, id)
+        );
+        INSERT INTO fits VALUES (x'019a0000000070008000000000000001', 'running', 1, '{
+            \"id\": \"019a0000-0000-7000-8000-000000000001\", \"status\": \"running\",
+            \"created_at\": \"2026-01-01T00:00:00Z\", \"started_at\": \"2026-01-01T00:00:01Z\", \"finished_at\": null,
+            \"attempts\": 1, \"released\": 0, \"error\": null, \"result\": null, \"cancel_requested\": false,
+            \"progress\": {\"stage\": \"sew\", \"fraction\": 0.1, \"level\": 0, \"residual\": null, \"seam_gap_m\": null, \"cpu_s\": 1.0}
+        }');
+        INSERT INTO fits VALUES (x'019a0000000070008000000000000002', 'succeeded', 2, '{
+            \"id\": \"019a0000-0000-7000-8000-000000000002\", \"status\": \"succeeded\",
+            \"created_at\": \"2026-01-01T00:00:00Z\", \"started_at\": \"2026-01-01T00:00:01Z\",
+            \"finished_at\": \"2026-01-01T00:00:02Z\", \"attempts\": 1, \"released\": 0, \"error\": null, \"result\": 1,
+            \"cancel_requested\": false,
+            \"progress\": {\"stage\": \"export\", \"fraction\": 1.0, \"level\": 0, \"residual\": null, \"seam_gap_m\": null, \"cpu_s\": 1.0}
+        }');
+        INSERT INTO keys VALUES ('monday', zeroblob(32), x'019a0000000070008000000000000001');
+        INSERT INTO documents VALUES ('fabric', x'019a0000000070008000000000000003', x'7B7D');
+        PRAGMA user_version = 1;
+    ";
+
     #[test]
-    fn accepted_fits_survive_a_power_cut() {
+    fn a_folder_of_before_there_were_studies_opens() {
+        let folder = tempfile::tempdir().unwrap();
+        let connection = Connection::open(folder.path().join("seamster.db")).unwrap();
+        connection.execute_batch(VERSION_1).unwrap();
+        drop(connection);
+        // A second time finds the tables as the first left them.
+        for _ in 0..2 {
+            let store = SqliteStore::open(folder.path()).unwrap();
+            let page = PageAsked {
+                limit: 9,
+                ..PageAsked::default()
+            };
+            let fits = store.jobs(JobKind::Fit, &page).unwrap().items;
+            let found: Vec<_> = fits.iter().map(|fit| (fit.kind, fit.status)).collect();
+            // What ran when the process ended waits again.
+            let expected = [Status::Succeeded, Status::Queued].map(|one| (JobKind::Fit, one));
+            assert_eq!(found, expected);
+            assert_eq!(store.jobs(JobKind::Study, &page).unwrap().items, []);
+            let key = IdempotencyKey {
+                key: "monday".to_owned(),
+                digest: [0; 32],
+            };
+            let same = Submitted::Same(fits[1].id);
+            assert_eq!(store.submitted(&key).unwrap(), Some(same));
+            assert_eq!(
+                store.claim().unwrap().map(|lease| lease.job),
+                Some(fits[1].id)
+            );
+            let fabric = Uuid::from_u128(0x019a_0000_0000_7000_8000_0000_0000_0003);
+            assert!(store.get(DocumentKind::Fabric, fabric).unwrap().is_some());
+        }
+    }
+
+    #[test]
+    fn accepted_jobs_survive_a_power_cut() {
         let folder = tempfile::tempdir().unwrap();
         let store = SqliteStore::open(folder.path()).unwrap();
         let pragma = |name| {

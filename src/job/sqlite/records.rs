@@ -1,9 +1,9 @@
-//! The records of fits and their queue.
+//! The records of jobs and their queue.
 
 use super::{SqliteStore, unreadable};
-use crate::job::record::{FitRecord, Status};
+use crate::job::record::{JobKind, JobRecord, Status};
 use crate::job::store::{
-    Counts, IdempotencyKey, JobStore, Lease, NewFit, Notice, Page, PageAsked, StoreError, Submitted,
+    Counts, IdempotencyKey, JobStore, Lease, NewJob, Notice, Page, PageAsked, StoreError, Submitted,
 };
 use rusqlite::types::Value;
 use rusqlite::{Connection, OptionalExtension, Row, params, params_from_iter};
@@ -13,9 +13,9 @@ use std::time::Duration;
 use uuid::Uuid;
 
 impl JobStore for SqliteStore {
-    fn submit(&self, fit: &NewFit<'_>) -> Result<Submitted, StoreError> {
-        let submitted = self.write("putting a fit on the queue", |transaction| {
-            if let Some(known) = fit
+    fn submit(&self, job: &NewJob<'_>) -> Result<Submitted, StoreError> {
+        let submitted = self.write("putting a job on the queue", |transaction| {
+            if let Some(known) = job
                 .key
                 .map(|key| known(transaction, key))
                 .transpose()?
@@ -23,11 +23,11 @@ impl JobStore for SqliteStore {
             {
                 return Ok(known);
             }
-            let waiting = count(transaction, Status::Queued)?;
-            if usize::try_from(waiting).is_ok_and(|waiting| waiting >= fit.queue_limit) {
+            let waiting = waiting(transaction)?;
+            if usize::try_from(waiting).is_ok_and(|waiting| waiting >= job.queue_limit) {
                 return Ok(Submitted::Full);
             }
-            insert(transaction, fit)?;
+            insert(transaction, job)?;
             Ok(Submitted::New)
         })?;
         if submitted == Submitted::New {
@@ -41,34 +41,34 @@ impl JobStore for SqliteStore {
             .map_err(|cause| StoreError::new("looking for an idempotency key", cause))
     }
 
-    fn fit(&self, id: Uuid) -> Result<Option<FitRecord>, StoreError> {
-        let query = "SELECT record, revision FROM fits WHERE id = ?1";
-        let mut found = self.read("reading a fit", (query, [id.as_bytes()]), record)?;
+    fn job(&self, id: Uuid) -> Result<Option<JobRecord>, StoreError> {
+        let query = "SELECT record, revision FROM jobs WHERE id = ?1";
+        let mut found = self.read("reading a job", (query, [id.as_bytes()]), record)?;
         Ok(found.pop())
     }
 
-    fn replace(&self, record: &FitRecord) -> Result<Option<u64>, StoreError> {
-        self.write("writing a fit", |transaction| update(transaction, record))
+    fn replace(&self, record: &JobRecord) -> Result<Option<u64>, StoreError> {
+        self.write("writing a job", |transaction| update(transaction, record))
     }
 
-    fn fits(&self, page: &PageAsked) -> Result<Page<FitRecord>, StoreError> {
-        let mut query = "SELECT record, revision FROM fits WHERE id < ?1".to_owned();
-        let mut values: Vec<Value> = vec![before(page)];
+    fn jobs(&self, kind: JobKind, page: &PageAsked) -> Result<Page<JobRecord>, StoreError> {
+        let mut query = "SELECT record, revision FROM jobs WHERE kind = ?1 AND id < ?2".to_owned();
+        let mut values: Vec<Value> = vec![kind.as_str().to_owned().into(), before(page)];
         if let Some(status) = page.status {
-            query.push_str(" AND status = ?2");
+            query.push_str(" AND status = ?3");
             values.push(status.as_str().to_owned().into());
         }
         query.push_str(&format!(" ORDER BY id DESC LIMIT {}", one_more(page)));
-        let found = self.read("listing fits", (&query, params_from_iter(values)), record)?;
+        let found = self.read("listing jobs", (&query, params_from_iter(values)), record)?;
         Ok(cut(found, page, |record| record.id))
     }
 
-    fn counts(&self) -> Result<Counts, StoreError> {
+    fn counts(&self, kind: JobKind) -> Result<Counts, StoreError> {
         let connection = self.connection();
         let mut counts = Counts::default();
         for status in Status::ALL {
-            counts.by_status[status as usize] = count(&connection, status)
-                .map_err(|cause| StoreError::new("counting fits", cause))?;
+            counts.by_status[status as usize] = count(&connection, kind, status)
+                .map_err(|cause| StoreError::new("counting jobs", cause))?;
         }
         Ok(counts)
     }
@@ -78,7 +78,7 @@ impl JobStore for SqliteStore {
     }
 
     fn claim(&self) -> Result<Option<Lease>, StoreError> {
-        let query = "SELECT id FROM fits WHERE status IN ('queued', 'running') ORDER BY id";
+        let query = "SELECT id FROM jobs WHERE status IN ('queued', 'running') ORDER BY id";
         let open = self.read("looking at the queue", (query, []), |row| {
             row.get(0).map(Uuid::from_bytes)
         })?;
@@ -92,8 +92,8 @@ impl JobStore for SqliteStore {
     fn end(&self, lease: &Lease) -> Result<(), StoreError> {
         if self.leases.end(lease)
             && self
-                .fit(lease.fit)?
-                .is_some_and(|fit| !fit.status.is_final())
+                .job(lease.job)?
+                .is_some_and(|job| !job.status.is_final())
         {
             self.publish(Notice::Queued);
         }
@@ -141,18 +141,18 @@ pub(super) fn cut<T>(mut items: Vec<T>, page: &PageAsked, id: impl Fn(&T) -> Uui
 pub(super) fn of_status(
     connection: &Connection,
     status: Status,
-) -> rusqlite::Result<Vec<FitRecord>> {
+) -> rusqlite::Result<Vec<JobRecord>> {
     connection
-        .prepare("SELECT record, revision FROM fits WHERE status = ?1")?
+        .prepare("SELECT record, revision FROM jobs WHERE status = ?1")?
         .query_map([status.as_str()], record)?
         .collect()
 }
 
 /// Writes a record if its revision is still the stored one, and returns the next.
-pub(super) fn update(connection: &Connection, record: &FitRecord) -> rusqlite::Result<Option<u64>> {
+pub(super) fn update(connection: &Connection, record: &JobRecord) -> rusqlite::Result<Option<u64>> {
     let changed = connection
         .prepare_cached(
-            "UPDATE fits SET status = ?2, record = ?3, revision = revision + 1 WHERE id = ?1 AND revision = ?4",
+            "UPDATE jobs SET status = ?2, record = ?3, revision = revision + 1 WHERE id = ?1 AND revision = ?4",
         )?
         .execute(params![
             record.id.as_bytes(),
@@ -163,15 +163,20 @@ pub(super) fn update(connection: &Connection, record: &FitRecord) -> rusqlite::R
     Ok((changed == 1).then_some(record.revision + 1))
 }
 
-fn insert(connection: &Connection, fit: &NewFit<'_>) -> rusqlite::Result<()> {
-    let record = fit.record;
+fn insert(connection: &Connection, job: &NewJob<'_>) -> rusqlite::Result<()> {
+    let record = job.record;
     connection.execute(
-        "INSERT INTO fits (id, status, revision, record) VALUES (?1, ?2, 0, ?3)",
-        params![record.id.as_bytes(), record.status.as_str(), json(record)?],
+        "INSERT INTO jobs (id, kind, status, revision, record) VALUES (?1, ?2, ?3, 0, ?4)",
+        params![
+            record.id.as_bytes(),
+            record.kind.as_str(),
+            record.status.as_str(),
+            json(record)?
+        ],
     )?;
-    if let Some(key) = fit.key {
+    if let Some(key) = job.key {
         connection.execute(
-            "INSERT INTO keys (key, digest, fit) VALUES (?1, ?2, ?3)",
+            "INSERT INTO keys (key, digest, job) VALUES (?1, ?2, ?3)",
             params![key.key, key.digest, record.id.as_bytes()],
         )?;
     }
@@ -180,35 +185,42 @@ fn insert(connection: &Connection, fit: &NewFit<'_>) -> rusqlite::Result<()> {
 
 fn known(connection: &Connection, key: &IdempotencyKey) -> rusqlite::Result<Option<Submitted>> {
     let found = connection
-        .prepare_cached("SELECT digest, fit FROM keys WHERE key = ?1")?
+        .prepare_cached("SELECT digest, job FROM keys WHERE key = ?1")?
         .query_row([&key.key], |row| {
             Ok((row.get::<_, [u8; 32]>(0)?, Uuid::from_bytes(row.get(1)?)))
         })
         .optional()?;
-    Ok(found.map(|(digest, fit)| {
+    Ok(found.map(|(digest, job)| {
         if digest == key.digest {
-            Submitted::Same(fit)
+            Submitted::Same(job)
         } else {
             Submitted::KeyReused
         }
     }))
 }
 
-fn count(connection: &Connection, status: Status) -> rusqlite::Result<u64> {
+/// How many jobs of all kinds wait.
+fn waiting(connection: &Connection) -> rusqlite::Result<u64> {
+    JobKind::ALL.iter().try_fold(0, |sum, kind| {
+        Ok(sum + count(connection, *kind, Status::Queued)?)
+    })
+}
+
+fn count(connection: &Connection, kind: JobKind, status: Status) -> rusqlite::Result<u64> {
     let count: i64 = connection
-        .prepare_cached("SELECT count(*) FROM fits WHERE status = ?1")?
-        .query_row([status.as_str()], |row| row.get(0))?;
+        .prepare_cached("SELECT count(*) FROM jobs WHERE kind = ?1 AND status = ?2")?
+        .query_row([kind.as_str(), status.as_str()], |row| row.get(0))?;
     Ok(count.unsigned_abs())
 }
 
-fn record(row: &Row<'_>) -> rusqlite::Result<FitRecord> {
+fn record(row: &Row<'_>) -> rusqlite::Result<JobRecord> {
     let text: String = row.get(0)?;
-    let mut record: FitRecord = serde_json::from_str(&text).map_err(unreadable)?;
+    let mut record: JobRecord = serde_json::from_str(&text).map_err(unreadable)?;
     record.revision = row.get::<_, i64>(1)?.cast_unsigned();
     Ok(record)
 }
 
-fn json(record: &FitRecord) -> rusqlite::Result<String> {
+fn json(record: &JobRecord) -> rusqlite::Result<String> {
     serde_json::to_string(record)
         .map_err(|cause| rusqlite::Error::ToSqlConversionFailure(Box::new(cause)))
 }

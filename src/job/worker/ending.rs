@@ -1,14 +1,9 @@
 //! How a run ends, and what its record then says.
 
 use super::running::Stop;
-use crate::fit::Outcome;
-use crate::job::queue::ResultFile;
-use crate::job::record::{Failure, FitRecord, Status};
+use crate::job::record::{Failure, JobKind, JobRecord, Status};
+use crate::job::work::{Done, Files};
 use jiff::Timestamp;
-use serde::Serialize;
-
-/// The files of a result.
-pub(super) type Files = Vec<(ResultFile, Vec<u8>)>;
 
 /// How a run ends.
 pub(super) struct Ending {
@@ -26,16 +21,16 @@ enum End {
 }
 
 impl Ending {
-    /// What a run that came to `ran`, having been stopped for `stop`, ends as.
-    pub(super) fn of(ran: Result<Outcome, Failure>, stop: Option<Stop>) -> Self {
-        let is_whole = ran.as_ref().is_ok_and(|outcome| !outcome.canceled);
+    /// What a run of a job of this kind that came to `ran`, having been stopped for `stop`, ends as.
+    pub(super) fn of(kind: JobKind, ran: Result<Done, Failure>, stop: Option<Stop>) -> Self {
+        let is_whole = ran.as_ref().is_ok_and(|done| !done.is_canceled());
         match (stop, ran) {
             (Some(Stop::Canceled), _) => Self::without_files(End::Canceled),
             (Some(Stop::Lost), _) => Self::without_files(End::Lost),
             (Some(Stop::Shutdown), _) if !is_whole => Self::without_files(End::GivenBack),
-            (Some(Stop::TimeLimit), Err(_)) => Self::failed(time_limit()),
+            (Some(Stop::TimeLimit), Err(_)) => Self::failed(time_limit(kind)),
             (_, Err(failure)) => Self::failed(failure),
-            (stop, Ok(outcome)) => Self::of_outcome(&outcome, stop),
+            (stop, Ok(done)) => Self::of_done(&done, stop),
         }
     }
 
@@ -47,28 +42,29 @@ impl Ending {
         Self { files: None, end }
     }
 
-    fn of_outcome(outcome: &Outcome, stop: Option<Stop>) -> Self {
-        let end = match stop {
-            Some(Stop::TimeLimit) if outcome.canceled => End::Failed(time_limit()),
-            _ if outcome.report.converged && !outcome.canceled => End::Succeeded,
-            _ => End::Failed(Failure::new("fit/not_converged", &outcome.report.why)),
+    fn of_done(done: &Done, stop: Option<Stop>) -> Self {
+        let is_late = stop == Some(Stop::TimeLimit) && done.is_canceled();
+        let failure = if is_late {
+            Some(time_limit(done.kind()))
+        } else {
+            done.failure()
         };
-        match files(outcome) {
+        match done.files() {
             Ok(files) => Self {
                 files: Some(files),
-                end,
+                end: failure.map_or(End::Succeeded, End::Failed),
             },
-            Err(error) => Self::failed(Failure::new("fit/storage", error.to_string())),
+            Err(error) => Self::failed(Failure::new(done.kind(), "storage", error.to_string())),
         }
     }
 
-    /// Whether the fit is somebody else's now, so that its record is not to be touched.
+    /// Whether the job is somebody else's now, so that its record is not to be touched.
     pub(super) fn is_lost(&self) -> bool {
         matches!(self.end, End::Lost)
     }
 
-    /// Changes the record of a fit that runs into what it is after this.
-    pub(super) fn write(&self, record: &mut FitRecord) {
+    /// Changes the record of a job that runs into what it is after this.
+    pub(super) fn write(&self, record: &mut JobRecord) {
         record.error = None;
         record.finished_at = Some(Timestamp::now());
         match &self.end {
@@ -91,20 +87,10 @@ impl Ending {
     }
 }
 
-fn time_limit() -> Failure {
-    Failure::new(
-        "fit/time_limit",
-        "it used all the CPU time that one fit may use; a coarser mesh or a larger tolerance takes less",
-    )
-}
-
-fn files(outcome: &Outcome) -> serde_json::Result<Files> {
-    fn json(value: &impl Serialize) -> serde_json::Result<Vec<u8>> {
-        serde_json::to_vec(value)
-    }
-    Ok(vec![
-        (ResultFile::Mesh, json(&outcome.mesh)?),
-        (ResultFile::Report, json(&outcome.report)?),
-        (ResultFile::Scene, json(&outcome.scene)?),
-    ])
+fn time_limit(kind: JobKind) -> Failure {
+    let word = kind.as_str();
+    let detail = format!(
+        "it used all the CPU time that one {word} may use; a coarser mesh or a larger tolerance takes less"
+    );
+    Failure::new(kind, "time_limit", detail)
 }

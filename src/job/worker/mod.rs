@@ -1,4 +1,4 @@
-//! Threads that take fits from the store and run them.
+//! Threads that take jobs from the store and run them.
 
 mod attempt;
 mod bell;
@@ -26,7 +26,7 @@ const RENEWALS: u32 = 5;
 /// Stack of a worker \[bytes\]: nested factorisations and a deep bounding-volume tree fit many times.
 const STACK: usize = 16 << 20;
 
-/// Threads that take fits from a queue and run them, one at a time each.
+/// Threads that take jobs from a queue and run them, one at a time each.
 ///
 /// Beside the workers, one thread renews the leases, and one hears of cancelling; work on the workers cannot hold them up.
 pub struct WorkerPool {
@@ -75,9 +75,9 @@ impl WorkerPool {
         })
     }
 
-    /// Stops taking fits, gives running ones back to the queue and waits for the workers, at most `patience`.
+    /// Stops taking jobs, gives running ones back to the queue and waits for the workers, at most `patience`.
     ///
-    /// A run that does not stop in that time is left behind: the next start finds its fit.
+    /// A run that does not stop in that time is left behind: the next start finds its job.
     pub fn shutdown(self, patience: Duration) {
         self.shared.running.close();
         self.shared.bell.ring();
@@ -87,7 +87,7 @@ impl WorkerPool {
         let is_busy = |threads: &[JoinHandle<()>]| threads.iter().any(|one| !one.is_finished());
         while is_busy(&self.workers) || is_busy(&self.helpers) {
             if Instant::now() > deadline {
-                tracing::warn!("a fit did not stop in time and is left behind");
+                tracing::warn!("a job did not stop in time and is left behind");
                 return;
             }
             std::thread::sleep(Duration::from_millis(5));
@@ -109,10 +109,10 @@ fn spawn(
 }
 
 impl Shared {
-    /// Takes fits one after the other until the pool is shut down.
+    /// Takes jobs one after the other until the pool is shut down.
     fn work(&self) {
         loop {
-            // Before the queue is looked at: a fit that comes after that look still wakes this worker.
+            // Before the queue is looked at: a job that comes after that look still wakes this worker.
             let heard = self.bell.heard();
             if self.running.is_closed() {
                 return;
@@ -136,15 +136,15 @@ impl Shared {
             for lease in self.running.leases() {
                 match store.renew(&lease) {
                     Ok(true) => {}
-                    Ok(false) => self.running.stop(lease.fit, Stop::Lost),
+                    Ok(false) => self.running.stop(lease.job, Stop::Lost),
                     Err(error) => {
-                        tracing::error!(%error, fit = %lease.fit, "its lease is not renewed");
+                        tracing::error!(%error, job = %lease.job, "its lease is not renewed");
                     }
                 }
-                if let Ok(Some(record)) = store.fit(lease.fit)
+                if let Ok(Some(record)) = store.job(lease.job)
                     && record.cancel_requested
                 {
-                    self.running.stop(lease.fit, Stop::Canceled);
+                    self.running.stop(lease.job, Stop::Canceled);
                 }
             }
             self.running.wait_for_change(between);
@@ -156,7 +156,7 @@ impl Shared {
         while !self.running.is_closed() {
             match notices.recv_timeout(POLL) {
                 Ok(Notice::Queued) => self.bell.ring(),
-                Ok(Notice::Cancel(fit)) => self.running.stop(fit, Stop::Canceled),
+                Ok(Notice::Cancel(job)) => self.running.stop(job, Stop::Canceled),
                 Ok(_) | Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => return,
             }

@@ -14,7 +14,7 @@ pub(super) enum Stop {
     Canceled,
     /// It used its CPU time.
     TimeLimit,
-    /// Its lease ran out: the fit is somebody else's now.
+    /// Its lease ran out: the job is somebody else's now.
     Lost,
     /// The service shuts down.
     Shutdown,
@@ -48,7 +48,7 @@ pub(super) struct Running {
 
 #[derive(Default)]
 struct Runs {
-    by_fit: HashMap<Uuid, (Lease, StopFlag)>,
+    by_job: HashMap<Uuid, (Lease, StopFlag)>,
     closed: bool,
 }
 
@@ -60,27 +60,27 @@ impl Running {
         if runs.closed {
             flag.raise(Stop::Shutdown);
         }
-        runs.by_fit.insert(lease.fit, (lease, flag.clone()));
+        runs.by_job.insert(lease.job, (lease, flag.clone()));
         flag
     }
 
     /// Forgets a run.
     pub(super) fn end(&self, lease: &Lease) {
         let mut runs = self.lock();
-        // After a lost lease another worker of this process may have the fit.
+        // After a lost lease another worker of this process may have the job.
         if runs
-            .by_fit
-            .get(&lease.fit)
+            .by_job
+            .get(&lease.job)
             .is_some_and(|(one, _)| one == lease)
         {
-            runs.by_fit.remove(&lease.fit);
+            runs.by_job.remove(&lease.job);
         }
         self.changed.notify_all();
     }
 
-    /// Asks the run of a fit to stop, if it runs here.
-    pub(super) fn stop(&self, fit: Uuid, reason: Stop) {
-        if let Some((_, flag)) = self.lock().by_fit.get(&fit) {
+    /// Asks the run of a job to stop, if it runs here.
+    pub(super) fn stop(&self, job: Uuid, reason: Stop) {
+        if let Some((_, flag)) = self.lock().by_job.get(&job) {
             flag.raise(reason);
         }
     }
@@ -89,7 +89,7 @@ impl Running {
     pub(super) fn close(&self) {
         let mut runs = self.lock();
         runs.closed = true;
-        for (_, flag) in runs.by_fit.values() {
+        for (_, flag) in runs.by_job.values() {
             flag.raise(Stop::Shutdown);
         }
         self.changed.notify_all();
@@ -101,12 +101,12 @@ impl Running {
 
     pub(super) fn is_idle_and_closed(&self) -> bool {
         let runs = self.lock();
-        runs.closed && runs.by_fit.is_empty()
+        runs.closed && runs.by_job.is_empty()
     }
 
     pub(super) fn leases(&self) -> Vec<Lease> {
         self.lock()
-            .by_fit
+            .by_job
             .values()
             .map(|(lease, _)| *lease)
             .collect()
@@ -115,7 +115,7 @@ impl Running {
     /// Waits until a run ends or all are asked to stop, at most `time`.
     pub(super) fn wait_for_change(&self, time: Duration) {
         let runs = self.lock();
-        if !(runs.closed && runs.by_fit.is_empty()) {
+        if !(runs.closed && runs.by_job.is_empty()) {
             drop(self.changed.wait_timeout(runs, time));
         }
     }

@@ -1,7 +1,7 @@
 //! Where the vertices of the finer mesh lie in the coarser one.
 
 use super::super::ClothMesh;
-use super::super::geometry::{Point, area};
+use super::super::locate::barycentric;
 use super::choose::neighbours;
 
 /// For each finer vertex the corners of its coarse triangle, with barycentric coordinates; `number` is the coarse vertex that
@@ -56,13 +56,4 @@ pub(super) fn weights(
 
 fn smallest(weights: &[f64; 3]) -> f64 {
     weights.iter().copied().fold(f64::INFINITY, f64::min)
-}
-
-fn barycentric(p: Point, [a, b, c]: [Point; 3]) -> [f64; 3] {
-    let whole = area(a, b, c);
-    [
-        area(p, b, c) / whole,
-        area(a, p, c) / whole,
-        area(a, b, p) / whole,
-    ]
 }

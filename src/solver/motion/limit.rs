@@ -13,6 +13,10 @@ use nalgebra::Vector3;
 
 /// Lanczos products.
 const PRODUCTS: usize = 48;
+/// Lanczos products at most where the highest frequency itself is wanted, and its relative change over a tenth of them at which
+/// it counts as found.
+const MOST_PRODUCTS: usize = 600;
+const SETTLED: f64 = 1e-5;
 /// Share by which ω² may grow until the limit is looked at again.
 const STIFFENING: f64 = 0.05;
 /// Furthest that a particle is moved to take differences of forces \[m\]: far below an edge, far above rounding.
@@ -23,8 +27,8 @@ pub(crate) fn highest_square(system: &mut System<'_>, x: &[Vector3<f64>]) -> f64
     let contact = contact_square(system);
     set_taut(system, true);
     let unknowns = 3.0 * x.len() as f64;
-    let mut probe = Probe::new(system, x);
-    let (largest, products) = probe.lanczos();
+    let mut probe = Probe::new(system, x, false);
+    let (largest, products) = probe.lanczos(PRODUCTS, 0.0);
     set_taut(system, false);
     let k = products.max(2) as f64 - 1.0;
     let short = if (products as f64) < unknowns.min(PRODUCTS as f64) {
@@ -40,6 +44,14 @@ fn set_taut(system: &mut System<'_>, taut: bool) {
     for term in &mut system.terms {
         term.force.set_taut(taut);
     }
+}
+
+/// The square of the highest frequency of `system` at `x` with what touches the body there \[1/s²\], to about `SETTLED`: no
+/// bound, but what theory is compared by.
+pub(crate) fn highest_square_here(system: &mut System<'_>, x: &[Vector3<f64>]) -> f64 {
+    Probe::new(system, x, true)
+        .lanczos(MOST_PRODUCTS, SETTLED)
+        .0
 }
 
 /// Symplectic Euler with drag c is stable while h² ω² + 2 c h <= 4 \[s\].
@@ -70,21 +82,23 @@ fn contact_square(system: &System<'_>) -> f64 {
     squares.fold(0.0, f64::max)
 }
 
-/// Products of M^-½ H M^-½ with vectors, contact left out.
+/// Products of M^-½ H M^-½ with vectors, contact left out or not.
 struct Probe<'s, 'a, 'x> {
     system: &'s mut System<'a>,
     x: &'x [Vector3<f64>],
+    contact: bool,
     moved: Vec<Vector3<f64>>,
     here: Vec<Vector3<f64>>,
     there: Vec<Vector3<f64>>,
 }
 
 impl<'s, 'a, 'x> Probe<'s, 'a, 'x> {
-    fn new(system: &'s mut System<'a>, x: &'x [Vector3<f64>]) -> Self {
+    fn new(system: &'s mut System<'a>, x: &'x [Vector3<f64>], contact: bool) -> Self {
         let zero = vec![Vector3::zeros(); x.len()];
         let mut probe = Self {
             system,
             x,
+            contact,
             moved: x.to_vec(),
             here: zero.clone(),
             there: zero,
@@ -98,6 +112,9 @@ impl<'s, 'a, 'x> Probe<'s, 'a, 'x> {
         self.there.fill(Vector3::zeros());
         for term in &mut self.system.terms {
             term.force.add_force(&self.moved, &mut self.there);
+        }
+        if let Some(contact) = self.system.contact.as_mut().filter(|_| self.contact) {
+            crate::solver::forces::Force::add_force(contact, &self.moved, &mut self.there);
         }
         self.system.hold_still(&mut self.there);
     }
@@ -126,8 +143,11 @@ impl<'s, 'a, 'x> Probe<'s, 'a, 'x> {
         }
     }
 
-    /// The largest Ritz value, and the products that it took.
-    fn lanczos(&mut self) -> (f64, usize) {
+    /// The largest Ritz value, and the products that it took: `most`, or so many that a tenth of them changed it by less than
+    /// the share `settled`.
+    fn lanczos(&mut self, most: usize, settled: f64) -> (f64, usize) {
+        let look = most / 10;
+        let mut seen = 0.0;
         let count = self.x.len();
         let mut z = scattered(count);
         self.system.hold_still(&mut z);
@@ -135,7 +155,7 @@ impl<'s, 'a, 'x> Probe<'s, 'a, 'x> {
         let mut before = vec![Vector3::zeros(); count];
         let mut product = before.clone();
         let (mut diagonal, mut beside) = (Vec::new(), Vec::new());
-        for _ in 0..PRODUCTS.min(3 * count) {
+        for number in 1..=most.min(3 * count) {
             self.multiply(&z, &mut product);
             let alpha = dot(&z, &product);
             let beta = beside.last().copied().unwrap_or(0.0);
@@ -148,6 +168,13 @@ impl<'s, 'a, 'x> Probe<'s, 'a, 'x> {
             if rest <= 1e-6 * largest_eigenvalue(&diagonal, &beside).abs() {
                 break;
             }
+            if settled > 0.0 && number % look == 0 {
+                let largest = largest_eigenvalue(&diagonal, &beside);
+                if largest - seen <= settled * largest {
+                    break;
+                }
+                seen = largest;
+            }
             beside.push(rest);
             std::mem::swap(&mut before, &mut z);
             std::mem::swap(&mut z, &mut product);
@@ -158,7 +185,7 @@ impl<'s, 'a, 'x> Probe<'s, 'a, 'x> {
 }
 
 /// A vector that favours no direction, the same every time.
-fn scattered(count: usize) -> Vec<Vector3<f64>> {
+pub(super) fn scattered(count: usize) -> Vec<Vector3<f64>> {
     let mut seed = 1_u64;
     let mut number = || {
         seed = seed

@@ -17,6 +17,7 @@ mod needs;
 mod report;
 mod rest;
 mod run;
+mod stability;
 mod stepper;
 mod symplectic_euler;
 mod trajectory;
@@ -26,6 +27,7 @@ pub(crate) use needs::refuse;
 pub(crate) use rest::{Motion, run};
 
 pub use report::{Frame, MotionEnergy, MotionReport, Trajectory};
+pub use stability::{StableStep, allowed_step, stable_step};
 pub use trajectory::{Start, trajectory};
 
 use super::ask::Method;

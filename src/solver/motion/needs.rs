@@ -10,7 +10,8 @@ use super::{SAFETY, Settings, stepper};
 use crate::scene::Scene;
 use crate::solver::ask::{Method, SeamClose, Simulate};
 use crate::solver::assemble::{Stage, assemble};
-use crate::solver::level::{DRAPING_DRAG, SEAM_STIFFNESS, closed_stiffness};
+use crate::solver::closing::{SEAM_STIFFNESS, closed_stiffness};
+use crate::solver::settling::DRAG;
 use crate::solver::topology::Particles;
 use nalgebra::Vector3;
 
@@ -51,7 +52,7 @@ pub(crate) fn refuse(
             asked.unwrap_or(SAFETY * stable.min(LONGEST_EXPLICIT))
         }
     };
-    let drag = scene.drag.unwrap_or(DRAPING_DRAG);
+    let drag = scene.drag.unwrap_or(DRAG);
     if drag == 0.0 {
         return (explicit && scene.friction == 0.0).then(|| {
             "explicit steps without drag never come to rest: give the scene a drag, or ask for newton".to_owned()
@@ -72,8 +73,8 @@ fn stable_step(scene: &Scene, ask: &Simulate, clock: &dyn Fn() -> f64) -> f64 {
         particles: &particles,
         stitches: stay.then(|| (stitches.collect(), closed_stiffness(ask, SEAM_STIFFNESS))),
         gravity: false,
-        friction: false,
-        reuse: 0.0,
+        friction: None,
+        explicit: false,
     };
     let mut system = assemble(scene, ask, &stage, clock);
     let flat: Vec<_> = if scene.mesh.triangles.is_empty() {
@@ -83,7 +84,7 @@ fn stable_step(scene: &Scene, ask: &Simulate, clock: &dyn Fn() -> f64) -> f64 {
         uv.map(|p| Vector3::new(p[0], p[1], 0.0)).collect()
     };
     let settings = Settings {
-        drag: scene.drag.unwrap_or(DRAPING_DRAG),
+        drag: scene.drag.unwrap_or(DRAG),
         speed_limit: f64::INFINITY,
         residual: ask.tolerance,
     };

@@ -116,6 +116,8 @@ fn steps(
             number,
             residual,
             positions: x,
+            convex: true,
+            estimate_before: None,
         });
         match verdict {
             Verdict::Continue => {}

@@ -114,7 +114,7 @@ impl Run<'_, '_, '_> {
         let mut stepper = stepper(system, method, &settings)
             .map_err(|_| "there is no memory for the matrix factor: ask for longer mesh edges")?
             .ok_or("newton finds the shape at rest only: ask for another method, or a drape")?;
-        stepper.name().clone_into(&mut self.report.method);
+        method.name().clone_into(&mut self.report.method);
         self.report.step_bytes = stepper.step_bytes();
         let stable = stepper.stable_step(system, &state.x);
         self.report.stability_limit_s = stable.is_finite().then_some(stable);

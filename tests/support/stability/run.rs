@@ -130,7 +130,7 @@ pub(super) fn continued(scene: &Scene, ask: &Simulate, drape: &Drape) -> Drape {
         &limits,
         &CancelToken::new(),
         |_| {},
-        |context| solver::drape_on(scene, ask, &drape.positions, context),
+        |context| solver::drape_on(scene, ask, drape, context),
     )
 }
 

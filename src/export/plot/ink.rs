@@ -41,10 +41,12 @@ const BOWTIE: Shape = Shape::Polygon(&[[-1.0, -1.0], [-1.0, 1.0], [1.0, -1.0], [
 const KITE: Shape = Shape::Polygon(&[[0.0, -1.4], [0.8, 0.0], [0.0, 1.4], [-0.8, 0.0]]);
 
 /// Looks by the begin of a method's name; colours that differ in lightness too.
-const LOOKS: [(&str, Look); 9] = [
+const LOOKS: [(&str, Look); 11] = [
     ("newton, springs, seams", look_of("#7a4fa3", "2 3", SQUARE)),
     ("newton, springs", look_of("#0a7355", "", Shape::Circle)),
     ("newton, continuum", look_of("#12405c", "6 2", HEXAGON)),
+    ("newton", look_of("#12405c", "6 2", HEXAGON)),
+    ("auto", look_of("#0a7355", "", Shape::Circle)),
     ("symplectic_euler", look_of("#b0471f", "8 3", SQUARE)),
     ("verlet", look_of("#d08a00", "2 3", UPWARDS)),
     ("implicit_euler", look_of("#1f62b0", "8 3 2 3", DIAMOND)),
@@ -70,10 +72,10 @@ pub(super) fn look(name: &str) -> Look {
 }
 
 impl Look {
-    /// The attributes of its lines.
-    pub(super) fn stroke(&self) -> String {
+    /// The attributes of its lines of this width \[px\].
+    pub(super) fn stroke(&self, width: f64) -> String {
         format!(
-            "stroke=\"{}\" stroke-width=\"1.8\" stroke-dasharray=\"{}\"",
+            "stroke=\"{}\" stroke-width=\"{width}\" stroke-dasharray=\"{}\"",
             self.colour,
             if self.dashes.is_empty() {
                 "none"
@@ -83,28 +85,50 @@ impl Look {
         )
     }
 
-    /// A marker, filled or hollow.
-    pub(super) fn marker(&self, [x, y]: [f64; 2], filled: bool) -> String {
+    /// A marker, filled or hollow, `scale` times as large as others, with what a pointer on it is told.
+    pub(super) fn marker(
+        &self,
+        [x, y]: [f64; 2],
+        filled: bool,
+        (scale, tip): (f64, &str),
+    ) -> String {
+        let half = scale * HALF;
+        let tip = format!("<title>{}</title>", escaped(tip));
         let ink = format!(
             "fill=\"{}\" stroke=\"{}\" stroke-width=\"1.8\"",
             if filled { self.colour } else { SHEET },
             self.colour
         );
         match self.shape {
-            Shape::Circle => format!("<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{HALF}\" {ink}/>\n"),
+            Shape::Circle => format!(
+                "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{half:.1}\" {ink}>{tip}</circle>\n"
+            ),
             Shape::Polygon(corners) => {
                 let corner =
-                    |c: &[f64; 2]| format!("{:.1},{:.1}", x + HALF * c[0], y + HALF * c[1]);
+                    |c: &[f64; 2]| format!("{:.1},{:.1}", x + half * c[0], y + half * c[1]);
                 let corners: Vec<String> = corners.iter().map(corner).collect();
-                format!("<polygon points=\"{}\" {ink}/>\n", corners.join(" "))
+                format!(
+                    "<polygon points=\"{}\" {ink}>{tip}</polygon>\n",
+                    corners.join(" ")
+                )
             }
         }
     }
 }
 
-/// A text of the bench's own, in which nothing needs escaping.
+/// A text.
 pub(super) fn text(text: &str, [x, y]: [f64; 2], size: f64, anchor: &str) -> String {
     format!(
-        "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{size}\" text-anchor=\"{anchor}\" fill=\"{DARK}\">{text}</text>\n"
+        "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{size}\" text-anchor=\"{anchor}\" fill=\"{DARK}\">{}</text>\n",
+        escaped(text)
     )
+}
+
+/// A text as it stands between tags.
+pub(super) fn escaped(text: &str) -> String {
+    let plain = text.replace(|c: char| c.is_control(), " ");
+    plain
+        .replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
 }

@@ -1,0 +1,226 @@
+//! `/v1/studies`: error against run time of a garment; studies started, found, listed, canceled and drawn.
+
+use super::answer::Answer;
+use super::body::Hashed;
+use super::jobs::{self, Submission};
+use super::listing::{Asking, Id, JobsAsked};
+use super::problem::Problem;
+use super::state::{App, Shared};
+use crate::job::{JobKind, JobRecord, ResultFile, Status, StoreError, Work};
+use crate::progress::Progress;
+use crate::study::{self, Study, StudyAsked};
+use axum::extract::State;
+use axum::http::HeaderMap;
+use axum::response::Response;
+use axum::routing::get;
+use axum::{Json, Router};
+use jiff::Timestamp;
+use serde::Serialize;
+use serde_json::Value;
+use utoipa::ToSchema;
+use uuid::Uuid;
+
+pub(super) fn router() -> Router<App> {
+    Router::new()
+        .route("/v1/studies", get(list).post(create))
+        .route("/v1/studies/{id}", get(show).delete(cancel))
+        .route("/v1/studies/{id}/plot.svg", get(plot))
+        .route("/v1/studies/{id}/asked", get(asked))
+}
+
+/// One study, and what it comes to.
+#[derive(Clone, Debug, PartialEq, Serialize, ToSchema)]
+pub(super) struct StudyJob {
+    /// Its id.
+    pub id: Uuid,
+    /// What has become of it.
+    pub status: Status,
+    /// When it was submitted.
+    #[schema(value_type = String, format = DateTime)]
+    pub created_at: Timestamp,
+    /// When the present attempt began.
+    #[schema(value_type = Option<String>, format = DateTime)]
+    pub started_at: Option<Timestamp>,
+    /// When it came to its end.
+    #[schema(value_type = Option<String>, format = DateTime)]
+    pub finished_at: Option<Timestamp>,
+    /// How often it was begun.
+    pub attempts: u32,
+    /// How far it is.
+    pub progress: Progress,
+    /// Why it failed. One that was stopped at its limit of CPU time has its report all the same.
+    pub error: Option<Problem>,
+    /// Its result: null until it has ended, and left out of lists and events.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schema(value_type = Option<Study>)]
+    pub report: Option<Value>,
+    /// Where its parts are.
+    pub links: StudyLinks,
+}
+
+/// Where the parts of a study are.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, ToSchema)]
+pub(super) struct StudyLinks {
+    /// Work against precision, drawn.
+    pub plot: String,
+    /// What happens to it, as it happens.
+    pub events: String,
+    /// What was asked, complete in itself.
+    pub asked: String,
+    /// `DELETE` this to stop it.
+    pub cancel: String,
+}
+
+impl From<JobRecord> for StudyJob {
+    fn from(record: JobRecord) -> Self {
+        let own = jobs::path(JobKind::Study, record.id);
+        Self {
+            id: record.id,
+            status: record.status,
+            created_at: record.created_at,
+            started_at: record.started_at,
+            finished_at: record.finished_at,
+            attempts: record.attempts,
+            progress: record.progress,
+            error: record.error.map(Problem::from),
+            report: None,
+            links: StudyLinks {
+                plot: format!("{own}/plot.svg"),
+                events: format!("{own}/events"),
+                asked: format!("{own}/asked"),
+                cancel: own,
+            },
+        }
+    }
+}
+
+impl StudyJob {
+    /// The study with its report, as far as there is one.
+    fn whole(app: &Shared, record: JobRecord) -> Result<Self, Problem> {
+        let report = app.queue.file(&record, ResultFile::Report)?;
+        // Passed on as it was kept, so that those that an older version made are whole too.
+        let report = report.map(|json| serde_json::from_slice(&json));
+        let report = report
+            .transpose()
+            .map_err(|cause| StoreError::new("reading a study", cause))?;
+        Ok(Self {
+            report: Some(report.unwrap_or_default()),
+            ..record.into()
+        })
+    }
+}
+
+/// Studies, newest first, without their reports.
+#[derive(Clone, Debug, PartialEq, Serialize, ToSchema)]
+pub(super) struct StudyList {
+    /// The studies.
+    pub studies: Vec<StudyJob>,
+    /// `cursor` of the next page, if there is one.
+    pub next_cursor: Option<Uuid>,
+}
+
+/// Study a garment: error against run time over methods, steps or tolerances, and meshes
+#[utoipa::path(post, path = "/v1/studies", tag = "studies",
+    params(
+        ("Idempotency-Key" = Option<String>, Header, description = "The same key and request mean the same study"),
+        ("Prefer" = Option<String>, Header, description = "`wait=N`: answer when it has ended, after N seconds at most")),
+    request_body(content = StudyAsked),
+    responses(
+        (status = 200, description = "It has ended", body = StudyJob, headers(("Location", description = "The study"))),
+        (status = 202, description = "It is on the queue", body = StudyJob, headers(("Location", description = "The study"))),
+        (status = 413, description = "Too large", body = Problem, content_type = "application/problem+json"),
+        (status = 422, description = "Everything that keeps it from being done", body = Problem, content_type = "application/problem+json"),
+        (status = 503, description = "The queue is full", body = Problem, content_type = "application/problem+json", headers(("Retry-After", description = "Seconds")))))]
+pub(super) async fn create(
+    State(app): State<App>,
+    headers: HeaderMap,
+    Hashed(asked, digest): Hashed<StudyAsked>,
+) -> Result<Response, Problem> {
+    let submission = Submission::of(&app, JobKind::Study, &headers, digest)?;
+    let record = submission.submit(&app, move |app| {
+        let prepared = study::prepare(asked, app.catalogue(), app.limits())?;
+        Ok(Work::Study(Box::new(prepared.asked().clone())))
+    });
+    let record = record.await?;
+    app.blocking(move |app| {
+        let whole = StudyJob::whole(app, record.clone())?;
+        Ok(jobs::respond(&record, &whole, submission.wait))
+    })
+    .await?
+}
+
+/// The studies, newest first
+#[utoipa::path(get, path = "/v1/studies", tag = "studies", params(JobsAsked), responses(
+    (status = 200, description = "A part of the list", body = StudyList)))]
+pub(super) async fn list(
+    State(app): State<App>,
+    Asking(asked): Asking<JobsAsked>,
+) -> Result<Json<StudyList>, Problem> {
+    let page = asked.page()?;
+    let page = app.blocking(move |app| app.queue.jobs(JobKind::Study, &page));
+    let page = page.await??;
+    Ok(Json(StudyList {
+        studies: page.items.into_iter().map(StudyJob::from).collect(),
+        next_cursor: page.next,
+    }))
+}
+
+/// One study, with its report once it has ended
+#[utoipa::path(get, path = "/v1/studies/{id}", tag = "studies", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The study", body = StudyJob),
+    (status = 404, description = "There is none", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn show(State(app): State<App>, Id(id): Id) -> Result<Json<StudyJob>, Problem> {
+    let study = app.blocking(move |app| {
+        let record = jobs::found(app, JobKind::Study, id)?;
+        StudyJob::whole(app, record)
+    });
+    Ok(Json(study.await??))
+}
+
+/// Stop a study; stopping one that has ended changes nothing
+#[utoipa::path(delete, path = "/v1/studies/{id}", tag = "studies", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "It has ended", body = StudyJob),
+    (status = 202, description = "It will stop within a second", body = StudyJob),
+    (status = 404, description = "There is none", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn cancel(State(app): State<App>, Id(id): Id) -> Result<Response, Problem> {
+    app.blocking(move |app| {
+        let record = jobs::canceled(app, JobKind::Study, id)?;
+        let whole = StudyJob::whole(app, record.clone())?;
+        Ok(jobs::respond(&record, &whole, None))
+    })
+    .await?
+}
+
+/// Work against precision: CPU time across, solver error up, both logarithmic
+#[utoipa::path(get, path = "/v1/studies/{id}/plot.svg", tag = "studies", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The picture", content_type = "image/svg+xml", body = String),
+    (status = 404, description = "There is no such study, or it left no result", body = Problem, content_type = "application/problem+json"),
+    (status = 409, description = "The study has not ended yet", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn plot(
+    State(app): State<App>,
+    Id(id): Id,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let svg = app.heavy(move |app| drawn(app, id)).await??;
+    Answer::new(svg, "image/svg+xml").to(&headers)
+}
+
+fn drawn(app: &Shared, id: Uuid) -> Result<String, Problem> {
+    let json = jobs::file(app, JobKind::Study, id, ResultFile::Report)?;
+    let report: Study =
+        serde_json::from_slice(&json).map_err(|cause| StoreError::new("reading a study", cause))?;
+    Ok(study::plot_svg(&report))
+}
+
+/// What was asked, complete in itself: posted again, also to an empty service, it gives the same study
+#[utoipa::path(get, path = "/v1/studies/{id}/asked", tag = "studies", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "What was asked", body = StudyAsked),
+    (status = 404, description = "There is no such study", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn asked(
+    State(app): State<App>,
+    Id(id): Id,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let json = app.blocking(move |app| jobs::asked(app, JobKind::Study, id));
+    Answer::new(json.await??, "application/json").to(&headers)
+}

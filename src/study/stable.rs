@@ -1,0 +1,70 @@
+//! The stability limits of a study: for each method that steps, near the rest shape on each mesh.
+
+use super::report::StudyStability;
+use super::run::{StudyPlan, StudyScene, edges, name_of, steps};
+use super::work::Work;
+use crate::solver::{self, Method, Simulate};
+use nalgebra::Vector3;
+
+/// Parts of a study that the limit of one method counts as.
+const PARTS: f64 = 2.0;
+
+/// Parts of a study on one mesh.
+pub(super) fn parts(plan: &StudyPlan) -> f64 {
+    PARTS * plan.methods.iter().filter(|m| steps(**m)).count() as f64
+}
+
+/// The limit of every method that steps, near the shape `rest` \[m; `#V`\].
+pub(super) fn limits(
+    scene: &StudyScene,
+    plan: &StudyPlan,
+    rest: Option<&[Vector3<f64>]>,
+    work: &mut Work<'_, '_>,
+) -> Vec<StudyStability> {
+    let methods = plan.methods.iter().copied().filter(|m| steps(*m));
+    methods
+        .filter_map(|method| limit(scene, plan, method, rest, work))
+        .collect()
+}
+
+fn limit(
+    scene: &StudyScene,
+    plan: &StudyPlan,
+    method: Method,
+    rest: Option<&[Vector3<f64>]>,
+    work: &mut Work<'_, '_>,
+) -> Option<StudyStability> {
+    let what = format!(
+        "stability limit of {}, {}",
+        name_of(method),
+        edges(scene.edge_length_m)
+    );
+    let Some(rest) = rest else {
+        work.skip(PARTS);
+        work.leave_out(what, "there is no shape at rest to disturb");
+        return None;
+    };
+    let ask = Simulate {
+        method,
+        ..plan.simulate.clone()
+    };
+    let step = work.part(&what, PARTS, |context, time| {
+        let ask = Simulate {
+            time_limit_s: Some(time),
+            ..ask
+        };
+        solver::stable_step(&scene.scene, &ask, rest, context)
+    })?;
+    if step.stopped {
+        work.leave_out(what, "the time allowed was up");
+        return None;
+    }
+    Some(StudyStability {
+        method,
+        edge_length_m: scene.edge_length_m,
+        found_s: step.found_s,
+        theory_s: step.theory_s,
+        tried_s: step.tried_s,
+        because: step.because,
+    })
+}
