@@ -43,14 +43,22 @@ pub(super) fn cases() -> Vec<Case> {
             Made::drape(planar(change), Method::Newton)
         }));
         for method in [Method::ImplicitEuler, Method::SymplecticEuler] {
-            cases.push(Case::new(
-                format!("start: {name}, {}", word(method)),
-                move || {
-                    let mut scene = hung(poplin(), 8);
-                    change(&mut scene);
-                    Made::drape(scene, method).asking(|ask| ask.tolerance = 1e-3)
-                },
-            ));
+            let case = Case::new(format!("start: {name}, {}", word(method)), move || {
+                let mut scene = hung(poplin(), 8);
+                change(&mut scene);
+                Made::drape(scene, method).asking(|ask| {
+                    ask.tolerance = 1e-3;
+                    ask.time_limit_s = Some(3.0);
+                })
+            });
+            // Crumpled cloth is stiff to one side everywhere: even short steps drive it for long.
+            let rings = name == "collapsed to a line" && method == Method::SymplecticEuler;
+            cases.push(if rings {
+                case.expect(Expect::NotConverged("the time allowed was up"))
+                    .whole_only()
+            } else {
+                case
+            });
         }
     }
     cases.extend(tubes().map(|(name, change, expect)| {
