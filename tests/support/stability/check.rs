@@ -135,6 +135,8 @@ fn estimate(scene: &Scene, ask: &Simulate, drape: &Drape, line: &mut Line) {
     let pairs = drape.positions.iter().zip(&reference.positions);
     let square: f64 = pairs.map(|(a, b)| (a - b).norm_squared()).sum();
     let error = (square / drape.positions.len() as f64).sqrt();
+    // The reference is off by its own estimate: a distance below that says nothing.
+    let error = error.max(reference.report.error_estimate_m.unwrap_or(0.0));
     line.error_m = Some(error);
     // a shape at the floor is its own reference: what moves then is rounding
     let floors = drape.report.residual / drape.report.residual_floor;
