@@ -6,6 +6,8 @@
 //! line has both.
 
 mod line;
+#[path = "../../tests/support/marked.rs"]
+mod marked;
 mod plan;
 mod plot;
 mod run;

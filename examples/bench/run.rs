@@ -6,20 +6,18 @@
 use crate::line::Line;
 use crate::plan::Run;
 use crate::scenes;
-use nalgebra::Vector3;
 use rustix::time::{ClockId, clock_gettime};
 use seamster::config::Limits;
 use seamster::progress::CancelToken;
 use seamster::scene::Scene;
-use seamster::solver::{self, Context, Drape, Method, Simulate};
+use seamster::solver::{self, Context, Drape, Method, Simulate, rms_distance};
+use seamster::study::Rest;
 use serde_json::{Value, json};
 use std::time::Instant;
 
 /// Runs shorter than this are repeated \[CPU s\], so often at most.
 const SHORT: f64 = 0.5;
 const REPEATS: usize = 5;
-/// Residual asked of the reference: below any floor, which then is what stops it.
-const TO_THE_FLOOR: f64 = 1e-300;
 /// CPU time allowed to a reference \[s\].
 const REFERENCE_LIMIT: f64 = 20.0;
 
@@ -79,39 +77,33 @@ pub(crate) fn measured(run: &Run) -> Option<Line> {
     // A shape whose seams are still open has no rest shape to go on to.
     let sewn = report.seam_gap_max_m < ask.seam_eps_m;
     if (scene.friction == 0.0 || scene.body.is_none()) && sewn {
-        refer(&scene, &ask, &timed.drape.positions, run.confirm, &mut line);
+        refer(&scene, &ask, &timed.drape, run.confirm, &mut line);
     }
     Some(line)
 }
 
 /// Fills in the distance from the reference.
-fn refer(scene: &Scene, ask: &Simulate, stopped: &[Vector3<f64>], confirm: bool, line: &mut Line) {
+fn refer(scene: &Scene, ask: &Simulate, stopped: &Drape, confirm: bool, line: &mut Line) {
     let on_by = |method: Method| {
         let ask = Simulate {
             method,
-            tolerance: TO_THE_FLOOR,
             time_limit_s: Some(REFERENCE_LIMIT),
             ..ask.clone()
         };
-        let drape = with_context(|context| solver::drape_on(scene, &ask, stopped, context));
-        // a method that there is not yet is done by another, which would agree with itself
-        (drape.report.converged && drape.report.method == name(&method)).then_some(drape)
+        with_context(|context| Rest::of(scene, &ask, stopped, context))
     };
     let Some(reference) = on_by(Method::Newton) else {
         return;
     };
-    let moved = rms_distance(stopped, &reference.positions);
-    // Two shapes that are both at the floor say nothing of the distance to the exact one: the estimate bounds it.
-    line.error_m = reference
-        .report
-        .error_estimate_m
-        .map(|estimate| moved.max(estimate));
-    line.reference_moved_m = Some(moved);
-    line.reference_floors = Some(reference.report.residual / reference.report.residual_floor);
+    let report = &reference.drape.report;
+    line.error_m = report.error_estimate_m.map(|_| reference.error_m());
+    line.reference_moved_m = Some(reference.moved_m);
+    line.reference_floors = Some(report.residual / report.residual_floor);
     // a reference that is the stopped shape itself would be confirmed by anything
-    if confirm && moved > 0.0 {
+    if confirm && reference.moved_m > 0.0 {
         let second = SECOND.into_iter().find_map(on_by);
-        line.reference_apart_m = second.map(|s| rms_distance(&s.positions, &reference.positions));
+        let apart = |s: Rest| rms_distance(&s.drape.positions, &reference.drape.positions);
+        line.reference_apart_m = second.map(apart);
     }
 }
 
@@ -171,11 +163,6 @@ fn memory_peak_bytes() -> u64 {
     let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
     let kilobytes = peak.and_then(|peak| peak.split_whitespace().next()?.parse::<u64>().ok());
     1024 * kilobytes.unwrap_or(0)
-}
-
-fn rms_distance(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
-    let squares = x.iter().zip(y).map(|(x, y)| (x - y).norm_squared());
-    (squares.sum::<f64>() / x.len() as f64).sqrt()
 }
 
 /// The name that an enum has in JSON.

@@ -1,15 +1,11 @@
 //! The lines as a table for people, in Markdown or one by one.
 
 use crate::line::Line;
-use crate::summary;
+use crate::{marked, summary};
 use serde_json::Value;
 use std::fmt::Write;
 use std::path::Path;
 use std::{fs, io};
-
-/// The table stands between these in a file.
-const BEGIN: &str = "<!-- bench: begin -->";
-const END: &str = "<!-- bench: end -->";
 
 const HEAD: &str = "| scene | vertices | method | setting | CPU s | iterations | r | error mm | estimate mm | gap mm | penetration mm | strain % | energy J | memory MB |
 |---|---:|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|
@@ -17,17 +13,7 @@ const HEAD: &str = "| scene | vertices | method | setting | CPU s | iterations |
 
 /// Replaces the table in `file` by one of these lines.
 pub(crate) fn write(file: &Path, lines: &[Line]) -> io::Result<()> {
-    let text = fs::read_to_string(file)?;
-    let parts = text.split_once(BEGIN).and_then(|(before, rest)| {
-        let (_, after) = rest.split_once(END)?;
-        Some((before, after))
-    });
-    let Some((before, after)) = parts else {
-        let why = format!("{} has no {BEGIN} with {END} after it", file.display());
-        return Err(io::Error::new(io::ErrorKind::InvalidData, why));
-    };
-    let table = markdown(lines);
-    fs::write(file, format!("{before}{BEGIN}\n{table}{END}{after}"))
+    marked::replace(file, "bench", &markdown(lines))
 }
 
 fn markdown(lines: &[Line]) -> String {

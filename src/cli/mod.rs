@@ -2,9 +2,11 @@
 
 mod faults;
 mod health;
+mod input;
 mod output;
 mod serve;
 mod sew;
+mod study;
 
 use clap::{Parser, Subcommand};
 use seamster::config::{Config, Logging};
@@ -35,6 +37,8 @@ enum Command {
     Worker,
     /// Sew one garment, without a server
     Sew(Box<sew::SewAsked>),
+    /// Compare methods, settings and meshes on one garment: error against run time
+    Study(Box<study::StudyCommand>),
     /// Ask the service on this machine whether it is ready
     Health(Box<Config>),
     /// Print the description of the service, openapi.json
@@ -61,6 +65,7 @@ pub(crate) fn run() -> ExitCode {
             "the sqlite store is for one process: its workers run inside `seamster serve` (see --workers)",
         ),
         Command::Sew(asked) => sew::sew(&asked),
+        Command::Study(asked) => study::study(&asked),
         Command::Health(config) => health::health(&config),
         Command::Openapi => print(&seamster::http::openapi_json()),
         Command::Schema => print(&seamster::fit::garment_schema_json()),

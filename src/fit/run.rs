@@ -7,7 +7,7 @@ use crate::fault::{Fault, Faults};
 use crate::mesh::{self, ClothMesh};
 use crate::scene::{self, Avatar, Body, Cut, PanelParts, Parts, Scene, ToPlace};
 use crate::seam::Face;
-use crate::solver::{self, Context, Report};
+use crate::solver::{self, Context, Report, Simulate};
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -37,7 +37,7 @@ pub fn run(prepared: &Prepared, context: &mut Context<'_>) -> Result<Outcome, Fa
     let meshed = (context.cpu_s)();
     let scene = assemble(prepared, cloth)?;
     let assembled = (context.cpu_s)();
-    let drape = solver::drape(&scene, simulate, context);
+    let drape = solver::drape(&scene, &within(simulate, assembled - began), context);
     let solved = (context.cpu_s)();
     let mesh = garment_mesh(prepared, &scene, &drape.positions);
     let mut report = drape.report;
@@ -46,12 +46,22 @@ pub fn run(prepared: &Prepared, context: &mut Context<'_>) -> Result<Outcome, Fa
     report.cpu_s.export = (context.cpu_s)() - solved;
     report.cpu_s.total = (context.cpu_s)() - began;
     report.memory_peak_bytes = memory_peak();
+    report.plan.time_limit_s = simulate.time_limit_s;
     report.warnings = prepared.warnings().to_vec();
     Ok(Outcome {
         mesh,
         report,
         canceled: drape.canceled,
     })
+}
+
+/// The same with the CPU time that was spent already taken off what is allowed \[s\].
+fn within(asked: &Simulate, spent: f64) -> Simulate {
+    let left = |limit: f64| (limit - spent).max(0.0);
+    Simulate {
+        time_limit_s: asked.time_limit_s.map(left),
+        ..asked.clone()
+    }
 }
 
 /// The assembled scene of a prepared garment, before anything moves.

@@ -90,6 +90,25 @@ pub enum Method {
     Newton,
 }
 
+impl Method {
+    /// The word for it in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Auto => "auto",
+            Self::SymplecticEuler => "symplectic_euler",
+            Self::Verlet => "verlet",
+            Self::ImplicitEuler => "implicit_euler",
+            Self::Bdf2 => "bdf2",
+            Self::Newton => "newton",
+        }
+    }
+
+    /// Whether it steps from one time to the next without solving equations.
+    pub fn is_explicit(self) -> bool {
+        matches!(self, Self::SymplecticEuler | Self::Verlet)
+    }
+}
+
 /// What becomes of a seam when its gap is closed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]

@@ -1,5 +1,6 @@
 //! The same scene on ever coarser meshes, and shapes carried from one to the next finer.
 
+use super::softer::softer;
 use crate::scene::{CoarserScene, Scene, coarser};
 use nalgebra::Vector3;
 
@@ -19,9 +20,14 @@ impl<'s> Cascade<'s> {
         }
     }
 
-    /// All levels worth having.
+    /// All levels worth having; of stiff cloth, softer ones of the same mesh come before the scene itself.
     pub(super) fn new(finest: &'s Scene) -> Self {
-        let mut levels: Vec<CoarserScene> = vec![];
+        let same_mesh = |scene: Scene| CoarserScene {
+            finer: (0..scene.start.len()).collect(),
+            weights: vec![],
+            scene,
+        };
+        let mut levels: Vec<CoarserScene> = softer(finest).into_iter().map(same_mesh).collect();
         while let Some(next) = coarser(levels.last().map_or(finest, |level| &level.scene)) {
             levels.push(next);
         }
@@ -34,6 +40,17 @@ impl<'s> Cascade<'s> {
     /// Number of the coarsest level; the finest is 0.
     pub(super) fn coarsest(&self) -> usize {
         self.coarser.len()
+    }
+
+    /// Vertices of each level, coarsest first.
+    pub(super) fn sizes(&self) -> Vec<usize> {
+        let levels = (0..=self.coarsest()).rev();
+        levels.map(|level| self.scene(level).start.len()).collect()
+    }
+
+    /// Whether a level is the next finer one's mesh, of softer cloth.
+    pub(super) fn is_softer(&self, level: usize) -> bool {
+        level > 0 && self.coarser[level - 1].weights.is_empty()
     }
 
     /// The scene on a level.
@@ -50,6 +67,9 @@ impl<'s> Cascade<'s> {
     /// corner i: exact for quadratic shapes where the gradients are, so that bent cloth is handed on bent and not faceted.
     pub(super) fn refine(&self, level: usize, x: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
         let coarse = &self.coarser[level - 1];
+        if self.is_softer(level) {
+            return x.to_vec();
+        }
         let fine = self.scene(level - 1);
         let gradients = gradients(&coarse.scene, x);
         let rest = &coarse.scene.mesh.uv;

@@ -12,14 +12,15 @@ pub(crate) fn seam_gap(stitches: &[(usize, usize)], x: &[Vector3<f64>]) -> f64 {
         .sqrt()
 }
 
-/// RMS distance between two shapes \[m\].
-pub(crate) fn rms_distance(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
-    (x.iter()
-        .zip(y)
-        .map(|(x, y)| (x - y).norm_squared())
-        .sum::<f64>()
-        / x.len().max(1) as f64)
-        .sqrt()
+/// RMS length of the vectors that `of` gives for each index below `count`.
+pub(crate) fn rms(count: usize, of: impl Fn(usize) -> Vector3<f64>) -> f64 {
+    let sum: f64 = (0..count).map(|i| of(i).norm_squared()).sum();
+    (sum / count.max(1) as f64).sqrt()
+}
+
+/// RMS distance between two shapes \[m; `#V` each\].
+pub fn rms_distance(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
+    rms(x.len(), |i| x[i] - y[i])
 }
 
 /// Largest principal stretch of any triangle, less 1; the largest strain of any given spring where there are no triangles.

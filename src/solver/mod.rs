@@ -4,6 +4,7 @@ mod ask;
 mod assemble;
 mod cascade;
 mod cholesky;
+mod closing;
 mod contact;
 mod dissection;
 mod drape;
@@ -12,24 +13,32 @@ mod level;
 mod measure;
 mod motion;
 mod newton;
+mod plan;
 mod report;
+mod settling;
 mod skew;
+mod softer;
 mod sparsity;
 mod stage;
 mod summary;
 mod system;
 mod topology;
 mod trace;
+mod unfinished;
+mod way;
 
 pub use ask::{Membrane, Method, SeamClose, Simulate, Want};
 pub use assemble::{kept_distance, springs};
-pub use contact::{contact_force, contact_pressure};
+pub use contact::{Anchors, contact_force, contact_pressure};
 pub use drape::{drape, drape_on};
+pub use measure::rms_distance;
 pub use motion::{
     Frame, MotionEnergy, MotionReport, StableStep, Start, Trajectory, allowed_step, stable_step,
     trajectory,
 };
-pub use report::{CpuSeconds, Energy, ErrorPoint, LeftOut, Report, Term, Worn};
+pub use report::{
+    Advice, CpuSeconds, Energy, ErrorPoint, LeftOut, LevelReport, Plan, Report, Term, Worn,
+};
 
 use crate::config::Limits;
 use crate::progress::{CancelToken, Progress};
@@ -40,10 +49,24 @@ use nalgebra::Vector3;
 pub struct Drape {
     /// Position of each vertex \[m\]; `#V`. The best shape so far where it did not converge.
     pub positions: Vec<Vector3<f64>>,
+    /// Where friction holds it.
+    pub anchors: Anchors,
     /// How far to trust it.
     pub report: Report,
     /// Whether it was stopped by the cancel token.
     pub canceled: bool,
+}
+
+impl Drape {
+    /// A shape \[m; `#V`\] of which nothing else is known.
+    pub fn of_shape(positions: &[Vector3<f64>]) -> Self {
+        Self {
+            positions: positions.to_vec(),
+            anchors: Anchors::default(),
+            report: Report::default(),
+            canceled: false,
+        }
+    }
 }
 
 /// What a computation may use of the world outside.

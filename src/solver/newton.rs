@@ -5,14 +5,16 @@
 //! Numer. Anal. 35(2), 1998). γ grows while the model predicts well and shrinks where it does not.
 //!
 //! # Ladder
-//! The true second derivative first; its convex part where that has no Cholesky factor; a diagonal shift where that has none
-//! either. A line search on the energy accepts or shortens the step, and no particle moves further than 4 cm at once.
+//! The true second derivative first. Where that has no Cholesky factor, a share of what may make it indefinite is left out,
+//! doubled until there is a factor; a diagonal shift where leaving out all of it does not do. A line search on the energy
+//! accepts or shortens the step, and no particle moves further than 4 cm at once.
 //!
 //! # Guarantees
-//! Apart from friction, whose normal forces are lagged, and wind, which has none, the energy never rises. Stops at the residual asked for, at the
-//! round-off floor, at the limit of iterations or time, or when canceled, and says which.
+//! Apart from friction, whose normal forces are lagged, and wind, which has no energy, the energy never rises. Stops at the
+//! residual asked for, at the round-off floor, at the limit of iterations or time, or when canceled, and says which.
 
 use super::cholesky::BlockCholesky;
+use super::measure::rms;
 use super::skew::SkewSolver;
 use super::sparsity::{BlockMatrix, Sparsity};
 use super::system::System;
@@ -34,6 +36,8 @@ const SUFFICIENT: f64 = 1e-4;
 const BACKTRACK_CONVEXITY: f64 = 0.4;
 /// Smallest share of the indefinite part that is left out, if any is.
 const LEAST_CONVEXITY: f64 = 0.02;
+/// Largest share of the proximal term in the curvature along a step whose length still is the distance to the solution.
+const PROXIMAL_SHARE: f64 = 0.1;
 
 /// Why an iteration stopped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,6 +62,10 @@ pub(crate) struct Iteration<'a> {
     pub(crate) number: usize,
     pub(crate) residual: f64,
     pub(crate) positions: &'a [Vector3<f64>],
+    /// Whether the shape of the iteration before was in a valley of the energy, as far as that was looked at.
+    pub(crate) convex: bool,
+    /// Estimate of how far the shape of the iteration before was from the solution \[m, RMS\], where its step told.
+    pub(crate) estimate_before: Option<f64>,
 }
 
 /// What a caller decides after each iteration.
@@ -90,7 +98,11 @@ pub(crate) struct Newton {
     trial: Vec<Vector3<f64>>,
     gamma: f64,
     convexity: f64,
+    /// Whether the last factor was that of the true second derivative.
+    was_convex: bool,
     touching: Vec<bool>,
+    /// Length of the last full step \[m, RMS\], if it is that to the solution.
+    estimate: Option<f64>,
     pub(crate) rungs: Rungs,
     /// Steps taken.
     pub(crate) iterations: usize,
@@ -115,7 +127,9 @@ impl Newton {
             gamma: first_gamma,
             iterations: 0,
             convexity: 0.0,
+            was_convex: true,
             touching: Vec::new(),
+            estimate: None,
             rungs: Rungs::default(),
             contact_settled: true,
         })
@@ -130,9 +144,8 @@ impl Newton {
         judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
     ) -> Stop {
         for number in 0..limit {
-            system.accept(x);
+            let slipped = system.accept(x);
             if let Some(contact) = &mut system.contact {
-                let slipped = contact.accept(x);
                 let touching = contact.touching(x);
                 self.contact_settled = !slipped && touching == self.touching;
                 self.touching = touching;
@@ -146,6 +159,8 @@ impl Newton {
                 number,
                 residual,
                 positions: x,
+                convex: self.was_convex,
+                estimate_before: self.estimate.take(),
             }) {
                 Verdict::Continue => {}
                 Verdict::Reached => return Stop::Reached,
@@ -157,6 +172,11 @@ impl Newton {
             }
         }
         Stop::Iterations
+    }
+
+    /// Whether the second derivative had a factor in the last step.
+    pub(crate) fn is_convex(&self) -> bool {
+        self.was_convex
     }
 
     /// ‖H⁻¹ f‖ over the particles \[m, RMS\], with whether H is positive definite: the distance to the solution of this mesh.
@@ -172,10 +192,7 @@ impl Newton {
             .factorise(&self.sparsity, &self.hessian)
             .ok()?;
         self.solve(system, x);
-        Some(
-            (self.step.iter().map(Vector3::norm_squared).sum::<f64>() / self.step.len() as f64)
-                .sqrt(),
-        )
+        Some(rms(x.len(), |i| self.step[i]))
     }
 
     /// One step; false if there is none that lowers the energy.
@@ -196,12 +213,16 @@ impl Newton {
                 }
                 continue;
             }
-            self.rungs.true_hessian |= self.convexity == 0.0;
+            let is_true = self.convexity == 0.0;
+            self.rungs.true_hessian |= is_true;
+            self.was_convex = is_true;
             self.convexity *= if failed { 0.9 } else { 0.5 };
             if self.convexity < LEAST_CONVEXITY {
                 self.convexity = 0.0;
             }
-            if self.search(system, x, energy) {
+            let found = self.search(system, x, energy);
+            self.estimate = self.estimate.filter(|_| is_true);
+            if found {
                 return true;
             }
             self.rungs.smaller_step = true;
@@ -257,6 +278,8 @@ impl Newton {
             .map(|(d, f)| d.dot(f))
             .sum();
         let curvature = self.hessian.quadratic_form(&self.sparsity, &self.step);
+        self.estimate = (self.proximal(system) <= PROXIMAL_SHARE * curvature)
+            .then(|| rms(x.len(), |i| self.step[i]));
         let mut share = (LARGEST_MOVE / longest).min(1.0);
         // Differences of energy below this are rounding: the model is trusted instead.
         let rounding = 64.0 * f64::EPSILON * energy.abs() * (x.len() as f64).sqrt();
@@ -274,6 +297,12 @@ impl Newton {
             share *= 0.5;
         }
         false
+    }
+
+    /// What the proximal term adds to the curvature along the step.
+    fn proximal(&self, system: &System<'_>) -> f64 {
+        let moved = self.step.iter().zip(&system.mass);
+        moved.map(|(d, m)| m * d.norm_squared()).sum::<f64>() / (self.gamma * self.gamma)
     }
 
     /// γ grows where the model foretold the energy well. Where only a share of the step could be taken, the model was too soft

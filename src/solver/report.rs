@@ -19,8 +19,15 @@ pub struct Report {
     pub error_estimate_m: Option<f64>,
     /// Whether the conditions under which the estimate holds were met.
     pub error_estimate_valid: bool,
-    /// Estimate of the distance to the solution on an ever finer mesh \[m\].
+    /// What the estimate is made of, and how far it is to be trusted.
+    #[serde(default)]
+    pub error_estimate_because: String,
+    /// Estimate of the distance to the solution on an ever finer mesh \[m\], apart from the solver's error: how far the shape
+    /// moved when it went from the mesh of a third of the vertices to this one.
     pub mesh_error_m: Option<f64>,
+    /// What to change to halve the error, and what that would cost.
+    #[serde(default)]
+    pub to_halve_the_error: Option<Advice>,
     /// Energy by term.
     pub energy_j: Energy,
     /// Largest distance between the two points of any stitch \[m\].
@@ -46,6 +53,12 @@ pub struct Report {
     /// Newton iterations on all levels.
     #[serde(default)]
     pub newton_iterations: usize,
+    /// What was planned and expected.
+    #[serde(default)]
+    pub plan: Plan,
+    /// The levels that ran, coarsest first.
+    #[serde(default)]
+    pub levels: Vec<LevelReport>,
     /// CPU time by stage.
     pub cpu_s: CpuSeconds,
     /// Largest resident memory of the process \[bytes\].
@@ -85,6 +98,47 @@ pub struct Worn {
     pub ok: bool,
     /// Why, in words.
     pub because: String,
+}
+
+/// What was planned and expected, against what came of it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct Plan {
+    /// Vertices of each mesh that was to be solved, coarsest first.
+    pub levels: Vec<usize>,
+    /// CPU time allowed \[s\].
+    pub time_limit_s: Option<f64>,
+    /// CPU time that sewing and draping were expected to take when the coarsest mesh had been solved \[s\].
+    pub expected_cpu_s: Option<f64>,
+    /// What came of it, in words.
+    pub outcome: String,
+}
+
+/// A change of one field of `simulate`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct Advice {
+    /// The field.
+    pub field: String,
+    /// What its value is to be multiplied by.
+    pub factor: f64,
+    /// CPU time that the whole run is then expected to take \[s\].
+    pub cpu_s: f64,
+    /// Why, in words.
+    pub because: String,
+}
+
+/// One level of the cascade of meshes.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct LevelReport {
+    /// Vertices of its mesh.
+    pub vertices: usize,
+    /// Newton iterations on it.
+    pub newton_iterations: usize,
+    /// CPU time on it \[s\].
+    pub cpu_s: f64,
+    /// r where it was left.
+    pub residual: f64,
+    /// RMS distance between the shape that the coarser level handed on and where it was left \[m\].
+    pub moved_m: Option<f64>,
 }
 
 /// A term that ran.

@@ -27,13 +27,21 @@ pub(super) struct Bounds {
     pub(super) steps: u64,
 }
 
-/// Runs one stage by motion if `motion` is given, else by Newton's method.
+/// How a stage is run.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct How {
+    /// By motion, if it is given; else by Newton's method.
+    pub(super) motion: Option<Motion>,
+    /// γ that Newton's method begins with \[s\].
+    pub(super) first_gamma: f64,
+    pub(super) bounds: Bounds,
+}
+
+/// Runs one stage.
 pub(super) fn run(
     system: &mut System<'_>,
     x: &mut [Vector3<f64>],
-    motion: Option<Motion>,
-    bounds: Bounds,
-    first_gamma: f64,
+    how: How,
     judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
 ) -> (Ended, Option<Newton>) {
     let ended = |stop| Ended {
@@ -44,9 +52,16 @@ pub(super) fn run(
         fell: false,
         too_long: None,
     };
-    if let Some(motion) = motion {
-        return match motion::run(system, x, motion, bounds.steps, judge) {
-            Ok(stop) => (ended(stop), None),
+    if let Some(motion) = how.motion {
+        return match motion::run(system, x, motion, how.bounds.steps, judge) {
+            Ok(moved) => {
+                let rungs = Rungs {
+                    smaller_step: moved.shorter,
+                    ..Rungs::default()
+                };
+                let ended = ended(moved.stop);
+                (Ended { rungs, ..ended }, None)
+            }
             Err(stable) => (
                 Ended {
                     too_long: Some(stable),
@@ -56,9 +71,9 @@ pub(super) fn run(
             ),
         };
     }
-    match Newton::new(system, first_gamma) {
+    match Newton::new(system, how.first_gamma) {
         Ok(mut newton) => {
-            let stop = newton.run(system, x, bounds.iterations, judge);
+            let stop = newton.run(system, x, how.bounds.iterations, judge);
             (
                 Ended {
                     rungs: newton.rungs,

@@ -63,11 +63,12 @@ impl System<'_> {
         self.hold_still(out);
     }
 
-    /// Tells the terms of an accepted shape.
-    pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) {
+    /// Tells the terms of an accepted shape. Whether anything slipped on the body.
+    pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
         for term in &mut self.terms {
             term.force.accept(x);
         }
+        self.contact.as_mut().is_some_and(|c| c.accept(x))
     }
 
     /// Tells the terms how the particles move \[m/s\] at `time` \[s\]; without it they rest in the mean wind.
@@ -157,10 +158,15 @@ impl System<'_> {
         sum
     }
 
+    /// Mean weight of a particle under standard gravity \[N\].
+    fn mean_weight(&self) -> f64 {
+        self.mass.iter().sum::<f64>() * STANDARD_GRAVITY / self.particle_count().max(1) as f64
+    }
+
     /// `r = sqrt(sum |f_i|² / n) / (M 9.80665 / n)`: the net force on a particle over its weight.
     pub(crate) fn residual(&self, force: &[Vector3<f64>]) -> f64 {
         let count = force.len() as f64;
-        let weight = self.mass.iter().sum::<f64>() * STANDARD_GRAVITY / count;
+        let weight = self.mean_weight();
         (force.iter().map(Vector3::norm_squared).sum::<f64>() / count).sqrt() / weight
     }
 
@@ -168,7 +174,7 @@ impl System<'_> {
     pub(crate) fn residual_floor(&mut self, x: &[Vector3<f64>]) -> f64 {
         let stiffness = self.stiffness();
         let count = x.len() as f64;
-        let weight = self.mass.iter().sum::<f64>() * STANDARD_GRAVITY / count;
+        let weight = self.mean_weight();
         // Each of the ~10 differences that make up a force is rounded on its own, so the errors add as squares.
         let rounding = stiffness
             .iter()

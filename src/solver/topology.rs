@@ -42,6 +42,15 @@ impl Particles {
         Self { of_vertex, count }
     }
 
+    /// The pairs of vertices that are two particles.
+    pub(crate) fn pairs(&self, of_vertices: &[(usize, usize)]) -> Vec<(usize, usize)> {
+        let pairs = of_vertices.iter();
+        pairs
+            .map(|&(a, b)| (self.of_vertex[a], self.of_vertex[b]))
+            .filter(|(a, b)| a != b)
+            .collect()
+    }
+
     /// Sum over the vertices of each particle.
     pub(crate) fn sum(&self, of_vertex: &[f64]) -> Vec<f64> {
         let mut sum = vec![0.0; self.count];

@@ -1,20 +1,13 @@
-//! The way of one run to its final shape: progress told, snapshots kept, the verdict on going on.
+//! Watches a run: tells how far it is, keeps its way, and gives the verdict on going on.
 
 use super::Context;
-use super::measure::rms_distance;
 use super::newton::Verdict;
-use super::report::ErrorPoint;
+use super::way::{ToGo, Way};
 use crate::progress::Progress;
 use nalgebra::Vector3;
 
-/// Snapshots kept at most; when there are more, every other one is dropped.
-const SNAPSHOTS: usize = 48;
-
-struct Snapshot {
-    cpu_s: f64,
-    residual: f64,
-    positions: Vec<Vector3<f64>>,
-}
+/// Share of the progress that sewing is told as.
+pub(crate) const SEWING_SHARE: f64 = 0.4;
 
 /// Watches a run.
 pub(crate) struct Trace<'c, 'w> {
@@ -22,13 +15,13 @@ pub(crate) struct Trace<'c, 'w> {
     began: f64,
     time_limit: f64,
     fraction: f64,
-    snapshots: Vec<Snapshot>,
-    stride: usize,
-    seen: usize,
+    pace: Pace,
+    /// The shapes that it went through.
+    pub(super) way: Way,
     /// Whether the cancel token was raised.
     pub(crate) canceled: bool,
     /// Level that runs now, 0 = coarsest.
-    pub(crate) level: usize,
+    level: usize,
     /// Whether the time was up.
     pub(crate) out_of_time: bool,
 }
@@ -40,8 +33,35 @@ pub(crate) struct Look<'a> {
     pub(crate) fraction: f64,
     pub(crate) residual: f64,
     pub(crate) seam_gap: f64,
-    /// Position of each vertex, for a snapshot.
-    pub(crate) shape: Option<&'a dyn Fn() -> Vec<Vector3<f64>>>,
+    /// Estimate of how far the shape of the iteration before was from the solution \[m\].
+    pub(crate) estimate_before: Option<f64>,
+    /// Position of each vertex.
+    pub(crate) shape: &'a dyn Fn() -> Vec<Vector3<f64>>,
+}
+
+/// How long a level took to set up, and its last iterations \[CPU s\].
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Pace {
+    began: f64,
+    last: Option<f64>,
+    /// From the start of the level to its first iteration.
+    pub(super) set_up: f64,
+    /// The longer of the last two iterations.
+    pub(super) iteration: f64,
+    before: f64,
+}
+
+impl Pace {
+    fn look(&mut self, cpu_s: f64) {
+        match self.last {
+            None => self.set_up = cpu_s - self.began,
+            Some(last) => {
+                self.iteration = self.before.max(cpu_s - last);
+                self.before = cpu_s - last;
+            }
+        }
+        self.last = Some(cpu_s);
+    }
 }
 
 impl<'c, 'w> Trace<'c, 'w> {
@@ -55,9 +75,8 @@ impl<'c, 'w> Trace<'c, 'w> {
             began,
             time_limit,
             fraction: 0.0,
-            snapshots: Vec::new(),
-            stride: 1,
-            seen: 0,
+            pace: Pace::default(),
+            way: Way::default(),
             canceled: false,
             level: 0,
             out_of_time: false,
@@ -69,14 +88,48 @@ impl<'c, 'w> Trace<'c, 'w> {
         (self.context.cpu_s)() - self.began
     }
 
+    /// CPU time left \[s\].
+    pub(super) fn left_s(&self) -> f64 {
+        self.time_limit - self.cpu_s()
+    }
+
     /// Whether it is not to go on: canceled, or the time was up.
     pub(crate) fn is_over(&self) -> bool {
         self.canceled || self.out_of_time
     }
 
+    /// Goes on to a level: its number from the finest, from the coarsest, and its vertices.
+    pub(super) fn begin_level(&mut self, number: usize, level: usize, vertices: usize) {
+        self.level = level;
+        self.way.begin_level(number, vertices);
+        self.begin_stage();
+    }
+
+    /// Begins to look at another system.
+    pub(super) fn begin_stage(&mut self) {
+        self.pace = Pace {
+            began: self.cpu_s(),
+            ..Pace::default()
+        };
+    }
+
+    /// How far the shape `x` with the residual r is from rest.
+    pub(super) fn to_go(&self, r: f64, x: &[Vector3<f64>]) -> Option<ToGo> {
+        self.way.to_go(self.cpu_s(), r, x)
+    }
+
+    /// How fast the stage that runs now is.
+    pub(super) fn pace(&self) -> Pace {
+        self.pace
+    }
+
     /// Tells of an iteration; whether to go on.
+    ///
+    /// The time is up when another iteration as long as the last ones, and the factor that an error estimate takes, would end
+    /// after the limit: an iteration is not cut short.
     pub(crate) fn look(&mut self, look: &Look<'_>) -> Verdict {
         let cpu_s = self.cpu_s();
+        self.pace.look(cpu_s);
         self.fraction = self.fraction.max(look.fraction.clamp(0.0, 1.0));
         (self.context.progress)(Progress {
             stage: look.stage.to_owned(),
@@ -86,46 +139,14 @@ impl<'c, 'w> Trace<'c, 'w> {
             seam_gap_m: Some(look.seam_gap),
             cpu_s,
         });
-        if let Some(shape) = look.shape {
-            self.keep(cpu_s, look.residual, shape);
-        }
+        self.way.estimate_last(look.estimate_before);
+        self.way.pass(cpu_s, look.residual, look.shape);
         self.canceled |= self.context.cancel.is_canceled();
-        self.out_of_time |= cpu_s > self.time_limit;
-        if self.canceled || self.out_of_time {
+        self.out_of_time |= cpu_s + 2.0 * self.pace.iteration > self.time_limit;
+        if self.is_over() {
             Verdict::Interrupt
         } else {
             Verdict::Continue
         }
-    }
-
-    fn keep(&mut self, cpu_s: f64, residual: f64, shape: &dyn Fn() -> Vec<Vector3<f64>>) {
-        self.seen += 1;
-        if !self.seen.is_multiple_of(self.stride) {
-            return;
-        }
-        self.snapshots.push(Snapshot {
-            cpu_s,
-            residual,
-            positions: shape(),
-        });
-        if self.snapshots.len() > SNAPSHOTS {
-            let mut odd = false;
-            self.snapshots.retain(|_| {
-                odd = !odd;
-                odd
-            });
-            self.stride *= 2;
-        }
-    }
-
-    /// Distance of every snapshot from the final shape.
-    pub(crate) fn error_against_run_time(&self, last: &[Vector3<f64>]) -> Vec<ErrorPoint> {
-        let point = |s: &Snapshot| ErrorPoint {
-            cpu_s: s.cpu_s,
-            rms_error_m: rms_distance(&s.positions, last),
-            error_estimate_m: None,
-            residual: s.residual,
-        };
-        self.snapshots.iter().map(point).collect()
     }
 }

@@ -56,8 +56,19 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
         let (follow, find): (Vec<Method>, Vec<Method>) =
             self.plan.methods.iter().partition(|m| steps(**m));
         for &method in find.iter().chain(&follow) {
-            for &tolerance in &self.plan.tolerances {
-                study.runs.extend(self.measured(method, tolerance));
+            let mut tolerances = self.plan.tolerances.clone();
+            tolerances.sort_by(|a, b| b.total_cmp(a));
+            let mut too_slow = false;
+            for tolerance in tolerances {
+                if too_slow {
+                    let because = "a larger tolerance took all the time that one run may take";
+                    self.work.leave_out(self.what(method, tolerance), because);
+                    self.work.skip(2.0);
+                    continue;
+                }
+                let (run, out_of_time) = self.measured(method, tolerance).unzip();
+                too_slow = out_of_time.unwrap_or(false);
+                study.runs.extend(run);
             }
         }
         let began = self.work.cpu_s();
@@ -91,9 +102,9 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
         }
     }
 
-    /// One run with its error.
-    fn measured(&mut self, method: Method, tolerance: f64) -> Option<StudyRun> {
-        let (drape, cpu_s) = self.draped(method, tolerance, "")?;
+    /// One run with its error, and whether it was stopped because its time was up.
+    fn measured(&mut self, method: Method, tolerance: f64) -> Option<(StudyRun, bool)> {
+        let (drape, cpu_s, time) = self.draped(method, tolerance, "")?;
         let report = &drape.report;
         let mut run = StudyRun {
             method,
@@ -126,11 +137,12 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
                 self.found.push(found);
             }
         }
-        Some(run)
+        let out_of_time = !run.converged && cpu_s >= time;
+        Some((run, out_of_time))
     }
 
-    /// A drape, and its CPU time \[s\].
-    fn draped(&mut self, method: Method, tolerance: f64, why: &str) -> Option<(Drape, f64)> {
+    /// A drape, its CPU time and the one that it was allowed \[s\].
+    fn draped(&mut self, method: Method, tolerance: f64, why: &str) -> Option<(Drape, f64, f64)> {
         let scene = &self.scene.scene;
         let what = format!("{why}{}", self.what(method, tolerance));
         let ask = self.ask(method, tolerance);
@@ -141,7 +153,7 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
                 ..ask
             };
             let drape = solver::drape(scene, &ask, context);
-            (drape, (context.cpu_s)() - began)
+            (drape, (context.cpu_s)() - began, time)
         })
     }
 
@@ -194,7 +206,7 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
             self.work.skip(2.0);
             return None;
         }
-        let (drape, _) = self.draped(method, OWN_TOLERANCE, "for the reference: ")?;
+        let (drape, _, _) = self.draped(method, OWN_TOLERANCE, "for the reference: ")?;
         let rest = self.rest_of(&drape, method, OWN_TOLERANCE)?;
         Some(self.keep(method, OWN_TOLERANCE, &rest, false))
     }

@@ -1,7 +1,8 @@
 //! The different rest shapes that runs on one mesh led to.
 
 use super::report::StudyMinimum;
-use super::rest::{Rest, rms_distance};
+use super::rest::Rest;
+use crate::solver::rms_distance;
 use nalgebra::Vector3;
 
 /// Shapes nearer than this are the same \[m, RMS\]: a hundredth of a millimetre is nothing on a garment.

@@ -26,5 +26,5 @@ pub use report::{
     NotDone, SCHEMA, Study, StudyMesh, StudyMinimum, StudyOrder, StudyReference, StudyRun,
     StudyStability,
 };
-pub use rest::{Rest, rms_distance};
+pub use rest::Rest;
 pub use run::{StudyPlan, StudyScene, run, run_scenes};

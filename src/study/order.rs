@@ -13,6 +13,7 @@ pub(super) fn orders(runs: &[StudyRun], steps: &[f64]) -> Vec<StudyOrder> {
                 method: run.method,
                 edge_length_m: run.edge_length_m,
                 observed: None,
+                finest: None,
                 theory,
                 steps_s: Vec::new(),
             });
@@ -27,6 +28,10 @@ pub(super) fn orders(runs: &[StudyRun], steps: &[f64]) -> Vec<StudyOrder> {
             .collect();
         order.steps_s = points.iter().map(|p| p.0).collect();
         order.observed = slope(&points);
+        let mut shortest = points;
+        shortest.sort_by(|a, b| a.0.total_cmp(&b.0));
+        shortest.truncate(2);
+        order.finest = slope(&shortest);
     }
     orders
 }

@@ -34,15 +34,16 @@ pub fn plot_svg(study: &Study) -> String {
             }),
         }
     }
-    for s in &mut series {
-        s.points.sort_by(|p, q| p.across.total_cmp(&q.across));
-    }
     let wanted = match study.want {
         Want::Drape => "drape",
         Want::Motion => "motion",
     };
+    let size = match &study.meshes[..] {
+        [mesh] => format!(", {} vertices", mesh.vertices),
+        _ => String::new(),
+    };
     Plot {
-        heading: format!("Work against precision of a {wanted}"),
+        heading: format!("Work against precision of a {wanted}{size}"),
         across: "CPU time [s]".to_owned(),
         up: "RMS solver error [mm]".to_owned(),
         series,

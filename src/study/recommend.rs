@@ -20,8 +20,18 @@ pub(super) fn sentence(study: &Study) -> String {
         return "Nothing can be recommended: no run reached what was asked with an error that is known; allow more time."
             .to_owned();
     };
-    let below = |r: &&&StudyRun| r.error_m.is_some_and(|e| e <= target);
-    let mut good: Vec<&StudyRun> = runs.iter().filter(below).copied().collect();
+    // Of each method the loosest run that is good enough: times alone may differ by chance.
+    let mut good: Vec<&StudyRun> = Vec::new();
+    for run in runs
+        .iter()
+        .filter(|r| r.error_m.is_some_and(|e| e <= target))
+    {
+        match good.iter_mut().find(|r| r.method == run.method) {
+            Some(known) if looseness(run) > looseness(known) => *known = run,
+            Some(_) => {}
+            None => good.push(run),
+        }
+    }
     good.sort_by(|a, b| a.cpu_s.total_cmp(&b.cpu_s));
     let Some(best) = good.first() else {
         return "Nothing can be recommended.".to_owned();
@@ -44,6 +54,11 @@ pub(super) fn sentence(study: &Study) -> String {
         ),
         _ => format!("{taken}; no other method came so near."),
     }
+}
+
+/// The longer a step or the larger a tolerance, the less work.
+fn looseness(run: &StudyRun) -> f64 {
+    run.step_s.or(run.tolerance).unwrap_or(0.0)
 }
 
 /// The smallest round error that two methods reach, or else one \[m\].

@@ -6,8 +6,7 @@
 //! the motion.
 
 use super::report::StudyReference;
-use super::rest::rms_distance;
-use crate::solver::Method;
+use crate::solver::{Method, rms_distance};
 use nalgebra::Vector3;
 
 /// The two methods agree well enough if their distance is this share of the smallest error.

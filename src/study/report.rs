@@ -146,6 +146,9 @@ pub struct StudyOrder {
     pub edge_length_m: f64,
     /// What was found; none with fewer than two errors that are certain.
     pub observed: Option<f64>,
+    /// The same between the two shortest steps: where it is nearer to theory, the longer ones are too long for the stiffest part of
+    /// the motion.
+    pub finest: Option<f64>,
     /// What theory says where forces are smooth.
     pub theory: f64,
     /// Steps that it was found by \[s\].

@@ -4,8 +4,7 @@
 //! there to the round-off floor.
 
 use crate::scene::Scene;
-use crate::solver::{self, Context, Drape, Energy, Simulate};
-use nalgebra::Vector3;
+use crate::solver::{self, Context, Drape, Energy, Simulate, rms_distance};
 
 /// Residual asked for: below any floor, which then is what stops it.
 const TO_THE_FLOOR: f64 = 1e-300;
@@ -38,7 +37,7 @@ impl Rest {
             step_s: None,
             ..ask.clone()
         };
-        let drape = solver::drape_on(scene, &ask, &from.positions, context);
+        let drape = solver::drape_on(scene, &ask, from, context);
         drape.report.converged.then(|| Self {
             moved_m: rms_distance(&from.positions, &drape.positions),
             drape,
@@ -70,10 +69,4 @@ pub(super) fn depends_on_path(scene: &Scene) -> bool {
 /// All of it \[J\].
 pub(super) fn total(energy: &Energy) -> f64 {
     energy.stretch + energy.bend + energy.gravity + energy.seam + energy.contact
-}
-
-/// RMS distance between two shapes of as many vertices \[m\].
-pub fn rms_distance(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
-    let squares = x.iter().zip(y).map(|(x, y)| (x - y).norm_squared());
-    (squares.sum::<f64>() / x.len().max(1) as f64).sqrt()
 }

@@ -1,5 +1,9 @@
 //! The shipped samples, prepared for a fit.
 
+#![allow(
+    dead_code,
+    reason = "each test program takes what it needs of these builders"
+)]
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use seamster::config::Limits;
@@ -9,8 +13,13 @@ use seamster::progress::{CancelToken, Progress};
 use seamster::solver::Context;
 use serde_json::Value;
 
-/// The sample `name` with the fields of `changes` put over those of its garment file.
+/// The sample `name` with the fields of `changes` put over those of its garment file, ready for a fit.
 pub(crate) fn sample(name: &str, changes: Value) -> Prepared {
+    prepare(garment(name, changes), &Shipped, &Limits::default()).unwrap()
+}
+
+/// The same, whole but not checked.
+pub(crate) fn garment(name: &str, changes: Value) -> Garment {
     let folder = format!("{}/static/samples", env!("CARGO_MANIFEST_DIR"));
     let dxf = std::fs::read(format!("{folder}/{name}.dxf")).unwrap();
     let text = std::fs::read_to_string(format!("{folder}/{name}.garment.json")).unwrap();
@@ -21,7 +30,7 @@ pub(crate) fn sample(name: &str, changes: Value) -> Prepared {
     let mut garment: Garment = serde_json::from_value(garment).unwrap();
     let pattern = import(&dxf, &ImportOptions::default(), &Limits::default()).unwrap();
     garment.pattern = Some(PatternAsked::Whole(Box::new(pattern)));
-    prepare(garment, &Shipped, &Limits::default()).unwrap()
+    garment
 }
 
 /// Calls `run` with a context of its own.

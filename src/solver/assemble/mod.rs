@@ -6,7 +6,7 @@ mod stretch;
 pub use stretch::springs;
 
 use super::ask::{Membrane as MembraneKind, Simulate};
-use super::contact::{BodyContact, Friction};
+use super::contact::{Anchors, BodyContact, Friction};
 use super::forces::{
     BendForce, ContinuumForce, FibreForce, Force, Gravity, SewingForce, SpringForce, WindForce,
 };
@@ -24,6 +24,9 @@ const SKIN_OFFSET: f64 = 2e-3;
 /// Mass per area of cloth of which only the mass is known \[kg/m²\]: a shirt's.
 const TYPICAL_DENSITY: f64 = 0.2;
 
+/// Distance for which explicit steps carry on a sample of the body \[m\]: third-order terms stay below 1e-11 m.
+const EXPLICIT_REUSE: f64 = 2e-5;
+
 /// What one stage of a fit asks for.
 pub(crate) struct Stage<'a> {
     /// Which vertices are one particle.
@@ -32,10 +35,10 @@ pub(crate) struct Stage<'a> {
     pub(crate) stitches: Option<(Vec<(usize, usize)>, f64)>,
     /// Whether weight acts.
     pub(crate) gravity: bool,
-    /// Whether the body holds cloth by friction.
-    pub(crate) friction: bool,
-    /// How far samples of the body are carried on \[m\].
-    pub(crate) reuse: f64,
+    /// Where the body holds cloth by friction to begin with; none without friction.
+    pub(crate) friction: Option<&'a Anchors>,
+    /// Whether steps are many and small.
+    pub(crate) explicit: bool,
 }
 
 /// The particles and terms of `stage`.
@@ -72,11 +75,7 @@ pub(crate) fn assemble<'a>(
         forces.push(Box::new(WindForce::new(wind, triangles, &start)));
     }
     if let Some((stitches, stiffness)) = &stage.stitches {
-        let pairs = stitches
-            .iter()
-            .map(|&(a, b)| (particles.of_vertex[a], particles.of_vertex[b]))
-            .filter(|(a, b)| a != b)
-            .collect();
+        let pairs = particles.pairs(stitches);
         forces.push(Box::new(SewingForce::new(pairs, *stiffness)));
     }
     let mut held = vec![false; mass.len()];
@@ -85,11 +84,12 @@ pub(crate) fn assemble<'a>(
     }
     let contact = scene.body.as_ref().map(|body| {
         let area = particles.sum(&vertex_areas(scene));
-        let friction = (stage.friction && scene.friction > 0.0)
-            .then(|| Friction::new(scene.friction, mass.len()));
+        let held = stage.friction.filter(|_| scene.friction > 0.0);
+        let friction =
+            held.map(|held| Friction::new(scene.friction, mass.len()).with_anchors(held));
         BodyContact::new(body.clone(), kept_distance(scene), &area)
             .with_friction(friction)
-            .with_reuse(stage.reuse)
+            .with_reuse(if stage.explicit { EXPLICIT_REUSE } else { 0.0 })
     });
     let terms = forces
         .into_iter()

@@ -22,7 +22,11 @@ pub(crate) struct Friction {
     anchors: Vec<Option<Anchor>>,
 }
 
-#[derive(Clone, Copy, Debug)]
+/// Where friction holds the particles of a shape; empty where there is none. A drape that goes on from the shape needs it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Anchors(Vec<Option<Anchor>>);
+
+#[derive(Clone, Copy, Debug, PartialEq)]
 struct Anchor {
     point: Vector3<f64>,
     normal: Vector3<f64>,
@@ -38,6 +42,14 @@ impl Friction {
             coefficient,
             anchors: vec![None; particle_count],
         }
+    }
+
+    /// The same friction that holds on where it held; with anchors of another number of particles it begins anew.
+    pub(crate) fn with_anchors(mut self, held: &Anchors) -> Self {
+        if held.0.len() == self.anchors.len() {
+            self.anchors.clone_from(&held.0);
+        }
+        self
     }
 }
 
@@ -154,6 +166,12 @@ impl BodyContact {
         }
         self.friction = Some(friction);
         slipped
+    }
+
+    /// Where friction holds the particles.
+    pub(crate) fn anchors(&self) -> Anchors {
+        let anchors = self.friction.as_ref().map(|f| f.anchors.clone());
+        Anchors(anchors.unwrap_or_default())
     }
 
     /// Particles in contact at `x`.

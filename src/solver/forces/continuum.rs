@@ -135,6 +135,8 @@ impl Membrane {
 pub(crate) struct ContinuumForce {
     triangles: Vec<Membrane>,
     slots: Vec<[Slot; 6]>,
+    /// Whether no triangle folds.
+    taut: bool,
 }
 
 const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
@@ -144,6 +146,7 @@ impl ContinuumForce {
         Self {
             triangles,
             slots: Vec::new(),
+            taut: false,
         }
     }
 }
@@ -179,7 +182,12 @@ impl Force for ContinuumForce {
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
         for t in &self.triangles {
             let f = t.deformation(x);
-            let s = t.stress(Membrane::strain(&f));
+            let strain = Membrane::strain(&f);
+            let s = if self.taut {
+                [0, 1, 2].map(|i| t.moduli[i] * strain[i])
+            } else {
+                t.stress(strain)
+            };
             let p = [
                 (f[0] * s[0] + f[1] * s[2]) * t.area,
                 (f[1] * s[1] + f[0] * s[2]) * t.area,
@@ -220,6 +228,10 @@ impl Force for ContinuumForce {
                 hessian.add(slot, &block);
             }
         }
+    }
+
+    fn set_taut(&mut self, taut: bool) {
+        self.taut = taut;
     }
 
     fn add_stiffness(&self, stiffness: &mut [f64]) {

@@ -62,6 +62,9 @@ pub(crate) trait Force {
     /// Told how the particles move \[m/s\] and what time it is \[s\]: for forces that depend on either.
     fn set_motion(&mut self, _velocity: &[Vector3<f64>], _time: f64) {}
 
+    /// Has it act, while `taut`, as stiffly as it does in any shape like the one at hand: what yields under pressure does not.
+    fn set_taut(&mut self, _taut: bool) {}
+
     /// Adds itself to `stencil` if links and pushes are all that it is; false, and nothing added, if not.
     fn add_to_stencil(&self, _stencil: &mut Stencil) -> bool {
         false

@@ -62,10 +62,6 @@ impl Formula {
 }
 
 impl Stepper for Bdf2 {
-    fn name(&self) -> &'static str {
-        "bdf2"
-    }
-
     fn order(&self) -> i32 {
         2
     }

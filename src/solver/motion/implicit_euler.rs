@@ -82,10 +82,6 @@ impl ImplicitEuler {
 }
 
 impl Stepper for ImplicitEuler {
-    fn name(&self) -> &'static str {
-        "implicit_euler"
-    }
-
     fn order(&self) -> i32 {
         1
     }

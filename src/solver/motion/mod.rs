@@ -3,6 +3,7 @@
 //! m dv/dt = F(x) - c m v (P8), c the drag per mass. All methods move the same [`stepper::State`] and may be asked for a motion
 //! ([`trajectory`]) or, with drag, for the shape at rest ([`run`]).
 
+mod balance;
 mod bdf2;
 mod choose;
 mod control;
@@ -12,6 +13,7 @@ mod implicit_euler;
 mod incremental;
 mod kernel;
 mod limit;
+mod needs;
 mod report;
 mod rest;
 mod run;
@@ -21,6 +23,7 @@ mod symplectic_euler;
 mod trajectory;
 mod verlet;
 
+pub(crate) use needs::refuse;
 pub(crate) use rest::{Motion, run};
 
 pub use report::{Frame, MotionEnergy, MotionReport, Trajectory};

@@ -1,5 +1,7 @@
 //! The shape at rest by motion: steps with drag until nothing moves any more.
 
+use super::balance::Balance;
+use super::needs::LONGEST_EXPLICIT;
 use super::stepper::{State, Trouble};
 use super::{SAFETY, Settings, stepper};
 use crate::solver::ask::Method;
@@ -7,8 +9,6 @@ use crate::solver::newton::{Iteration, Stop, Verdict};
 use crate::solver::system::System;
 use nalgebra::Vector3;
 
-/// Longest explicit step \[s\]: what moves nothing stiff still moves smoothly.
-const LONGEST_EXPLICIT: f64 = 1e-3;
 /// Implicit step at the start, and the longest one \[s\]: a garment sways at about 4 rad/s, which such steps damp but follow.
 const FIRST_IMPLICIT: f64 = 0.01;
 const LONGEST_IMPLICIT: f64 = 0.05;
@@ -18,6 +18,8 @@ const SHORTEST_IMPLICIT: f64 = 1e-7;
 const GROWTH: f64 = 1.5;
 /// Residual to which implicit steps are solved, against the one that is to be reached.
 const SOLVED: f64 = 0.1;
+/// Least share of the stable step that is gone down to where steps drive the cloth.
+const LEAST_SHARE: f64 = 1e-3;
 /// Blocks of steps after which the stability limit is looked at again, since cloth stiffens as it stretches.
 const BLOCKS_A_LIMIT: usize = 40;
 
@@ -37,6 +39,14 @@ pub(crate) struct Motion {
     pub(crate) tolerance: f64,
 }
 
+/// How a motion ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Moved {
+    pub(crate) stop: Stop,
+    /// Whether steps were made shorter than stability of small motions asks for.
+    pub(crate) shorter: bool,
+}
+
 /// Steps from `x` at rest until `judge` says so, at most `limit` steps.
 ///
 /// # Errors
@@ -47,6 +57,18 @@ pub(crate) fn run(
     motion: Motion,
     limit: u64,
     judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
+) -> Result<Moved, f64> {
+    let mut shorter = false;
+    let stop = steps(system, x, motion, limit, (judge, &mut shorter))?;
+    Ok(Moved { stop, shorter })
+}
+
+fn steps(
+    system: &mut System<'_>,
+    x: &mut [Vector3<f64>],
+    motion: Motion,
+    limit: u64,
+    (judge, shorter): (&mut dyn FnMut(Iteration<'_>) -> Verdict, &mut bool),
 ) -> Result<Stop, f64> {
     let settings = Settings {
         drag: motion.drag,
@@ -60,15 +82,17 @@ pub(crate) fn run(
     };
     let stable = stepper.stable_step(system, x);
     let explicit = stable.is_finite() || stepper.block() > 1;
-    let longest = |stable: f64| match motion.step {
+    let chosen = explicit && motion.step.is_none();
+    let mut share = SAFETY;
+    let longest = |stable: f64, share: f64| match motion.step {
         Some(asked) => asked,
-        None if explicit => SAFETY * stable.min(LONGEST_EXPLICIT),
+        None if explicit => share * stable.min(LONGEST_EXPLICIT),
         None => LONGEST_IMPLICIT,
     };
     if motion.step.is_some_and(|asked| asked > stable) {
         return Err(stable);
     }
-    let mut most = longest(stable);
+    let mut most = longest(stable, share);
     let mut h = if explicit {
         most
     } else {
@@ -76,6 +100,7 @@ pub(crate) fn run(
     };
     let mut state = State::at_rest(x);
     let mut before = state.clone();
+    let mut balance = (chosen && !system.is_skew()).then(|| Balance::new(motion.drag));
     let mut force = vec![Vector3::zeros(); x.len()];
     let (mut number, mut steps) = (0, 0);
     while steps < limit {
@@ -90,6 +115,8 @@ pub(crate) fn run(
             number,
             residual,
             positions: x,
+            convex: true,
+            estimate_before: None,
         });
         match verdict {
             Verdict::Continue => {}
@@ -97,8 +124,16 @@ pub(crate) fn run(
             Verdict::Interrupt => return Ok(Stop::Interrupted),
         }
         number += 1;
-        if explicit && number.is_multiple_of(BLOCKS_A_LIMIT) && motion.step.is_none() {
-            most = longest(stepper.stable_step(system, &state.x));
+        let driven = balance.as_mut().is_some_and(|balance| {
+            let time = h * stepper.block() as f64;
+            number > 1 && share > LEAST_SHARE && balance.is_driven(system, &state, time)
+        });
+        if driven {
+            share *= 0.5;
+            *shorter = true;
+        }
+        if chosen && (driven || number.is_multiple_of(BLOCKS_A_LIMIT)) {
+            most = longest(stepper.stable_step(system, &state.x), share);
             h = most;
         }
         before.copy_from(&state);
@@ -113,6 +148,14 @@ pub(crate) fn run(
                 h *= 0.25;
             }
             Err(Trouble::NotSolved) => return Ok(Stop::Stalled),
+            // What stretched faster than the limit was looked at is gone back on, at rest.
+            Err(Trouble::NotFinite) if chosen && share > LEAST_SHARE => {
+                state = State::at_rest(&before.x);
+                share *= 0.25;
+                *shorter = true;
+                most = longest(stepper.stable_step(system, &state.x), share);
+                h = most;
+            }
             Err(Trouble::NotFinite) => return Ok(Stop::NotFinite),
         }
     }

@@ -6,6 +6,7 @@
 
 use super::choose::{Motive, choose};
 use super::control::Control;
+use super::needs::too_many;
 use super::report::{Frame, MotionEnergy, MotionReport};
 use super::stepper::{State, Stepper, Trouble};
 use super::{SAFETY, Settings, stepper};
@@ -113,7 +114,7 @@ impl Run<'_, '_, '_> {
         let mut stepper = stepper(system, method, &settings)
             .map_err(|_| "there is no memory for the matrix factor: ask for longer mesh edges")?
             .ok_or("newton finds the shape at rest only: ask for another method, or a drape")?;
-        stepper.name().clone_into(&mut self.report.method);
+        method.name().clone_into(&mut self.report.method);
         self.report.step_bytes = stepper.step_bytes();
         let stable = stepper.stable_step(system, &state.x);
         self.report.stability_limit_s = stable.is_finite().then_some(stable);
@@ -126,6 +127,14 @@ impl Run<'_, '_, '_> {
             Some(asked) => asked,
             None => (SAFETY * stable).min(FIRST_IMPLICIT),
         };
+        // What may be the longest step later on: chosen implicit steps have no such bound.
+        let longest = self.ask.step_s.unwrap_or(SAFETY * stable);
+        let duration = self.ask.duration_s.unwrap_or(DURATION);
+        if let Some(why) = too_many(duration, longest, self.context.limits.steps) {
+            return Err(format!(
+                "{why}: ask for bdf2 or implicit_euler, for less time, longer mesh edges or softer cloth"
+            ));
+        }
         let tolerance = self.ask.step_s.is_none().then_some(self.ask.tolerance);
         let mut control = Control::new(tolerance, stepper.order(), first);
         control.limit(SAFETY * stable);
@@ -151,11 +160,13 @@ impl Run<'_, '_, '_> {
             before.copy_from(state);
             let error = match stepper.advance(system, state, h, count) {
                 Ok(error) if state.is_finite() => error,
-                Ok(_) | Err(Trouble::NotFinite) => {
+                Ok(_) | Err(Trouble::NotFinite) if self.ask.step_s.is_some() => {
                     state.copy_from(&before);
-                    return Err("forces became infinite".to_owned());
+                    return Err(format!(
+                        "forces became infinite in steps of {h:.1e} s: give a shorter one or leave it out"
+                    ));
                 }
-                Err(Trouble::NotSolved) => f64::INFINITY,
+                Ok(_) | Err(_) => f64::INFINITY,
             };
             let solved = error.is_finite();
             let accepted = solved && control.accepts(h, error);

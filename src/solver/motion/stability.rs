@@ -7,13 +7,13 @@
 use super::damping;
 use super::limit;
 use super::stepper::State;
-use super::trajectory::EXPLICIT_REUSE;
 use super::{Settings, stepper};
 use crate::scene::Scene;
 use crate::solver::Context;
 use crate::solver::ask::{Method, SeamClose, Simulate};
 use crate::solver::assemble::{Stage, assemble};
-use crate::solver::level::{SEAM_STIFFNESS, closed_stiffness};
+use crate::solver::closing::{SEAM_STIFFNESS, closed_stiffness};
+use crate::solver::contact::Anchors;
 use crate::solver::measure::rms_distance;
 use crate::solver::topology::Particles;
 use nalgebra::Vector3;
@@ -106,7 +106,7 @@ pub fn allowed_step(
     shape: &[Vector3<f64>],
     context: &mut Context<'_>,
 ) -> Option<f64> {
-    if !matches!(ask.method, Method::SymplecticEuler | Method::Verlet) {
+    if !ask.method.is_explicit() {
         return None;
     }
     let trial = Trial {
@@ -129,7 +129,7 @@ struct Trial<'a, 'c, 'w> {
 
 impl Trial<'_, '_, '_> {
     fn explicit(&mut self) -> StableStep {
-        let square = self.with_system(|system, x| limit::highest_square_here(system, x));
+        let square = self.with_system(limit::highest_square_here);
         let drag = self.drag();
         let theory = match self.ask.method {
             Method::Verlet => limit::verlet(square),
@@ -152,7 +152,7 @@ impl Trial<'_, '_, '_> {
 
     /// Narrows a bracket round the limit that begins about `guess` \[s\] and is widened until it holds it.
     fn bisect(&mut self, guess: f64, step: &mut StableStep) {
-        let (mut low, mut high) = (guess / WIDER, guess * WIDER);
+        let (mut low, mut high) = (guess / WIDER, guess * WIDER.powi(2));
         let (mut low_known, mut high_known) = (false, false);
         for _ in 0..2 * WIDENINGS {
             if low_known && high_known {
@@ -301,13 +301,12 @@ impl Trial<'_, '_, '_> {
         };
         let stiffness = closed_stiffness(self.ask, SEAM_STIFFNESS);
         let springs = (!weld && stitches.len() > 0).then(|| (stitches.collect(), stiffness));
-        let explicit = matches!(self.ask.method, Method::SymplecticEuler | Method::Verlet);
         let stage = Stage {
             particles: &particles,
             stitches: springs,
             gravity: true,
-            friction: true,
-            reuse: if explicit { EXPLICIT_REUSE } else { 0.0 },
+            friction: Some(&Anchors::default()),
+            explicit: self.ask.method.is_explicit(),
         };
         let mut system = assemble(scene, self.ask, &stage, self.context.cpu_s);
         f(&mut system, &particles.mean(self.rest))

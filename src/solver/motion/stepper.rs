@@ -50,9 +50,6 @@ pub(crate) enum Trouble {
 
 /// A trajectory method, with all scratch memory that it needs.
 pub(crate) trait Stepper {
-    /// The name that reports call it by.
-    fn name(&self) -> &'static str;
-
     /// Order of the global error in the step.
     fn order(&self) -> i32;
 
@@ -100,13 +97,4 @@ pub(crate) fn accept(system: &mut System<'_>, state: &State) {
         system.set_motion(&state.v, state.time);
     }
     system.accept(&state.x);
-    if let Some(contact) = &mut system.contact {
-        contact.accept(&state.x);
-    }
-}
-
-/// RMS length of the vectors that `of` gives for each index.
-pub(crate) fn rms(count: usize, of: impl Fn(usize) -> Vector3<f64>) -> f64 {
-    let sum: f64 = (0..count).map(|i| of(i).norm_squared()).sum();
-    (sum / count.max(1) as f64).sqrt()
 }

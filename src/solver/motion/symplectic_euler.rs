@@ -3,7 +3,8 @@
 use super::explicit::Explicit;
 use super::kernel::Rule;
 use super::limit;
-use super::stepper::{State, Stepper, Trouble, rms};
+use super::stepper::{State, Stepper, Trouble};
+use crate::solver::measure::rms;
 use crate::solver::system::System;
 use nalgebra::Vector3;
 
@@ -29,10 +30,6 @@ impl SymplecticEuler {
 }
 
 impl Stepper for SymplecticEuler {
-    fn name(&self) -> &'static str {
-        "symplectic_euler"
-    }
-
     fn order(&self) -> i32 {
         1
     }

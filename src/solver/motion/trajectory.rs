@@ -8,13 +8,11 @@ use crate::scene::Scene;
 use crate::solver::Context;
 use crate::solver::ask::{Method, SeamClose, Simulate};
 use crate::solver::assemble::{Stage, assemble};
-use crate::solver::level::{SEAM_STIFFNESS, closed_stiffness};
+use crate::solver::closing::{SEAM_STIFFNESS, closed_stiffness};
+use crate::solver::contact::Anchors;
 use crate::solver::summary::add_terms;
 use crate::solver::topology::Particles;
 use nalgebra::Vector3;
-
-/// Distance for which explicit steps carry on a sample of the body \[m\]: third-order terms stay below 1e-11 m.
-pub(super) const EXPLICIT_REUSE: f64 = 2e-5;
 
 /// What a motion begins with.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -49,16 +47,13 @@ pub fn trajectory(
     };
     let stiffness = closed_stiffness(ask, SEAM_STIFFNESS);
     let springs = (!weld && stitches.len() > 0).then(|| (stitches.collect(), stiffness));
-    let explicit = matches!(
-        ask.method,
-        Method::SymplecticEuler | Method::Verlet | Method::Auto
-    );
     let stage = Stage {
         particles: &particles,
         stitches: springs,
         gravity: true,
-        friction: true,
-        reuse: if explicit { EXPLICIT_REUSE } else { 0.0 },
+        friction: Some(&Anchors::default()),
+        // Automatic methods may turn out to be explicit.
+        explicit: ask.method.is_explicit() || ask.method == Method::Auto,
     };
     let mut system = assemble(scene, ask, &stage, context.cpu_s);
     let mut state =

@@ -45,10 +45,6 @@ impl Verlet {
 }
 
 impl Stepper for Verlet {
-    fn name(&self) -> &'static str {
-        "verlet"
-    }
-
     fn order(&self) -> i32 {
         2
     }

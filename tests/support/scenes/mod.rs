@@ -11,7 +11,7 @@
 
 pub(crate) mod net;
 #[path = "../panels.rs"]
-mod panels;
+pub(crate) mod panels;
 pub(crate) mod tube;
 
 use net::{Family, Net};

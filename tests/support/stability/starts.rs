@@ -1,0 +1,147 @@
+//! Starts that nothing worn ever has: scrambled, collapsed, turned inside out, through each other, inside the body, far away.
+
+use super::cloth::{hung, poplin, sewn};
+use super::scenes;
+use super::scenes::net::{Family, Net};
+use super::sheet::random;
+use super::{Case, Made, word};
+use nalgebra::Vector3;
+use seamster::config::Limits;
+use seamster::scene::Scene;
+use seamster::solver::{Membrane, Method};
+
+/// A start that is nothing like the cloth.
+type Start = (&'static str, fn(&mut Scene));
+
+const STARTS: [Start; 6] = [
+    ("scrambled", scrambled),
+    ("collapsed to a point", collapsed),
+    ("collapsed to a point, pins too", collapsed_with_pins),
+    ("collapsed to a line", to_a_line),
+    ("inverted", inverted),
+    ("1e3 times as large", |scene| {
+        scene.start.iter_mut().for_each(|p| *p *= 1e3)
+    }),
+];
+
+pub(super) fn cases() -> Vec<Case> {
+    let mut cases = vec![];
+    for (name, change) in STARTS {
+        for membrane in [Membrane::Continuum, Membrane::Springs] {
+            let model = if membrane == Membrane::Springs {
+                "springs"
+            } else {
+                "continuum"
+            };
+            cases.push(Case::new(format!("start: {name}, {model}"), move || {
+                let mut scene = hung(poplin(), 10);
+                change(&mut scene);
+                Made::drape(scene, Method::Newton).asking(|ask| ask.membrane = membrane)
+            }));
+        }
+        cases.push(Case::new(format!("start: {name}, in a plane"), move || {
+            Made::drape(planar(change), Method::Newton)
+        }));
+        for method in [Method::ImplicitEuler, Method::SymplecticEuler] {
+            cases.push(Case::new(
+                format!("start: {name}, {}", word(method)),
+                move || {
+                    let mut scene = hung(poplin(), 8);
+                    change(&mut scene);
+                    Made::drape(scene, method).asking(|ask| ask.tolerance = 1e-3)
+                },
+            ));
+        }
+    }
+    cases.push(Case::new(
+        "start: panels on the wrong side of each other",
+        || {
+            let mut scene = sewn(poplin(), 500);
+            scene.start.iter_mut().for_each(|p| p.z = -p.z);
+            Made::drape(scene, Method::Newton)
+        },
+    ));
+    cases.push(Case::new("start: panels through each other", || {
+        let mut scene = sewn(poplin(), 500);
+        scene.start.iter_mut().for_each(|p| p.z *= 3.0 * p.x);
+        Made::drape(scene, Method::Newton)
+    }));
+    cases.push(Case::new("start: panels inside the body", || {
+        let mut scene = sewn(poplin(), 500);
+        scene.start.iter_mut().for_each(|p| p.z *= 0.1);
+        Made::drape(scene, Method::Newton)
+    }));
+    cases.push(Case::new("start: panels 5 m apart", || {
+        let mut scene = sewn(poplin(), 500);
+        scene
+            .start
+            .iter_mut()
+            .for_each(|p| p.z += 2.5 * p.z.signum());
+        Made::drape(scene, Method::Newton)
+    }));
+    for (name, height) in [
+        ("through the middle of a ball", 0.0),
+        ("a third into a ball", 0.1),
+    ] {
+        cases.push(Case::new(format!("start: {name}"), move || {
+            let mut scene = scenes::scene("S2_17").expect("a scene of the benchmark");
+            scene.start.iter_mut().for_each(|p| p.z = height);
+            Made::drape(scene, Method::Newton)
+        }));
+    }
+    cases
+}
+
+fn pinned(scene: &Scene, vertex: usize) -> bool {
+    scene.pins.contains(&vertex)
+}
+
+/// Every free vertex anywhere in a cube as large as the cloth.
+fn scrambled(scene: &mut Scene) {
+    let mut random = random();
+    for i in 0..scene.start.len() {
+        let p = Vector3::new(random(), random(), random()) * 0.5;
+        if !pinned(scene, i) {
+            scene.start[i] = p;
+        }
+    }
+}
+
+fn collapsed(scene: &mut Scene) {
+    for i in 0..scene.start.len() {
+        if !pinned(scene, i) {
+            scene.start[i] = Vector3::new(0.0, -0.2, 0.1);
+        }
+    }
+}
+
+fn collapsed_with_pins(scene: &mut Scene) {
+    scene.start.fill(Vector3::new(0.0, -0.2, 0.1));
+}
+
+fn to_a_line(scene: &mut Scene) {
+    scene.start.iter_mut().for_each(|p| (p.y, p.z) = (0.0, 0.0));
+}
+
+/// Mirrored but for the pins: in a plane that turns every triangle over.
+fn inverted(scene: &mut Scene) {
+    for i in 0..scene.start.len() {
+        if !pinned(scene, i) {
+            scene.start[i].x *= -1.0;
+        }
+    }
+}
+
+/// A net held in its plane, with its start changed within that.
+fn planar(change: fn(&mut Scene)) -> Scene {
+    let net = Net {
+        family: Family::PlanarHang,
+        rows: 11,
+        stiffer: 1.0,
+    };
+    let raw = net.scene();
+    let mut scene = raw.into_scene(&Limits::default()).expect("a net is right");
+    change(&mut scene);
+    scene.start.iter_mut().for_each(|p| p.y = 0.0);
+    scene
+}

@@ -1,0 +1,140 @@
+//! Weight, wind and fabrics far from a shop's.
+
+use super::cloth::{hung, poplin, sewn};
+use super::motion::moving;
+use super::samples::sample;
+use super::{Case, Made, Work, scenes, word};
+use nalgebra::Vector3;
+use seamster::config::Limits;
+use seamster::scene::{Fabric, Scene, Wind};
+use seamster::solver::{Method, Simulate};
+use serde_json::{Value, json};
+
+pub(super) fn cases() -> Vec<Case> {
+    let mut cases = vec![];
+    for (name, by) in [("x100", 100.0), ("0", 0.0)] {
+        cases.push(Case::new(format!("gravity {name}: hung"), move || {
+            Made::drape(weighing(hung(poplin(), 12), by), Method::Newton)
+        }));
+        cases.push(Case::new(
+            format!("gravity {name}: sewn over a cylinder"),
+            move || Made::drape(weighing(sewn(poplin(), 500), by), Method::Newton),
+        ));
+        cases.push(Case::new(
+            format!("gravity {name}: on a ball, with friction"),
+            move || {
+                let scene = scenes::scene("S2_17").expect("a scene of the benchmark");
+                Made::drape(weighing(scene, by), Method::Newton)
+            },
+        ));
+        for method in [Method::ImplicitEuler, Method::Verlet] {
+            cases.push(Case::new(
+                format!("gravity {name}: motion, {}", word(method)),
+                move || {
+                    let scene = Scene {
+                        drag: Some(0.0),
+                        ..hung(poplin(), 8)
+                    };
+                    moving(weighing(scene, by), method, None, 0.2)
+                },
+            ));
+        }
+    }
+    for (name, density) in [("5 g/m²", 0.005), ("5 kg/m²", 5.0)] {
+        let fabric = move || Fabric {
+            density_kg_m2: density,
+            ..poplin()
+        };
+        cases.push(Case::new(format!("fabric of {name}: hung"), move || {
+            Made::drape(hung(fabric(), 12), Method::Newton)
+        }));
+        cases.push(Case::new(
+            format!("fabric of {name}: sewn over a cylinder"),
+            move || Made::drape(sewn(fabric(), 500), Method::Newton),
+        ));
+    }
+    for speed in [40.0, 100.0] {
+        cases.push(Case::new(format!("wind of {speed} m/s: hung"), move || {
+            Made::drape(blown(speed), Method::Newton)
+        }));
+        for method in [Method::ImplicitEuler, Method::Bdf2, Method::Verlet] {
+            cases.push(
+                Case::new(
+                    format!("wind of {speed} m/s: motion, {}", word(method)),
+                    move || moving(blown(speed), method, None, 0.2),
+                )
+                .within(20.0),
+            );
+        }
+    }
+    cases.extend(garments());
+    cases
+}
+
+fn weighing(scene: Scene, by: f64) -> Scene {
+    Scene {
+        gravity: scene.gravity * by,
+        ..scene
+    }
+}
+
+fn blown(speed: f64) -> Scene {
+    Scene {
+        wind: Some(Wind {
+            velocity: Vector3::new(0.3, 0.1, 1.0).normalize() * speed,
+            gust: 0.0,
+        }),
+        ..hung(poplin(), 8)
+    }
+}
+
+/// The real way: a drawing, its seams, an avatar.
+fn garments() -> Vec<Case> {
+    let ease = [
+        ("as it is", json!({})),
+        ("inside the body", inside()),
+        ("of steel", fabric(1e7, 1e6, 0.1, 5.0)),
+        ("of veil", fabric(0.5, 0.05, 1e-9, 0.002)),
+        (
+            "under a gale",
+            json!({"wind": {"velocity_m_s": [0.0, 0.0, -40.0]}}),
+        ),
+    ];
+    ease.into_iter()
+        .map(|(name, changes)| {
+            Case::new(format!("garment: top {name}"), move || {
+                let mut changes = changes.clone();
+                changes["simulate"] = json!({"edge_length_m": 0.04});
+                let prepared = sample("top", changes);
+                Made {
+                    work: Work::Fit(Box::new(prepared)),
+                    ask: Simulate {
+                        edge_length_m: 0.04,
+                        ..Simulate::default()
+                    },
+                    limits: Limits::default(),
+                }
+            })
+            .within(10.0)
+        })
+        .collect()
+}
+
+/// Both panels through the middle of the body.
+fn inside() -> Value {
+    let at = |at: &str, z: f64| json!({"placement": {"at": at, "offset_m": [0.0, 0.0, z]}});
+    json!({"panels": {"front": at("torso_front", -0.15), "back": at("torso_back", -0.15)}})
+}
+
+/// A fabric at the end of what is allowed.
+fn fabric(stretch: f64, shear: f64, bending: f64, density: f64) -> Value {
+    let mut own = serde_json::to_value(poplin()).expect("plain data");
+    let figures = json!({
+        "density_kg_m2": density, "stretch_warp_n_m": stretch, "stretch_weft_n_m": stretch,
+        "shear_n_m": shear, "bending_warp_n_m": bending, "bending_weft_n_m": bending,
+    });
+    for (field, value) in figures.as_object().expect("written so above") {
+        own[field] = value.clone();
+    }
+    json!({"fabrics": {"own": own}, "default_fabric": "own"})
+}
