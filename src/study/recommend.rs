@@ -124,7 +124,7 @@ pub(super) fn notes(study: &Study, scenes: &[StudyScene]) -> Vec<String> {
     let friction = scenes.iter().any(|s| depends_on_path(&s.scene));
     note(
         drape && friction,
-        "There is friction against the body: rest shapes depend on the way there, so different methods and meshes come to rest elsewhere and no rest shape is the right one.",
+        "There is friction against the body: rest shapes depend on the way there, so methods and meshes come to rest in different ones and none is the right one; an error is the distance to where friction lets the run itself go.",
     );
     note(
         !drape && friction,
@@ -136,7 +136,7 @@ pub(super) fn notes(study: &Study, scenes: &[StudyScene]) -> Vec<String> {
     );
     let several = study.meshes.iter().any(|m| m.minima.len() > 1);
     note(
-        several,
+        several && !friction,
         "Several rest shapes exist, as cloth wrinkles one way or another: an error is the distance to the rest shape that the run itself leads to, not between them; compare their energies.",
     );
     let compared = study.meshes.iter().any(|m| m.mesh_error_m.is_some());
