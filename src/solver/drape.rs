@@ -155,7 +155,8 @@ impl Run<'_, '_, '_, '_> {
             if self.cascade.is_softer(number) {
                 push_once(&mut self.report.ladder, "softer_cloth");
             } else {
-                self.handed_on = self.report.converged.then(|| x.clone());
+                let is_whole = x.len() == self.cascade.scene(0).start.len();
+                self.handed_on = (self.report.converged && is_whole).then(|| x.clone());
             }
             number -= 1;
         }
