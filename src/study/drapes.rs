@@ -79,7 +79,7 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
         let mut confirmed = self.confirmation(reference, second);
         confirmed.cpu_s = self.work.cpu_s() - began;
         let number = reference.and_then(|found| found.minimum);
-        let rest = number.map(|number| self.minima.shape(number).to_vec());
+        let rest = number.map(|number| self.minima.drape(number).clone());
         if let Some(number) = number {
             self.minima.make_first(number);
         }
@@ -97,7 +97,7 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
                 minima: self.minima.listed(),
                 mesh_error_m: None,
             },
-            shapes: rest.iter().cloned().collect(),
+            shapes: rest.iter().map(|r| r.positions.clone()).collect(),
             rest,
         }
     }
@@ -139,7 +139,8 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
                 self.found.push(found);
             }
         }
-        let out_of_time = !run.converged && cpu_s >= time;
+        // The solver ends a little before its time is up.
+        let out_of_time = !run.converged && cpu_s >= 0.7 * time;
         Some((run, out_of_time))
     }
 

@@ -6,6 +6,9 @@ use super::rest::depends_on_path;
 use super::run::{StudyScene, edges};
 use crate::solver::Want;
 
+/// Smaller errors are of no use to anyone \[m\].
+const LEAST: f64 = 1e-6;
+
 /// What to take, from the runs on the finest mesh that has errors.
 pub(super) fn sentence(study: &Study) -> String {
     let usable = || {
@@ -79,7 +82,8 @@ fn target(runs: &[&StudyRun]) -> Option<f64> {
         );
     }
     best.sort_by(f64::total_cmp);
-    best.get(1).or(best.first()).map(|error| round_up(*error))
+    let error = best.get(1).or(best.first())?;
+    Some(round_up(error.max(LEAST)))
 }
 
 /// The next of 1, 2, 5, 10, ... times a power of ten.

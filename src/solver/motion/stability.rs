@@ -9,12 +9,12 @@ use super::limit;
 use super::stepper::State;
 use super::{Settings, stepper};
 use crate::scene::Scene;
-use crate::solver::Context;
 use crate::solver::ask::{Method, SeamClose, Simulate};
 use crate::solver::assemble::{Stage, assemble};
 use crate::solver::closing::{SEAM_STIFFNESS, closed_stiffness};
 use crate::solver::contact::Anchors;
 use crate::solver::topology::Particles;
+use crate::solver::{Context, Drape};
 use nalgebra::Vector3;
 
 /// Disturbance of a particle in each direction at most \[m\].
@@ -31,6 +31,8 @@ const NARROW: f64 = 1.01;
 /// How often a bracket is widened, and by how much.
 const WIDENINGS: u32 = 12;
 const WIDER: f64 = 1.5;
+/// Share of the guess below which no limit is looked for.
+const LEAST_SHARE: f64 = 0.1;
 /// Steps of implicit methods that are tried \[s\], and how many of each.
 const IMPLICIT: [f64; 3] = [0.01, 0.1, 1.0];
 const IMPLICIT_STEPS: u64 = 20;
@@ -68,7 +70,7 @@ enum Ended {
     Stopped,
 }
 
-/// Finds the longest stable step of the method that `ask` names, near the rest shape `rest` \[m; `#V`\] of `scene`.
+/// Finds the longest stable step of the method that `ask` names, near the rest shape `rest` of `scene`, held there by its friction.
 ///
 /// # Guarantees
 /// Ends within the time limit of `ask` and when canceled; says so. Numbers are finite.
@@ -79,13 +81,14 @@ enum Ended {
 pub fn stable_step(
     scene: &Scene,
     ask: &Simulate,
-    rest: &[Vector3<f64>],
+    rest: &Drape,
     context: &mut Context<'_>,
 ) -> StableStep {
     let mut trial = Trial {
         scene,
         ask,
-        rest,
+        rest: &rest.positions,
+        anchors: &rest.anchors,
         began: (context.cpu_s)(),
         context,
     };
@@ -114,6 +117,7 @@ pub fn allowed_step(
         scene,
         ask,
         rest: shape,
+        anchors: &Anchors::default(),
         began: 0.0,
         context,
     };
@@ -124,6 +128,7 @@ struct Trial<'a, 'c, 'w> {
     scene: &'a Scene,
     ask: &'a Simulate,
     rest: &'a [Vector3<f64>],
+    anchors: &'a Anchors,
     began: f64,
     context: &'c mut Context<'w>,
 }
@@ -156,7 +161,8 @@ impl Trial<'_, '_, '_> {
         let (mut low, mut high) = (guess / WIDER, guess * WIDER.powi(2));
         let (mut low_known, mut high_known) = (false, false);
         for _ in 0..2 * WIDENINGS {
-            if low_known && high_known {
+            // What moves with steps of any length is not driven by them.
+            if (low_known && high_known) || low < LEAST_SHARE * guess {
                 break;
             }
             let h = if low_known { high } else { low };
@@ -306,7 +312,7 @@ impl Trial<'_, '_, '_> {
             particles: &particles,
             stitches: springs,
             gravity: true,
-            friction: Some(&Anchors::default()),
+            friction: Some(self.anchors),
             explicit: self.ask.method.is_explicit(),
         };
         let mut system = assemble(scene, self.ask, &stage, self.context.cpu_s);
