@@ -53,3 +53,42 @@ fn numbers() -> impl FnMut() -> f64 {
         (seed >> 33) as f64 / (1_u64 << 30) as f64 - 1.0
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::config::Limits;
+    use crate::scene::{NetSpring, RawScene};
+
+    /// Three vertices in one point and one apart, in a plane, the first of them pinned.
+    #[test]
+    fn what_is_in_one_point_is_scattered_but_pins_and_what_is_not() {
+        let spring = |a, b| NetSpring {
+            a,
+            b,
+            rest_length_m: 0.1,
+            stiffness_n_m: 1.0,
+        };
+        let raw = RawScene {
+            start_m: vec![[0.0; 3], [0.0; 3], [0.0; 3], [0.1, 0.0, 0.0]],
+            mass_kg: vec![1.0; 4],
+            springs: vec![spring(0, 1), spring(1, 2), spring(2, 3)],
+            pins: vec![0],
+            held_axis: Some(2),
+            ..RawScene::default()
+        };
+        let scene = raw
+            .into_scene(&Limits::default())
+            .expect("a right scene of four vertices");
+        let mut x = scene.start.clone();
+        scatter(&scene, &mut x);
+        assert_eq!((x[0], x[3]), (scene.start[0], scene.start[3]));
+        for i in [1, 2] {
+            assert!(x[i] != scene.start[i] && x[i].z == 0.0);
+            assert!(x[i].norm() <= 0.01 * 0.1 * 2f64.sqrt());
+        }
+        let mut again = scene.start.clone();
+        scatter(&scene, &mut again);
+        assert_eq!(x, again);
+    }
+}

