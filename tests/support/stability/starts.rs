@@ -20,7 +20,7 @@ const STARTS: [Start; 6] = [
     ("collapsed to a line", to_a_line),
     ("inverted", inverted),
     ("10 times as large", |scene| {
-        scene.start.iter_mut().for_each(|p| *p *= 10.0)
+        scene.start.iter_mut().for_each(|p| *p *= 10.0);
     }),
 ];
 
@@ -87,8 +87,11 @@ pub(super) fn cases() -> Vec<Case> {
     cases
 }
 
+/// A change of where a point of the tube starts, and what comes of it.
+type Moved = (&'static str, fn(&mut Vector3<f64>), Expect);
+
 /// The tube's panels, 0.15 m before and behind the middle of the cylinder.
-fn tubes() -> [(&'static str, fn(&mut Vector3<f64>), Expect); 6] {
+fn tubes() -> [Moved; 6] {
     [
         (
             "panels on the wrong side of each other",
