@@ -24,6 +24,12 @@ pub(crate) fn markdown(lines: &[Line]) -> String {
         "Not as they must be",
         wrong.iter().map(|l| (&l.case, l.faults.join("; "))),
     );
+    let known = lines.iter().filter(|l| !l.known.is_empty());
+    list(
+        &mut out,
+        "Known failures",
+        known.map(|l| (&l.case, l.known.join("; "))),
+    );
     let unfinished = lines.iter().filter(|l| l.came_to == "not converged");
     list(
         &mut out,

@@ -44,6 +44,16 @@ pub(super) fn judge(case: &Case, slower: f64, line: &mut Line) {
         line.faults
             .push(format!("took {:.1} s of CPU, not {within} s", line.cpu_s));
     }
+    if let Some(words) = case.known {
+        let (known, faults) = line
+            .faults
+            .drain(..)
+            .partition(|fault| fault.contains(words));
+        (line.known, line.faults) = (known, faults);
+        if line.known.is_empty() {
+            line.faults.push(format!("no longer so: {words}"));
+        }
+    }
     if line.why.is_empty() {
         line.faults.push("no reason is given".to_owned());
     }

@@ -48,17 +48,20 @@ pub(super) fn cases() -> Vec<Case> {
                 change(&mut scene);
                 Made::drape(scene, method).asking(|ask| {
                     ask.tolerance = 1e-3;
-                    ask.time_limit_s = Some(3.0);
+                    ask.time_limit_s = Some(8.0);
                 })
             });
-            // Crumpled cloth is stiff to one side everywhere: even short steps drive it for long.
-            let rings = name == "collapsed to a line" && method == Method::SymplecticEuler;
-            cases.push(if rings {
-                case.expect(Expect::NotConverged("the time allowed was up"))
-                    .whole_only()
-            } else {
-                case
-            });
+            cases.push(
+                match (name, method) {
+                    // Crumpled cloth is stiff to one side everywhere: even short steps drive it for long.
+                    ("collapsed to a line", Method::SymplecticEuler) => case
+                        .expect(Expect::NotConverged("the time allowed was up"))
+                        .whole_only(),
+                    ("10 times as large", Method::SymplecticEuler) => case.whole_only(),
+                    _ => case,
+                }
+                .within(10.0),
+            );
         }
     }
     cases.extend(tubes().map(|(name, change, expect)| {
