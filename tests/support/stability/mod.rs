@@ -98,6 +98,11 @@ impl Case {
         Self { expect, ..self }
     }
 
+    /// Too long for continuous integration unless `small`.
+    fn small_if(self, small: bool) -> Self {
+        Self { small, ..self }
+    }
+
     fn known(self, fault: &'static str) -> Self {
         Self {
             known: Some(fault),

@@ -48,8 +48,9 @@ fn by_motion(by: f64, method: Method) -> Case {
         })
     });
     let explicit = matches!(method, Method::SymplecticEuler | Method::Verlet);
+    let case = case.small_if(by == 1.0);
     match (explicit, by) {
-        (true, 1e4 | 1e6) => case.expect(Expect::Refused("needs ")),
+        (true, 1e4 | 1e6) => case.expect(Expect::Refused("needs ")).small_if(true),
         (true, 1e2) => case.within(30.0).whole_only(),
         (false, 1e4) => case.within(30.0).whole_only(),
         // Steps follow folds that snap over, which are the shorter the stiffer the cloth.
