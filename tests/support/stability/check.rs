@@ -17,7 +17,7 @@ use seamster::solver::{Drape, Energy, Method, MotionEnergy, Simulate, Trajectory
 /// Residual asked of the shape that a stopped one leads to: below any floor, which then is what stops it.
 const TO_THE_FLOOR: f64 = 1e-300;
 /// CPU time allowed to it \[s\].
-const REFERENCE_LIMIT: f64 = 5.0;
+const REFERENCE_LIMIT: f64 = 2.0;
 /// What an estimate that is called valid may be over the error.
 const ESTIMATE: [f64; 2] = [0.3, 3.0];
 /// CPU time in which a refusal is given \[s\].

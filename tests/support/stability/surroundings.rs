@@ -144,6 +144,7 @@ fn garments() -> Vec<Case> {
                 Expect::Converged
             })
             .within(20.0)
+            .small_if(matches!(name, "inside the body" | "of steel"))
         })
         .collect()
 }
