@@ -56,7 +56,7 @@ fn list<'l>(out: &mut String, title: &str, entries: impl Iterator<Item = (&'l St
         let _ = write!(out, "\n{title}:\n\n");
     }
     for (case, why) in entries {
-        let _ = writeln!(out, "- **{case}**: {}", why.trim());
+        let _ = writeln!(out, "- **{case}**: {}", why.trim().replace('\n', "; "));
     }
 }
 
