@@ -24,6 +24,12 @@ pub(crate) fn markdown(lines: &[Line]) -> String {
         "Not as they must be",
         wrong.iter().map(|l| (&l.case, l.faults.join("; "))),
     );
+    let known = lines.iter().filter(|l| !l.known.is_empty());
+    list(
+        &mut out,
+        "Known failures",
+        known.map(|l| (&l.case, l.known.join("; "))),
+    );
     let unfinished = lines.iter().filter(|l| l.came_to == "not converged");
     list(
         &mut out,
@@ -50,7 +56,7 @@ fn list<'l>(out: &mut String, title: &str, entries: impl Iterator<Item = (&'l St
         let _ = write!(out, "\n{title}:\n\n");
     }
     for (case, why) in entries {
-        let _ = writeln!(out, "- **{case}**: {}", why.trim());
+        let _ = writeln!(out, "- **{case}**: {}", why.trim().replace('\n', "; "));
     }
 }
 

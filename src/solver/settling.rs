@@ -89,8 +89,9 @@ pub(super) fn settle(
     }
     if level.finest {
         estimate(&mut system, &shape, (newton, &ended), report);
-        report.energy_j = energies(&mut system, &shape);
     }
+    // Of every level: it may be the last that there is time for.
+    report.energy_j = energies(&mut system, &shape);
     add_terms(&mut report.terms, &system);
     Rest {
         to_go: level.trace.to_go(ended.residual, x),

@@ -17,7 +17,7 @@ use seamster::solver::{Drape, Energy, Method, MotionEnergy, Simulate, Trajectory
 /// Residual asked of the shape that a stopped one leads to: below any floor, which then is what stops it.
 const TO_THE_FLOOR: f64 = 1e-300;
 /// CPU time allowed to it \[s\].
-const REFERENCE_LIMIT: f64 = 20.0;
+const REFERENCE_LIMIT: f64 = 2.0;
 /// What an estimate that is called valid may be over the error.
 const ESTIMATE: [f64; 2] = [0.3, 3.0];
 /// CPU time in which a refusal is given \[s\].
@@ -43,6 +43,16 @@ pub(super) fn judge(case: &Case, slower: f64, line: &mut Line) {
     if line.cpu_s > within * slower {
         line.faults
             .push(format!("took {:.1} s of CPU, not {within} s", line.cpu_s));
+    }
+    if let Some(words) = case.known {
+        let (known, faults) = line
+            .faults
+            .drain(..)
+            .partition(|fault| fault.contains(words));
+        (line.known, line.faults) = (known, faults);
+        if line.known.is_empty() {
+            line.faults.push(format!("no longer so: {words}"));
+        }
     }
     if line.why.is_empty() {
         line.faults.push("no reason is given".to_owned());

@@ -36,6 +36,9 @@ pub(crate) struct Line {
     pub(crate) gap_m: f64,
     pub(crate) penetration_m: f64,
     pub(crate) memory_peak_bytes: u64,
-    /// All that is not as it must be; empty is good.
+    /// Faults that are known: failures of the solver, for which the case stands.
+    #[serde(default)]
+    pub(crate) known: Vec<String>,
+    /// All else that is not as it must be; empty is good.
     pub(crate) faults: Vec<String>,
 }

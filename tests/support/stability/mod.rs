@@ -73,6 +73,8 @@ pub(crate) struct Case {
     /// Makes it.
     pub(crate) make: Box<dyn Fn() -> Made>,
     pub(crate) expect: Expect,
+    /// Words of a fault that is known, and told in the table.
+    pub(crate) known: Option<&'static str>,
     /// CPU time within which it ends in a release build on one core of a usual machine \[s\].
     pub(crate) within_s: f64,
     /// Whether continuous integration runs it.
@@ -86,6 +88,7 @@ impl Case {
             name: name.into(),
             make: Box::new(make),
             expect: Expect::Converged,
+            known: None,
             within_s: 5.0,
             small: true,
         }
@@ -93,6 +96,18 @@ impl Case {
 
     fn expect(self, expect: Expect) -> Self {
         Self { expect, ..self }
+    }
+
+    /// Too long for continuous integration unless `small`.
+    fn small_if(self, small: bool) -> Self {
+        Self { small, ..self }
+    }
+
+    fn known(self, fault: &'static str) -> Self {
+        Self {
+            known: Some(fault),
+            ..self
+        }
     }
 
     fn within(self, within_s: f64) -> Self {

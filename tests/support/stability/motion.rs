@@ -32,7 +32,7 @@ pub(super) fn cases() -> Vec<Case> {
             cases.push(if explicit && step > 1e-4 {
                 case.expect(Expect::Refused("stability limit"))
             } else {
-                case.within(10.0)
+                case.small_if(explicit || step > 1e-3).within(10.0)
             });
         }
         for by in FACTORS {

@@ -19,10 +19,14 @@ pub(super) fn cases() -> Vec<Case> {
         Method::ImplicitEuler,
         Method::Bdf2,
     ] {
-        cases.push(Case::new(
-            format!("size: 3 vertices, {}", word(method)),
-            move || Made::drape(triangle(), method).asking(|ask| ask.tolerance = 1e-4),
-        ));
+        let case = Case::new(format!("size: 3 vertices, {}", word(method)), move || {
+            Made::drape(triangle(), method).asking(|ask| ask.tolerance = 1e-4)
+        });
+        // It may turn about the vertical through its pin: along that the second derivative is rounding.
+        cases.push(match method {
+            Method::ImplicitEuler => case.known("is called valid"),
+            _ => case,
+        });
     }
     cases.push(
         Case::new("size: 300 000 vertices", || {

@@ -16,10 +16,12 @@ pub(super) fn cases() -> Vec<Case> {
         cases.push(Case::new(format!("gravity {name}: hung"), move || {
             Made::drape(weighing(hung(poplin(), 12), by), Method::Newton)
         }));
-        cases.push(Case::new(
-            format!("gravity {name}: sewn over a cylinder"),
-            move || Made::drape(weighing(sewn(poplin(), 500), by), Method::Newton),
-        ));
+        cases.push(
+            Case::new(format!("gravity {name}: sewn over a cylinder"), move || {
+                Made::drape(weighing(sewn(poplin(), 500), by), Method::Newton)
+            })
+            .small_if(by > 0.0),
+        );
         cases.push(Case::new(
             format!("gravity {name}: on a ball, with friction"),
             move || {
@@ -28,16 +30,19 @@ pub(super) fn cases() -> Vec<Case> {
             },
         ));
         for method in [Method::ImplicitEuler, Method::Verlet] {
-            cases.push(Case::new(
-                format!("gravity {name}: motion, {}", word(method)),
-                move || {
-                    let scene = Scene {
-                        drag: Some(0.0),
-                        ..hung(poplin(), 8)
-                    };
-                    moving(weighing(scene, by), method, Some(1e-5), 0.02)
-                },
-            ));
+            cases.push(
+                Case::new(
+                    format!("gravity {name}: motion, {}", word(method)),
+                    move || {
+                        let scene = Scene {
+                            drag: Some(0.0),
+                            ..hung(poplin(), 8)
+                        };
+                        moving(weighing(scene, by), method, Some(1e-5), 0.02)
+                    },
+                )
+                .small_if(method == Method::Verlet),
+            );
         }
     }
     for (name, density) in [("5 g/m²", 0.005), ("5 kg/m²", 5.0)] {
@@ -133,7 +138,13 @@ fn garments() -> Vec<Case> {
                     limits: Limits::default(),
                 }
             })
-            .within(10.0)
+            .expect(if name == "of veil" {
+                Expect::NotConverged("limit of iterations")
+            } else {
+                Expect::Converged
+            })
+            .within(20.0)
+            .small_if(matches!(name, "inside the body" | "of steel"))
         })
         .collect()
 }
