@@ -12,6 +12,17 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
 
+/// The functions that make the report, or tell before that there is no use in beginning.
+pub(crate) const REPORT: [&str; 7] = [
+    "solver::motion::needs::refuse",
+    "solver::trace::Trace::look",
+    "solver::way::Way::to_go",
+    "solver::way::Way::points",
+    "solver::settling::estimate",
+    "solver::summary::energies",
+    "solver::drape::measure_all",
+];
+
 /// What a program did, in instructions.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Profile {

@@ -4,7 +4,7 @@
 //! comparison (see [`REPORT`]); `make instructions` tells what that is of a whole fit.
 
 use super::by_hand::{self, no_clock};
-use super::callgrind::{self, Profile};
+use super::callgrind::{self, Profile, REPORT};
 use super::scenes::{Has, scene};
 use crate::config::Limits;
 use crate::progress::CancelToken;
@@ -32,17 +32,6 @@ const LACKS: [&str; 6] = [
     "src/solver/assemble/bend.rs",
     "src/solver/forces/sewing.rs",
     "src/export",
-];
-
-/// What makes the report, or tells before that there is no use in beginning.
-const REPORT: [&str; 7] = [
-    "solver::motion::needs::refuse",
-    "solver::trace::Trace::look",
-    "solver::way::Way::to_go",
-    "solver::way::Way::points",
-    "solver::settling::estimate",
-    "solver::summary::energies",
-    "solver::drape::measure_all",
 ];
 
 fn ask(method: Method) -> Simulate {
