@@ -76,7 +76,7 @@ fn tables() -> Result<String, String> {
     let mut out = format!("{OF_TERMS}{}{OF_FITS}", of_terms()?);
     let mut finest = Profile::default();
     for edge in EDGES {
-        finest = profile(edge)?;
+        finest = callgrind::run(&["fit", edge])?;
         out += &row(edge, &finest)?;
     }
     let _ = write!(
@@ -110,12 +110,6 @@ fn of_terms() -> Result<String, String> {
     }
     let rows = said.lines().filter(|line| line.starts_with("| "));
     Ok(rows.map(|row| format!("{row}\n")).collect())
-}
-
-fn profile(edge: &str) -> Result<Profile, String> {
-    let program = std::env::current_exe().map_err(|error| error.to_string())?;
-    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-    callgrind::run(&program, &["fit", edge], folder.path())
 }
 
 fn whole(profile: &Profile) -> Result<u64, String> {

@@ -9,7 +9,6 @@
 )]
 
 use std::collections::BTreeMap;
-use std::path::Path;
 use std::process::Command;
 
 /// The functions that make the report, or tell before that there is no use in beginning.
@@ -43,12 +42,14 @@ pub(crate) fn is_installed() -> bool {
     found
 }
 
-/// Runs `program` with `arguments` under callgrind, with a file in `folder`.
+/// Runs this program once more, with `arguments`, under callgrind.
 ///
 /// # Errors
 /// What valgrind or the program said, if it failed.
-pub(crate) fn run(program: &Path, arguments: &[&str], folder: &Path) -> Result<Profile, String> {
-    let out = folder.join("callgrind.out");
+pub(crate) fn run(arguments: &[&str]) -> Result<Profile, String> {
+    let program = std::env::current_exe().map_err(|error| error.to_string())?;
+    let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+    let out = folder.path().join("callgrind.out");
     let ran = Command::new("valgrind")
         .args(["--tool=callgrind", "--quiet"])
         .arg(format!("--callgrind-out-file={}", out.display()))

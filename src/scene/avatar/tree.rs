@@ -15,12 +15,24 @@ const ROUNDING: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(super) struct Tree {
     nodes: Vec<Node>,
-    /// Triangles in the order of the leaves: index into the mesh and corners.
-    leaves: Vec<(usize, [Vector3<f64>; 3])>,
+    /// Triangles in the order of the leaves: index into the mesh, corners, and the disc around them.
+    leaves: Vec<(Leaf, Disc)>,
 }
+
+type Leaf = (usize, [Vector3<f64>; 3]);
 
 #[derive(Clone, Copy, Debug)]
 struct Node {
+    disc: Disc,
+    /// First triangle of a leaf, or the second child (the first one follows its parent).
+    at: usize,
+    /// Triangles of a leaf; 0 for a node with children.
+    count: usize,
+}
+
+/// A flat cylinder.
+#[derive(Clone, Copy, Debug)]
+struct Disc {
     middle: Vector3<f64>,
     /// Of length 1.
     axis: Vector3<f64>,
@@ -28,10 +40,6 @@ struct Node {
     half_thickness: f64,
     /// \[m\]
     radius: f64,
-    /// First triangle of a leaf, or the second child (the first one follows its parent).
-    at: usize,
-    /// Triangles of a leaf; 0 for a node with children.
-    count: usize,
 }
 
 /// Which part of a triangle a point is nearest to.
@@ -60,7 +68,11 @@ impl Tree {
         let mut nodes = Vec::new();
         let count = leaves.len();
         grow(&mut leaves, (0, count), &mut nodes);
-        Self { nodes, leaves }
+        let around = |leaf: Leaf| (leaf, Disc::around(&[leaf]));
+        Self {
+            nodes,
+            leaves: leaves.into_iter().map(around).collect(),
+        }
     }
 
     /// The nearest point among those closer than `within` \[m\]. Of several equally near ones, always the same.
@@ -77,7 +89,10 @@ impl Tree {
             }
             let node = &self.nodes[index];
             if node.count > 0 {
-                for (triangle, corners) in &self.leaves[node.at..node.at + node.count] {
+                for ((triangle, corners), disc) in &self.leaves[node.at..node.at + node.count] {
+                    if disc.gap(p) > bound {
+                        continue;
+                    }
                     let (point, feature) = nearest_in_triangle(p, corners);
                     let distance_squared = (p - point).norm_squared();
                     if distance_squared < bound {
@@ -92,7 +107,7 @@ impl Tree {
                 }
                 continue;
             }
-            let children = [index + 1, node.at].map(|child| (child, self.nodes[child].gap(p)));
+            let children = [index + 1, node.at].map(|child| (child, self.nodes[child].disc.gap(p)));
             let [near, far] = if children[0].1 <= children[1].1 {
                 children
             } else {
@@ -106,11 +121,11 @@ impl Tree {
     }
 }
 
-impl Node {
+impl Disc {
     /// The disc around triangles that stands on their mean normal.
-    fn around(inside: &[(usize, [Vector3<f64>; 3])]) -> Self {
+    fn around(inside: &[Leaf]) -> Self {
         let corners = || inside.iter().flat_map(|(_, corners)| corners);
-        let normal = |(_, [a, b, c]): &(usize, [Vector3<f64>; 3])| (b - a).cross(&(c - a));
+        let normal = |(_, [a, b, c]): &Leaf| (b - a).cross(&(c - a));
         let sum: Vector3<f64> = inside.iter().map(normal).sum();
         let axis = sum.try_normalize(0.0).unwrap_or_else(Vector3::y);
         let mean = corners().sum::<Vector3<f64>>() / (3 * inside.len()).max(1) as f64;
@@ -129,8 +144,6 @@ impl Node {
             axis,
             half_thickness: 0.5 * (high - low),
             radius: across.fold(0.0, f64::max).sqrt(),
-            at: 0,
-            count: 0,
         }
     }
 
@@ -145,18 +158,14 @@ impl Node {
     }
 }
 
-fn grow(
-    leaves: &mut [(usize, [Vector3<f64>; 3])],
-    (from, to): (usize, usize),
-    nodes: &mut Vec<Node>,
-) {
+fn grow(leaves: &mut [Leaf], (from, to): (usize, usize), nodes: &mut Vec<Node>) {
     let inside = &mut leaves[from..to];
     let index = nodes.len();
     let count = if to - from <= LEAF { to - from } else { 0 };
     nodes.push(Node {
         at: from,
         count,
-        ..Node::around(inside)
+        disc: Disc::around(inside),
     });
     if count > 0 || to == from {
         return;

@@ -126,13 +126,10 @@ fn drape_of_everything() {
 
 /// The profile of the test `name` of this module.
 fn profile(name: &str) -> Profile {
-    let program = std::env::current_exe().expect("a test is a program");
-    let module = module_path!().split_once("::").expect("within the crate").1;
-    let test = format!("{module}::{name}");
+    let module = module_path!().split_once("::");
+    let test = format!("{}::{name}", module.expect("within the crate").1);
     let arguments = ["--exact", &test, "--ignored", "--test-threads=1"];
-    let folder = tempfile::tempdir().expect("a folder that can be written to");
-    callgrind::run(&program, &arguments, folder.path())
-        .unwrap_or_else(|why| panic!("{name}: {why}"))
+    callgrind::run(&arguments).unwrap_or_else(|why| panic!("{name}: {why}"))
 }
 
 /// Instructions of the drape `name` without its report, of the program `by_hand`, and of the report.
