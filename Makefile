@@ -6,7 +6,7 @@ NPM_CI = npm ci --ignore-scripts --no-audit --no-fund
 
 # Set LISTEN or BIN on the command line: make run LISTEN=127.0.0.1:9000
 
-.PHONY: help run test check bench instructions table fuzz smoke audit build page browser chromium valgrind
+.PHONY: help run test check bench stability instructions table fuzz smoke audit build page browser chromium valgrind
 .DEFAULT_GOAL := help
 
 help:
@@ -15,6 +15,7 @@ help:
 	@echo "make check   format, lints, documentation"
 	@echo "make bench   error against run time: a JSON line a run in target/bench.jsonl, plots in target/bench (SCENES: some only)"
 	@echo "make instructions  what a scene lacks, and its report, cost, counted by valgrind (ARGS='--table FILE' writes it there)"
+	@echo "make stability  stiff and extreme cases, all of them: a JSON line a case in target/stability.jsonl (CASES: some only)"
 	@echo "make table   what the project makes of the real patterns in SEAMSTER_TEST_DATA, against the truth"
 	@echo "make fuzz    searches for inputs that break the importer and the seam check (T seconds each)"
 	@echo "make smoke   a fresh service sews both samples, a validator reads the result"
@@ -62,6 +63,9 @@ bench:
 
 instructions: page valgrind
 	cargo run --release --locked --example instructions -- $(ARGS)
+
+stability:
+	cargo run --release --locked --example stability -- $(CASES)
 
 table: page
 	cargo run --locked --example truth_table $(SECTIONS)

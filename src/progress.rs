@@ -26,10 +26,10 @@ impl CancelToken {
     }
 }
 
-/// How far a fit is.
+/// How far a fit or a study is.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Progress {
-    /// What runs now: `mesh`, `assemble`, `sew`, `drape` or `export`.
+    /// What runs now, of a fit: `mesh`, `assemble`, `sew`, `drape` or `export`; of a study, in words.
     pub stage: String,
     /// Share of the whole done, 0 to 1; an estimate that never falls.
     pub fraction: f64,
@@ -39,6 +39,6 @@ pub struct Progress {
     pub residual: Option<f64>,
     /// Largest distance between the two points of any stitch \[m\].
     pub seam_gap_m: Option<f64>,
-    /// CPU time of the fit so far \[s\].
+    /// CPU time so far \[s\].
     pub cpu_s: f64,
 }

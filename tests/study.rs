@@ -154,10 +154,12 @@ fn stability_limits_are_near_those_of_theory() {
         ..taut_plan()
     };
     let net = quiet(|context| run_scenes(&taut(), &plan, context));
+    // Drapes by explicit steps would take long on cloth; the start of a fall does not.
+    let simulate = json!({"want": "motion", "duration_s": 0.01, "frame_rate_hz": 100.0});
     let sewn = of_sample(
         "skirt",
-        json!({"friction": 0, "simulate": {"edge_length_m": 0.06}}),
-        json!({"methods": ["newton", "symplectic_euler", "verlet"], "tolerances": [1e-1]}),
+        json!({"friction": 0, "simulate": simulate}),
+        json!({"methods": ["symplectic_euler", "verlet"], "steps_s": [2e-5], "edge_lengths_m": [0.06]}),
     );
     for (study, count) in [(&net, 4), (&sewn, 2)] {
         assert_eq!(study.stability.len(), count, "{:?}", study.left_out);

@@ -143,19 +143,30 @@ pub(super) async fn scene(
     Id(id): Id,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let json = app.heavy(move |app| assembled(app, id)).await??;
+    let asked = WhileAsked(CancelToken::new());
+    let cancel = asked.0.clone();
+    let json = app.heavy(move |app| assembled(app, id, &cancel)).await??;
     Answer::new(json, JSON).to(&headers)
 }
 
+/// Stops the work for a call when the call is given up: meshing may take longer than a client waits.
+struct WhileAsked(CancelToken);
+
+impl Drop for WhileAsked {
+    fn drop(&mut self) {
+        self.0.cancel();
+    }
+}
+
 /// The scene of a stored garment, as the worker assembles it.
-fn assembled(app: &Shared, id: Uuid) -> Result<Vec<u8>, Problem> {
+fn assembled(app: &Shared, id: Uuid, cancel: &CancelToken) -> Result<Vec<u8>, Problem> {
     let garment = jobs::asked(app, JobKind::Fit, id)?;
     let garment = serde_json::from_slice(&garment)
         .map_err(|cause| StoreError::new("reading a garment", cause))?;
     let prepared = fit::prepare(garment, app.catalogue(), app.limits())?;
     let context = Context {
         cpu_s: &|| 0.0,
-        cancel: &CancelToken::new(),
+        cancel,
         progress: &mut |_| {},
         limits: app.limits(),
     };

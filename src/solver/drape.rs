@@ -9,7 +9,7 @@ use super::report::{Plan, Report};
 use super::stage::{Bounds, push_once};
 use super::summary::{left_out, worn};
 use super::trace::Trace;
-use super::{Context, Drape, motion, unfinished};
+use super::{Context, Drape, collapsed, motion, unfinished};
 use crate::scene::Scene;
 use nalgebra::Vector3;
 
@@ -137,6 +137,9 @@ impl Run<'_, '_, '_, '_> {
         let coarsest = self.cascade.coarsest();
         let start = &self.cascade.scene(coarsest).start;
         let mut x = self.from.map_or(start, |from| &from.positions).clone();
+        if self.from.is_none() {
+            collapsed::scatter(self.cascade.scene(coarsest), &mut x);
+        }
         let mut number = coarsest;
         loop {
             let rest = self.level(number, &mut x);
@@ -152,7 +155,8 @@ impl Run<'_, '_, '_, '_> {
             if self.cascade.is_softer(number) {
                 push_once(&mut self.report.ladder, "softer_cloth");
             } else {
-                self.handed_on = self.report.converged.then(|| x.clone());
+                let is_whole = x.len() == self.cascade.scene(0).start.len();
+                self.handed_on = (self.report.converged && is_whole).then(|| x.clone());
             }
             number -= 1;
         }

@@ -5,6 +5,7 @@ mod assemble;
 mod cascade;
 mod cholesky;
 mod closing;
+mod collapsed;
 mod contact;
 mod dissection;
 mod drape;

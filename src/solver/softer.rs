@@ -88,3 +88,50 @@ fn capped(scene: &Scene, cap: f64) -> Scene {
     }
     scene
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::config::Limits;
+    use crate::scene::{NetSpring, RawScene};
+
+    /// Two vertices 1 m apart that weigh 1 N each, joined by a soft spring and a stiff one.
+    fn pair(stiffness: f64) -> Scene {
+        let spring = |stiffness_n_m| NetSpring {
+            a: 0,
+            b: 1,
+            rest_length_m: 1.0,
+            stiffness_n_m,
+        };
+        let raw = RawScene {
+            start_m: vec![[0.0; 3], [1.0, 0.0, 0.0]],
+            mass_kg: vec![1.0 / STANDARD_GRAVITY; 2],
+            springs: vec![spring(10.0), spring(stiffness)],
+            ..RawScene::default()
+        };
+        raw.into_scene(&Limits::default())
+            .expect("a right scene of two vertices")
+    }
+
+    fn stiffnesses(scene: &Scene) -> Vec<f64> {
+        scene
+            .net
+            .iter()
+            .flatten()
+            .map(|s| s.stiffness_n_m)
+            .collect()
+    }
+
+    /// 2 N over 1 m against 1e4 N/m is a strain of 2e-4: nothing to soften.
+    #[test]
+    fn cloth_as_soft_as_any_worn_is_left_alone() {
+        assert!(softer(&pair(1e4)).is_empty());
+    }
+
+    /// 2 N/m against 1e7 N/m is 2e-7: tenfold softer twice brings it above 1.5e-5, and the soft spring stays.
+    #[test]
+    fn what_is_stiff_is_softened_tenfold_until_it_strains() {
+        let softer: Vec<_> = softer(&pair(1e7)).iter().map(stiffnesses).collect();
+        assert_eq!(softer, [vec![10.0, 1e6], vec![10.0, 1e5]]);
+    }
+}

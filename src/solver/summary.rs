@@ -8,6 +8,8 @@ use nalgebra::Vector3;
 
 /// How far the middle of a garment may sink while it comes to rest before it counts as fallen off \[m\].
 const FALLEN: f64 = 0.15;
+/// How deep inside the body cloth may be that still is worn on it \[m\]: more than any layer gives way or any triangle cuts off.
+const INSIDE: f64 = 0.01;
 
 #[inline(never)] // so that a profile tells what it takes
 pub(super) fn energies(system: &mut System<'_>, x: &[Vector3<f64>]) -> Energy {
@@ -97,6 +99,12 @@ pub(super) fn worn(scene: &Scene, report: &Report, sunk: f64) -> Worn {
         (
             false,
             format!("it did not come to rest; its middle is {moved}"),
+        )
+    } else if report.penetration_max_m > INSIDE {
+        let inside = report.penetration_max_m * 1e3;
+        (
+            false,
+            format!("it came to rest with cloth {inside:.0} mm inside the body"),
         )
     } else if sunk > FALLEN {
         let sunk = sunk * 1e3;

@@ -34,7 +34,7 @@ pub struct StudyAsked {
     #[serde(default)]
     #[schema(min_items = 0)]
     pub edge_lengths_m: Vec<f64>,
-    /// CPU time of the whole study \[s\]; what it does not suffice for is left out and listed. Absent: the service's limit.
+    /// CPU time of the whole study \[s\]; what it does not suffice for is left out and listed. Absent: 600.
     #[serde(default)]
     pub time_limit_s: Option<f64>,
 }

@@ -79,7 +79,7 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
         let mut confirmed = self.confirmation(reference, second);
         confirmed.cpu_s = self.work.cpu_s() - began;
         let number = reference.and_then(|found| found.minimum);
-        let rest = number.map(|number| self.minima.shape(number).to_vec());
+        let rest = number.map(|number| self.minima.drape(number).clone());
         if let Some(number) = number {
             self.minima.make_first(number);
         }
@@ -97,7 +97,7 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
                 minima: self.minima.listed(),
                 mesh_error_m: None,
             },
-            shapes: rest.iter().cloned().collect(),
+            shapes: rest.iter().map(|r| r.positions.clone()).collect(),
             rest,
         }
     }
@@ -118,7 +118,9 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
             error_certain: false,
             estimate_m: report.error_estimate_m,
             estimate_valid: report.error_estimate_valid,
-            energy_j: total(&report.energy_j),
+            energy_j: Some(total(&report.energy_j))
+                .filter(|e| e.is_finite())
+                .unwrap_or(0.0),
             residual: Some(report.residual).filter(|r| r.is_finite()),
             minimum: None,
             minimum_energy_j: None,
@@ -137,7 +139,8 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
                 self.found.push(found);
             }
         }
-        let out_of_time = !run.converged && cpu_s >= time;
+        // The solver ends a little before its time is up.
+        let out_of_time = !run.converged && cpu_s >= 0.7 * time;
         Some((run, out_of_time))
     }
 
@@ -159,10 +162,6 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
 
     fn rest_of(&mut self, drape: &Drape, method: Method, tolerance: f64) -> Option<Rest> {
         let scene = &self.scene.scene;
-        if depends_on_path(scene) {
-            self.work.skip(1.0);
-            return None;
-        }
         let what = format!("where {} leads to", self.what(method, tolerance));
         let ask = self.ask(Method::Newton, tolerance);
         let rest = self.work.part(&what, 1.0, |context, time| {
@@ -202,10 +201,6 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
 
     /// A run that the study did not ask for, to have something to compare with.
     fn own(&mut self, method: Method) -> Option<Found> {
-        if depends_on_path(&self.scene.scene) {
-            self.work.skip(2.0);
-            return None;
-        }
         let (drape, _, _) = self.draped(method, OWN_TOLERANCE, "for the reference: ")?;
         let rest = self.rest_of(&drape, method, OWN_TOLERANCE)?;
         Some(self.keep(method, OWN_TOLERANCE, &rest, false))
@@ -218,7 +213,7 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
         out.methods = found.iter().map(|f| f.method).collect();
         out.energies_j = found.iter().map(|f| f.energy_j).collect();
         let [a, b] = found[..] else {
-            out.because = self.why_alone(&found);
+            out.because = why_alone(&found);
             return out;
         };
         let (names, energies) = (
@@ -241,8 +236,13 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
                 names[0], names[1], energies[0], energies[1]
             )
         } else {
+            let why = if depends_on_path(&self.scene.scene) {
+                "with friction against the body, rest shapes depend on the way there"
+            } else {
+                "several rest shapes exist"
+            };
             format!(
-                "several rest shapes exist: {} came to rest at {:.6} mJ, {} {:.2e} mm away at {:.6} mJ; the lower is the steadier",
+                "{why}: {} came to rest at {:.6} mJ, {} {:.2} mm away at {:.6} mJ",
                 names[0],
                 energies[0],
                 names[1],
@@ -251,20 +251,6 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
             )
         };
         out
-    }
-
-    fn why_alone(&self, found: &[Found]) -> String {
-        if depends_on_path(&self.scene.scene) {
-            return "with friction against the body a rest shape depends on the way there: there is no shape to measure all by"
-                .to_owned();
-        }
-        match found {
-            [] => "no method came to rest in the time allowed".to_owned(),
-            [only, ..] => format!(
-                "only {} came to rest in the time allowed: not confirmed",
-                name_of(only.method)
-            ),
-        }
     }
 
     fn what(&self, method: Method, tolerance: f64) -> String {
@@ -282,5 +268,15 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
             edge_length_m: self.scene.edge_length_m,
             ..self.plan.simulate.clone()
         }
+    }
+}
+
+fn why_alone(found: &[Found]) -> String {
+    match found {
+        [] => "no method came to rest in the time allowed".to_owned(),
+        [only, ..] => format!(
+            "only {} came to rest in the time allowed: not confirmed",
+            name_of(only.method)
+        ),
     }
 }

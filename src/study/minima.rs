@@ -2,7 +2,7 @@
 
 use super::report::StudyMinimum;
 use super::rest::Rest;
-use crate::solver::rms_distance;
+use crate::solver::{Drape, rms_distance};
 use nalgebra::Vector3;
 
 /// Shapes nearer than this are the same \[m, RMS\]: a hundredth of a millimetre is nothing on a garment.
@@ -22,7 +22,7 @@ pub(super) struct Minima {
 
 #[derive(Debug)]
 struct Minimum {
-    shape: Vec<Vector3<f64>>,
+    drape: Drape,
     energy_j: f64,
     estimate_m: f64,
     runs: usize,
@@ -34,12 +34,12 @@ impl Minima {
         let (shape, estimate_m) = (&rest.drape.positions, rest.estimate_m());
         let same = |known: &Minimum| {
             let near = SAME.max(ESTIMATES * (known.estimate_m + estimate_m));
-            rms_distance(&known.shape, shape) <= near
+            rms_distance(&known.drape.positions, shape) <= near
         };
         let number = self.known.iter().position(same).or_else(|| {
             (self.known.len() < KEPT).then(|| {
                 self.known.push(Minimum {
-                    shape: shape.clone(),
+                    drape: rest.drape.clone(),
                     energy_j: rest.energy_j(),
                     estimate_m,
                     runs: 0,
@@ -51,8 +51,12 @@ impl Minima {
         Some(number)
     }
 
-    pub(super) fn shape(&self, number: usize) -> &[Vector3<f64>] {
-        &self.known[number].shape
+    pub(super) fn drape(&self, number: usize) -> &Drape {
+        &self.known[number].drape
+    }
+
+    fn shape(&self, number: usize) -> &[Vector3<f64>] {
+        &self.known[number].drape.positions
     }
 
     /// Distance between two of them \[m\].

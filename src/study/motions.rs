@@ -8,7 +8,6 @@ use super::work::Work;
 use crate::scene::Scene;
 use crate::solver::{self, Drape, Method, Simulate, Start, Trajectory, Want};
 use nalgebra::Vector3;
-use std::borrow::Cow;
 
 /// Tolerance of runs with fixed steps, which says how exactly implicit steps are solved \[m/s\]: to 2e-10 of the weight.
 pub(super) const EXACTLY: f64 = 1e-7;
@@ -327,8 +326,8 @@ impl<'a, 'c, 'w> Motions<'a, 'c, 'w> {
     }
 
     /// A rest shape near where the motion begins, for the stability limits.
-    fn rest(&mut self, start: &[Vector3<f64>]) -> Option<Vec<Vector3<f64>>> {
-        let scene: Cow<'_, Scene> = Cow::Borrowed(&self.scene.scene);
+    fn rest(&mut self, start: &[Vector3<f64>]) -> Option<Drape> {
+        let scene = &self.scene.scene;
         let ask = Simulate {
             want: Want::Drape,
             method: Method::Newton,
@@ -345,9 +344,9 @@ impl<'a, 'c, 'w> Motions<'a, 'c, 'w> {
                 time_limit_s: Some(time),
                 ..ask
             };
-            solver::drape_on(&scene, &ask, &Drape::of_shape(start), context)
+            solver::drape_on(scene, &ask, &Drape::of_shape(start), context)
         })?;
-        drape.report.converged.then_some(drape.positions)
+        drape.report.converged.then_some(drape)
     }
 
     fn ask(&self, method: Method, setting: Setting) -> Simulate {

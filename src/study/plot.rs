@@ -79,7 +79,7 @@ pub(super) fn method_name(run: &StudyRun) -> String {
 /// A run in a line.
 fn tip(run: &StudyRun) -> String {
     let error = run.error_m.map_or_else(
-        || "error not known".to_owned(),
+        || "no error known".to_owned(),
         |error| format!("error {:.2e} mm", 1e3 * error),
     );
     let ended = if run.converged {

@@ -19,6 +19,8 @@ const METHODS_OF_A_MOTION: [Method; 4] = [
     Method::ImplicitEuler,
     Method::Bdf2,
 ];
+/// CPU time where none is given \[s\]: a worker is not to be kept for hours unasked.
+const TIME: f64 = 600.0;
 const TOLERANCES_OF_A_DRAPE: [f64; 4] = [1e-1, 1e-2, 1e-3, 1e-4];
 
 /// A study that was checked whole. Built only by [`prepare`].
@@ -56,7 +58,7 @@ pub fn prepare(
     library: &dyn Library,
     limits: &Limits,
 ) -> Result<PreparedStudy, Faults> {
-    fill_in(&mut asked);
+    fill_in(&mut asked, limits);
     let mut faults = list_faults(&asked, limits);
     faults.extend(motion_faults(&asked));
     let own = std::mem::take(&mut asked.garment.simulate);
@@ -105,7 +107,9 @@ fn on_mesh(garment: &Garment, own: &Simulate, edge_length_m: f64) -> Garment {
     }
 }
 
-fn fill_in(asked: &mut StudyAsked) {
+fn fill_in(asked: &mut StudyAsked, limits: &Limits) {
+    let time = asked.time_limit_s.unwrap_or(TIME.min(limits.study_cpu_s));
+    asked.time_limit_s = Some(time);
     let motion = asked.garment.simulate.want == Want::Motion;
     if asked.methods.is_empty() {
         asked.methods = if motion {

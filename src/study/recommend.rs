@@ -6,6 +6,9 @@ use super::rest::depends_on_path;
 use super::run::{StudyScene, edges};
 use crate::solver::Want;
 
+/// Smaller errors are of no use to anyone \[m\].
+const LEAST: f64 = 1e-6;
+
 /// What to take, from the runs on the finest mesh that has errors.
 pub(super) fn sentence(study: &Study) -> String {
     let usable = || {
@@ -79,7 +82,8 @@ fn target(runs: &[&StudyRun]) -> Option<f64> {
         );
     }
     best.sort_by(f64::total_cmp);
-    best.get(1).or(best.first()).map(|error| round_up(*error))
+    let error = best.get(1).or(best.first())?;
+    Some(round_up(error.max(LEAST)))
 }
 
 /// The next of 1, 2, 5, 10, ... times a power of ten.
@@ -124,7 +128,7 @@ pub(super) fn notes(study: &Study, scenes: &[StudyScene]) -> Vec<String> {
     let friction = scenes.iter().any(|s| depends_on_path(&s.scene));
     note(
         drape && friction,
-        "There is friction against the body: rest shapes depend on the way there, so different methods and meshes come to rest elsewhere and no rest shape is the right one.",
+        "There is friction against the body: rest shapes depend on the way there, so methods and meshes come to rest in different ones and none is the right one; an error is the distance to where friction lets the run itself go.",
     );
     note(
         !drape && friction,
@@ -136,7 +140,7 @@ pub(super) fn notes(study: &Study, scenes: &[StudyScene]) -> Vec<String> {
     );
     let several = study.meshes.iter().any(|m| m.minima.len() > 1);
     note(
-        several,
+        several && !friction,
         "Several rest shapes exist, as cloth wrinkles one way or another: an error is the distance to the rest shape that the run itself leads to, not between them; compare their energies.",
     );
     let compared = study.meshes.iter().any(|m| m.mesh_error_m.is_some());

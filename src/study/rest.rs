@@ -21,15 +21,15 @@ pub struct Rest {
 impl Rest {
     /// Goes on from where `from` stopped, by the method and within the time that `ask` names.
     ///
-    /// `None` if its seams are open (there is no rest shape to go on to), if that method did not come to rest, or if friction
-    /// holds it: where it would go on to depends on the way that it came.
+    /// `None` if its seams are open (there is no rest shape to go on to), or if that method did not come to rest. Friction goes on
+    /// from where it held the cloth.
     pub fn of(
         scene: &Scene,
         ask: &Simulate,
         from: &Drape,
         context: &mut Context<'_>,
     ) -> Option<Self> {
-        if depends_on_path(scene) || from.report.seam_gap_max_m >= ask.seam_eps_m {
+        if from.report.seam_gap_max_m >= ask.seam_eps_m {
             return None;
         }
         let ask = Simulate {

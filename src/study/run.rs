@@ -9,7 +9,7 @@ use super::{compare, recommend, stable};
 use crate::fault::Faults;
 use crate::fit;
 use crate::scene::Scene;
-use crate::solver::{Context, Method, Simulate, Want};
+use crate::solver::{Context, Drape, Method, Simulate, Want};
 use nalgebra::Vector3;
 
 /// What a study varies, on scenes that are assembled already.
@@ -41,8 +41,8 @@ pub(super) struct OnMesh {
     pub(super) mesh: StudyMesh,
     /// What meshes are compared by: the rest shape, or frames of the motion \[m\].
     pub(super) shapes: Vec<Vec<Vector3<f64>>>,
-    /// A shape at rest, to disturb \[m\].
-    pub(super) rest: Option<Vec<Vector3<f64>>>,
+    /// A shape at rest, to disturb.
+    pub(super) rest: Option<Drape>,
 }
 
 /// Makes all runs of a study, each measured against a reference that the study converges itself.
@@ -97,7 +97,7 @@ pub fn run_scenes(scenes: &[StudyScene], plan: &StudyPlan, context: &mut Context
         });
     }
     for (scene, on_mesh) in scenes.iter().zip(&on_meshes) {
-        let found = stable::limits(scene, plan, on_mesh.rest.as_deref(), &mut work);
+        let found = stable::limits(scene, plan, on_mesh.rest.as_ref(), &mut work);
         study.stability.extend(found);
     }
     let errors = compare::mesh_errors(scenes, &on_meshes);

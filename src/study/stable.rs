@@ -3,8 +3,7 @@
 use super::report::StudyStability;
 use super::run::{StudyPlan, StudyScene, edges, name_of, steps};
 use super::work::Work;
-use crate::solver::{self, Method, Simulate};
-use nalgebra::Vector3;
+use crate::solver::{self, Drape, Method, Simulate};
 
 /// Parts of a study that the limit of one method counts as.
 const PARTS: f64 = 2.0;
@@ -14,11 +13,11 @@ pub(super) fn parts(plan: &StudyPlan) -> f64 {
     PARTS * plan.methods.iter().filter(|m| steps(**m)).count() as f64
 }
 
-/// The limit of every method that steps, near the shape `rest` \[m; `#V`\].
+/// The limit of every method that steps, near the rest shape `rest`.
 pub(super) fn limits(
     scene: &StudyScene,
     plan: &StudyPlan,
-    rest: Option<&[Vector3<f64>]>,
+    rest: Option<&Drape>,
     work: &mut Work<'_, '_>,
 ) -> Vec<StudyStability> {
     let methods = plan.methods.iter().copied().filter(|m| steps(*m));
@@ -31,7 +30,7 @@ fn limit(
     scene: &StudyScene,
     plan: &StudyPlan,
     method: Method,
-    rest: Option<&[Vector3<f64>]>,
+    rest: Option<&Drape>,
     work: &mut Work<'_, '_>,
 ) -> Option<StudyStability> {
     let what = format!(

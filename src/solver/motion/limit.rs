@@ -21,13 +21,15 @@ const SETTLED: f64 = 1e-5;
 const STIFFENING: f64 = 0.05;
 /// Furthest that a particle is moved to take differences of forces \[m\]: far below an edge, far above rounding.
 const PROBE: f64 = 1e-7;
+/// The same where the frequency at that very shape is wanted: cloth that yields to pressure is not linear further off.
+const NEAR_PROBE: f64 = 1e-9;
 
 /// A bound on the square of the highest frequency of `system` at `x` \[1/s²\].
 pub(crate) fn highest_square(system: &mut System<'_>, x: &[Vector3<f64>]) -> f64 {
     let contact = contact_square(system);
     set_taut(system, true);
     let unknowns = 3.0 * x.len() as f64;
-    let mut probe = Probe::new(system, x, false);
+    let mut probe = Probe::new(system, x, false, PROBE);
     let (largest, products) = probe.lanczos(PRODUCTS, 0.0);
     set_taut(system, false);
     let k = products.max(2) as f64 - 1.0;
@@ -49,7 +51,7 @@ fn set_taut(system: &mut System<'_>, taut: bool) {
 /// The square of the highest frequency of `system` at `x` with what touches the body there \[1/s²\], to about `SETTLED`: no
 /// bound, but what theory is compared by.
 pub(crate) fn highest_square_here(system: &mut System<'_>, x: &[Vector3<f64>]) -> f64 {
-    Probe::new(system, x, true)
+    Probe::new(system, x, true, NEAR_PROBE)
         .lanczos(MOST_PRODUCTS, SETTLED)
         .0
 }
@@ -87,18 +89,21 @@ struct Probe<'s, 'a, 'x> {
     system: &'s mut System<'a>,
     x: &'x [Vector3<f64>],
     contact: bool,
+    /// \[m\]
+    reach: f64,
     moved: Vec<Vector3<f64>>,
     here: Vec<Vector3<f64>>,
     there: Vec<Vector3<f64>>,
 }
 
 impl<'s, 'a, 'x> Probe<'s, 'a, 'x> {
-    fn new(system: &'s mut System<'a>, x: &'x [Vector3<f64>], contact: bool) -> Self {
+    fn new(system: &'s mut System<'a>, x: &'x [Vector3<f64>], contact: bool, reach: f64) -> Self {
         let zero = vec![Vector3::zeros(); x.len()];
         let mut probe = Self {
             system,
             x,
             contact,
+            reach,
             moved: x.to_vec(),
             here: zero.clone(),
             there: zero,
@@ -127,7 +132,7 @@ impl<'s, 'a, 'x> Probe<'s, 'a, 'x> {
             .zip(mass)
             .map(|(z, m)| z.amax() / m.sqrt())
             .fold(f64::MIN_POSITIVE, f64::max);
-        let share = PROBE / reach;
+        let share = self.reach / reach;
         for (((moved, x), z), m) in self.moved.iter_mut().zip(self.x).zip(z).zip(mass) {
             *moved = x + z * (share / m.sqrt());
         }

@@ -18,7 +18,8 @@ const SHORTEST_IMPLICIT: f64 = 1e-7;
 const GROWTH: f64 = 1.5;
 /// Residual to which implicit steps are solved, against the one that is to be reached.
 const SOLVED: f64 = 0.1;
-/// Least share of the stable step that is gone down to where steps drive the cloth.
+/// Least share of the stable step that is gone down to where steps drive the cloth, and where forces became infinite.
+const LEAST_DRIVEN: f64 = 0.05;
 const LEAST_SHARE: f64 = 1e-3;
 /// Blocks of steps after which the stability limit is looked at again, since cloth stiffens as it stretches.
 const BLOCKS_A_LIMIT: usize = 40;
@@ -126,7 +127,7 @@ fn steps(
         number += 1;
         let driven = balance.as_mut().is_some_and(|balance| {
             let time = h * stepper.block() as f64;
-            number > 1 && share > LEAST_SHARE && balance.is_driven(system, &state, time)
+            number > 1 && share > LEAST_DRIVEN && balance.is_driven(system, &state, time)
         });
         if driven {
             share *= 0.5;

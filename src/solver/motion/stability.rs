@@ -9,27 +9,30 @@ use super::limit;
 use super::stepper::State;
 use super::{Settings, stepper};
 use crate::scene::Scene;
-use crate::solver::Context;
 use crate::solver::ask::{Method, SeamClose, Simulate};
 use crate::solver::assemble::{Stage, assemble};
 use crate::solver::closing::{SEAM_STIFFNESS, closed_stiffness};
 use crate::solver::contact::Anchors;
-use crate::solver::measure::rms_distance;
 use crate::solver::topology::Particles;
+use crate::solver::{Context, Drape};
 use nalgebra::Vector3;
 
 /// Disturbance of a particle in each direction at most \[m\].
-const DISTURBANCE: f64 = 1e-9;
-/// RMS distance from the rest shape above which explicit steps count as unstable \[m\]. Below the limit a disturbance is carried
-/// on, and 1 % below it at most ten times as large; what is left of the net force at rest moves nothing so far in the time.
-const GROWN: f64 = 1e-5;
-/// Explicit steps taken: an instability of 0.1 % above the limit, which grows by 1.09 a step, shows after 120.
+const DISTURBANCE: f64 = 1e-10;
+/// Distance of any particle from the rest shape above which explicit steps count as unstable \[m\]. Below the limit a disturbance
+/// is carried on, and 1 % below it at most ten times as large; what is left of the net force at rest moves nothing so far in the
+/// time. Further off cloth that yields to pressure, or loses touch with the body, is softer, and what grows here may not grow
+/// there.
+const GROWN: f64 = 1e-7;
+/// Explicit steps taken: an instability of 0.1 % above the limit, which grows by 1.09 a step, shows after 80.
 const STEPS: u64 = 400;
 /// The bracket is narrowed to this ratio.
 const NARROW: f64 = 1.01;
 /// How often a bracket is widened, and by how much.
 const WIDENINGS: u32 = 12;
 const WIDER: f64 = 1.5;
+/// Share of the guess below which no limit is looked for.
+const LEAST_SHARE: f64 = 0.1;
 /// Steps of implicit methods that are tried \[s\], and how many of each.
 const IMPLICIT: [f64; 3] = [0.01, 0.1, 1.0];
 const IMPLICIT_STEPS: u64 = 20;
@@ -57,8 +60,8 @@ pub struct StableStep {
 /// What came of steps of one length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Ended {
-    /// The disturbance stayed; how far from rest it was at the end \[m\].
-    Stayed(f64),
+    /// The disturbance stayed small.
+    Stayed,
     /// It grew.
     Grew,
     /// The equations of a step were not solved.
@@ -67,24 +70,25 @@ enum Ended {
     Stopped,
 }
 
-/// Finds the longest stable step of the method that `ask` names, near the rest shape `rest` \[m; `#V`\] of `scene`.
+/// Finds the longest stable step of the method that `ask` names, near the rest shape `rest` of `scene`, held there by its friction.
 ///
 /// # Guarantees
 /// Ends within the time limit of `ask` and when canceled; says so. Numbers are finite.
 ///
 /// # Limitations
-/// `rest` must be at rest to well below 1e-4 of the weight, or it moves by itself. Instabilities that need more than a tiny
+/// `rest` must be at rest to about 1e-8 of the weight, or it moves by itself. Instabilities that need more than a tiny
 /// disturbance (contact that is not touched yet, cloth that stiffens as it stretches) do not show.
 pub fn stable_step(
     scene: &Scene,
     ask: &Simulate,
-    rest: &[Vector3<f64>],
+    rest: &Drape,
     context: &mut Context<'_>,
 ) -> StableStep {
     let mut trial = Trial {
         scene,
         ask,
-        rest,
+        rest: &rest.positions,
+        anchors: &rest.anchors,
         began: (context.cpu_s)(),
         context,
     };
@@ -113,6 +117,7 @@ pub fn allowed_step(
         scene,
         ask,
         rest: shape,
+        anchors: &Anchors::default(),
         began: 0.0,
         context,
     };
@@ -123,6 +128,7 @@ struct Trial<'a, 'c, 'w> {
     scene: &'a Scene,
     ask: &'a Simulate,
     rest: &'a [Vector3<f64>],
+    anchors: &'a Anchors,
     began: f64,
     context: &'c mut Context<'w>,
 }
@@ -155,15 +161,16 @@ impl Trial<'_, '_, '_> {
         let (mut low, mut high) = (guess / WIDER, guess * WIDER.powi(2));
         let (mut low_known, mut high_known) = (false, false);
         for _ in 0..2 * WIDENINGS {
-            if low_known && high_known {
+            // What moves with steps of any length is not driven by them.
+            if (low_known && high_known) || low < LEAST_SHARE * guess {
                 break;
             }
             let h = if low_known { high } else { low };
             step.tried_s = step.tried_s.max(h);
             match self.steps(h, STEPS, GROWN) {
                 Ended::Stopped => return stopped(step),
-                Ended::Stayed(_) if low_known => (low, high) = (high, high * WIDER),
-                Ended::Stayed(_) => low_known = true,
+                Ended::Stayed if low_known => (low, high) = (high, high * WIDER),
+                Ended::Stayed => low_known = true,
                 _ if low_known => high_known = true,
                 _ => {
                     (high, low) = (low, low / WIDER);
@@ -184,7 +191,7 @@ impl Trial<'_, '_, '_> {
             let middle = (low * high).sqrt();
             match self.steps(middle, STEPS, GROWN) {
                 Ended::Stopped => return stopped(step),
-                Ended::Stayed(_) => low = middle,
+                Ended::Stayed => low = middle,
                 _ => high = middle,
             }
         }
@@ -198,7 +205,7 @@ impl Trial<'_, '_, '_> {
         let mut step = StableStep::default();
         for h in IMPLICIT {
             match self.steps(h, IMPLICIT_STEPS, LEFT) {
-                Ended::Stayed(_) => step.tried_s = h,
+                Ended::Stayed => step.tried_s = h,
                 Ended::Stopped => {
                     stopped(&mut step);
                     return step;
@@ -278,11 +285,11 @@ impl Trial<'_, '_, '_> {
                 }
                 stepper.accept(&before, h);
                 taken += block;
-                if rms_distance(&state.x, rest) > grown {
+                if furthest(&state.x, rest) > grown {
                     return Ended::Grew;
                 }
             }
-            Ended::Stayed(rms_distance(&state.x, rest))
+            Ended::Stayed
         })
     }
 
@@ -305,7 +312,7 @@ impl Trial<'_, '_, '_> {
             particles: &particles,
             stitches: springs,
             gravity: true,
-            friction: Some(&Anchors::default()),
+            friction: Some(self.anchors),
             explicit: self.ask.method.is_explicit(),
         };
         let mut system = assemble(scene, self.ask, &stage, self.context.cpu_s);
@@ -316,6 +323,12 @@ impl Trial<'_, '_, '_> {
 fn stopped(step: &mut StableStep) {
     step.stopped = true;
     step.because = "stopped before it was found".to_owned();
+}
+
+/// Largest distance of a particle between two shapes \[m\].
+fn furthest(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
+    let apart = x.iter().zip(y).map(|(x, y)| (x - y).norm_squared());
+    apart.fold(0.0, f64::max).sqrt()
 }
 
 /// Moves every particle by at most the disturbance in each direction, the same every time.

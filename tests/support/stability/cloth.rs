@@ -8,7 +8,7 @@ use seamster::scene::{Fabric, Scene, library};
 /// Width and length of the sheet that is hung \[m\].
 const SIDE: f64 = 0.5;
 /// Radius of the arc that it starts as \[m\]: its ends are 0.9 of its width apart.
-const ARC: f64 = 0.318;
+const ARC: f64 = std::f64::consts::FRAC_1_PI;
 
 pub(super) fn poplin() -> Fabric {
     library()["cotton-poplin"].clone()

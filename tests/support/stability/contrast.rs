@@ -20,9 +20,14 @@ pub(super) fn cases() -> Vec<Case> {
         cases.push(Case::new(name("warp to weft 1e4 to 1"), move || {
             newton(hung(unlike(), 12))
         }));
-        cases.push(Case::new(name("masses 1 to 1e4, in turns"), move || {
+        let masses = Case::new(name("masses 1 to 1e4, in turns"), move || {
             newton(heavy(|i| i % 2 == 0))
-        }));
+        });
+        // 65 kg hang on it: with springs, which stretch more, its middle sinks by so much that it is taken to fall.
+        cases.push(match membrane {
+            Membrane::Continuum => masses,
+            Membrane::Springs => masses.expect(Expect::NotConverged("fell off")),
+        });
         cases.push(Case::new(
             name("one vertex 1e4 times as heavy"),
             move || newton(heavy(|i| i == 12 * 13 / 2)),

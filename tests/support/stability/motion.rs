@@ -41,9 +41,9 @@ pub(super) fn cases() -> Vec<Case> {
                 move || motion(by, method, None, 0.2),
             );
             cases.push(match by {
-                1.0 | 1e2 => case.within(10.0),
+                1.0 | 1e2 if explicit => case,
                 _ if explicit => case.within(100.0).whole_only(),
-                _ => case.within(30.0),
+                _ => case.within(60.0).whole_only(),
             });
         }
         if explicit {

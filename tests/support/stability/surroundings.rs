@@ -3,7 +3,7 @@
 use super::cloth::{hung, poplin, sewn};
 use super::motion::moving;
 use super::samples::sample;
-use super::{Case, Made, Work, scenes, word};
+use super::{Case, Expect, Made, Work, scenes, word};
 use nalgebra::Vector3;
 use seamster::config::Limits;
 use seamster::scene::{Fabric, Scene, Wind};
@@ -35,7 +35,7 @@ pub(super) fn cases() -> Vec<Case> {
                         drag: Some(0.0),
                         ..hung(poplin(), 8)
                     };
-                    moving(weighing(scene, by), method, None, 0.2)
+                    moving(weighing(scene, by), method, Some(1e-5), 0.02)
                 },
             ));
         }
@@ -53,19 +53,37 @@ pub(super) fn cases() -> Vec<Case> {
             move || Made::drape(sewn(fabric(), 500), Method::Newton),
         ));
     }
-    for speed in [40.0, 100.0] {
-        cases.push(Case::new(format!("wind of {speed} m/s: hung"), move || {
+    for (speed, expect) in [
+        (40.0, Expect::Converged),
+        // Ten kilograms a square metre: cloth flutters, there is no shape at rest.
+        (100.0, Expect::NotConverged("limit of iterations")),
+    ] {
+        let drape = Case::new(format!("wind of {speed} m/s: hung"), move || {
             Made::drape(blown(speed), Method::Newton)
-        }));
-        for method in [Method::ImplicitEuler, Method::Bdf2, Method::Verlet] {
+        });
+        cases.push(if expect == Expect::Converged {
+            drape
+        } else {
+            drape.expect(expect).within(20.0).whole_only()
+        });
+        // In a gale cloth flaps within microseconds' reach of its stiffness: equations of longer steps are not solved.
+        for method in [Method::ImplicitEuler, Method::Bdf2] {
+            let case = Case::new(
+                format!("wind of {speed} m/s: motion, {}", word(method)),
+                move || {
+                    moving(blown(speed), method, Some(1e-3), 0.2)
+                        .asking(|ask| ask.time_limit_s = Some(2.0))
+                },
+            );
             cases.push(
-                Case::new(
-                    format!("wind of {speed} m/s: motion, {}", word(method)),
-                    move || moving(blown(speed), method, None, 0.2),
-                )
-                .within(20.0),
+                case.expect(Expect::NotConverged("the time allowed was up"))
+                    .whole_only(),
             );
         }
+        cases.push(Case::new(
+            format!("wind of {speed} m/s: motion, verlet"),
+            move || moving(blown(speed), Method::Verlet, None, 0.2),
+        ));
     }
     cases.extend(garments());
     cases
