@@ -15,24 +15,12 @@ const ROUNDING: f64 = 1e-9;
 #[derive(Clone, Debug)]
 pub(super) struct Tree {
     nodes: Vec<Node>,
-    /// Triangles in the order of the leaves: index into the mesh, corners, and the disc around them.
-    leaves: Vec<(Leaf, Disc)>,
+    /// Triangles in the order of the leaves: index into the mesh and corners.
+    leaves: Vec<(usize, [Vector3<f64>; 3])>,
 }
-
-type Leaf = (usize, [Vector3<f64>; 3]);
 
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    disc: Disc,
-    /// First triangle of a leaf, or the second child (the first one follows its parent).
-    at: usize,
-    /// Triangles of a leaf; 0 for a node with children.
-    count: usize,
-}
-
-/// A flat cylinder.
-#[derive(Clone, Copy, Debug)]
-struct Disc {
     middle: Vector3<f64>,
     /// Of length 1.
     axis: Vector3<f64>,
@@ -40,6 +28,10 @@ struct Disc {
     half_thickness: f64,
     /// \[m\]
     radius: f64,
+    /// First triangle of a leaf, or the second child (the first one follows its parent).
+    at: usize,
+    /// Triangles of a leaf; 0 for a node with children.
+    count: usize,
 }
 
 /// Which part of a triangle a point is nearest to.
@@ -68,11 +60,7 @@ impl Tree {
         let mut nodes = Vec::new();
         let count = leaves.len();
         grow(&mut leaves, (0, count), &mut nodes);
-        let around = |leaf: Leaf| (leaf, Disc::around(&[leaf]));
-        Self {
-            nodes,
-            leaves: leaves.into_iter().map(around).collect(),
-        }
+        Self { nodes, leaves }
     }
 
     /// The nearest point among those closer than `within` \[m\]. Of several equally near ones, always the same.
@@ -89,10 +77,7 @@ impl Tree {
             }
             let node = &self.nodes[index];
             if node.count > 0 {
-                for ((triangle, corners), disc) in &self.leaves[node.at..node.at + node.count] {
-                    if disc.gap(p) > bound {
-                        continue;
-                    }
+                for (triangle, corners) in &self.leaves[node.at..node.at + node.count] {
                     let (point, feature) = nearest_in_triangle(p, corners);
                     let distance_squared = (p - point).norm_squared();
                     if distance_squared < bound {
@@ -107,7 +92,7 @@ impl Tree {
                 }
                 continue;
             }
-            let children = [index + 1, node.at].map(|child| (child, self.nodes[child].disc.gap(p)));
+            let children = [index + 1, node.at].map(|child| (child, self.nodes[child].gap(p)));
             let [near, far] = if children[0].1 <= children[1].1 {
                 children
             } else {
@@ -121,11 +106,11 @@ impl Tree {
     }
 }
 
-impl Disc {
+impl Node {
     /// The disc around triangles that stands on their mean normal.
-    fn around(inside: &[Leaf]) -> Self {
+    fn around(inside: &[(usize, [Vector3<f64>; 3])]) -> Self {
         let corners = || inside.iter().flat_map(|(_, corners)| corners);
-        let normal = |(_, [a, b, c]): &Leaf| (b - a).cross(&(c - a));
+        let normal = |(_, [a, b, c]): &(usize, [Vector3<f64>; 3])| (b - a).cross(&(c - a));
         let sum: Vector3<f64> = inside.iter().map(normal).sum();
         let axis = sum.try_normalize(0.0).unwrap_or_else(Vector3::y);
         let mean = corners().sum::<Vector3<f64>>() / (3 * inside.len()).max(1) as f64;
@@ -144,6 +129,8 @@ impl Disc {
             axis,
             half_thickness: 0.5 * (high - low),
             radius: across.fold(0.0, f64::max).sqrt(),
+            at: 0,
+            count: 0,
         }
     }
 
@@ -158,14 +145,18 @@ impl Disc {
     }
 }
 
-fn grow(leaves: &mut [Leaf], (from, to): (usize, usize), nodes: &mut Vec<Node>) {
+fn grow(
+    leaves: &mut [(usize, [Vector3<f64>; 3])],
+    (from, to): (usize, usize),
+    nodes: &mut Vec<Node>,
+) {
     let inside = &mut leaves[from..to];
     let index = nodes.len();
     let count = if to - from <= LEAF { to - from } else { 0 };
     nodes.push(Node {
         at: from,
         count,
-        disc: Disc::around(inside),
+        ..Node::around(inside)
     });
     if count > 0 || to == from {
         return;
