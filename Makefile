@@ -6,7 +6,7 @@ NPM_CI = npm ci --ignore-scripts --no-audit --no-fund
 
 # Set LISTEN or BIN on the command line: make run LISTEN=127.0.0.1:9000
 
-.PHONY: help run test check bench stability table fuzz smoke audit build page browser chromium
+.PHONY: help run test check bench stability instructions table fuzz smoke audit build page browser chromium valgrind
 .DEFAULT_GOAL := help
 
 help:
@@ -14,6 +14,7 @@ help:
 	@echo "make test    all tests (SEAMSTER_TEST_DATA: folder of real patterns, left out without it)"
 	@echo "make check   format, lints, documentation"
 	@echo "make bench   error against run time: a JSON line a run in target/bench.jsonl, plots in target/bench (SCENES: some only)"
+	@echo "make instructions  what a scene lacks, and its report, cost, counted by valgrind (ARGS='--table FILE' writes it there)"
 	@echo "make stability  stiff and extreme cases, all of them: a JSON line a case in target/stability.jsonl (CASES: some only)"
 	@echo "make table   what the project makes of the real patterns in SEAMSTER_TEST_DATA, against the truth"
 	@echo "make fuzz    searches for inputs that break the importer and the seam check (T seconds each)"
@@ -49,7 +50,7 @@ check: page
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
 
 # One profile for all: the browser drives the binary that the Rust tests built.
-test: page browser chromium
+test: page browser chromium valgrind
 	@if cargo nextest --version >/dev/null 2>&1; \
 	  then echo cargo nextest run; cargo nextest run --locked --workspace; \
 	  else echo cargo test; cargo test --locked --workspace; fi
@@ -59,6 +60,9 @@ test: page browser chromium
 bench:
 	cargo run --release --locked --example bench -- $(SCENES)
 	cargo run --release --locked --example bench_samples | tee target/bench_samples.jsonl
+
+instructions: page valgrind
+	cargo run --release --locked --example instructions -- $(ARGS)
 
 stability:
 	cargo run --release --locked --example stability -- $(CASES)
@@ -97,3 +101,10 @@ chromium:
 	  SUDO=$$([ "$$(id -u)" = 0 ] || echo sudo); \
 	  { $$SUDO apt-get update -q && $$SUDO apt-get install -qy --no-install-recommends chromium; } || \
 	  { echo "chromium could not be installed. Install it by hand, then run make test again." >&2; exit 1; }
+
+valgrind:
+	@command -v valgrind >/dev/null && exit 0; \
+	  echo "Instructions are counted by valgrind, which is not installed: installing Debian's."; \
+	  SUDO=$$([ "$$(id -u)" = 0 ] || echo sudo); \
+	  { $$SUDO apt-get update -q && $$SUDO apt-get install -qy --no-install-recommends valgrind; } || \
+	  { echo "valgrind could not be installed. Install it by hand, then run make test again." >&2; exit 1; }

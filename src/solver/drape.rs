@@ -266,6 +266,7 @@ fn rest_method(asked: Method) -> Method {
 }
 
 /// Fills in what can be measured on the shape alone.
+#[inline(never)] // so that a profile tells what it takes
 fn measure_all(scene: &Scene, x: &[Vector3<f64>], report: &mut Report) {
     let mesh = &scene.mesh;
     let stitches: Vec<_> = mesh.stitches.iter().map(|s| (s.a, s.b)).collect();
@@ -275,5 +276,5 @@ fn measure_all(scene: &Scene, x: &[Vector3<f64>], report: &mut Report) {
     report.vertices = mesh.uv.len();
     report.triangles = mesh.triangles.len();
     report.stitches = mesh.stitches.len();
-    report.left_out = left_out(scene);
+    report.left_out = left_out(scene, &report.terms);
 }

@@ -10,6 +10,8 @@ mod contact;
 mod dissection;
 mod drape;
 mod forces;
+#[cfg(test)]
+mod left_out;
 mod level;
 mod measure;
 mod motion;

@@ -20,13 +20,14 @@ const FREE_FALL: f64 = 0.5;
 /// Residual up to which ‖H⁻¹ f‖ was measured to be the error.
 pub(super) const ESTIMATE_HOLDS: f64 = 1e-2;
 /// Share of the tolerance at which a shape counts as at rest even if it is not in a minimum.
-const SADDLE: f64 = 0.01;
+pub(super) const SADDLE: f64 = 0.01;
 /// Drag \[1/s\] and speed limit \[m/s\] of explicit steps. A garment sways at about 4 rad/s: twice that is critical.
 pub(super) const DRAG: f64 = 8.0;
+pub(super) const SPEED_LIMIT: f64 = 5.0;
 const MOTION: Motion = Motion {
     method: Method::SymplecticEuler,
     drag: DRAG,
-    speed_limit: 5.0,
+    speed_limit: SPEED_LIMIT,
     step: None,
     tolerance: SETTLED,
 };
@@ -104,6 +105,7 @@ pub(super) fn settle(
 }
 
 /// Fills in how far the shape is from the solution of its mesh, if its second derivative tells.
+#[inline(never)] // so that a profile tells what it takes
 fn estimate(
     system: &mut System<'_>,
     shape: &[Vector3<f64>],

@@ -1,5 +1,6 @@
 //! What a report says of a shape besides how it was reached: energies, terms, what was left out, whether it is worn.
 
+use super::assemble::bends;
 use super::report::{Energy, LeftOut, Report, Term, Worn};
 use super::system::System;
 use crate::scene::Scene;
@@ -10,6 +11,7 @@ const FALLEN: f64 = 0.15;
 /// How deep inside the body cloth may be that still is worn on it \[m\]: more than any layer gives way or any triangle cuts off.
 const INSIDE: f64 = 0.01;
 
+#[inline(never)] // so that a profile tells what it takes
 pub(super) fn energies(system: &mut System<'_>, x: &[Vector3<f64>]) -> Energy {
     Energy {
         stretch: system.energy_of("stretch", x),
@@ -48,31 +50,34 @@ fn of_system(system: &System<'_>) -> Vec<Term> {
     terms
 }
 
-pub(super) fn left_out(scene: &Scene) -> Vec<LeftOut> {
+/// The terms that `scene` has no need of, but for those in `ran`: coarser meshes bend even where the cloth does not.
+pub(super) fn left_out(scene: &Scene, ran: &[Term]) -> Vec<LeftOut> {
     let mut left_out = Vec::new();
     let mut leave = |name: &str, because: &str| {
-        left_out.push(LeftOut {
-            name: name.to_owned(),
-            because: because.to_owned(),
-        });
+        if ran.iter().all(|term| term.name != name) {
+            left_out.push(LeftOut {
+                name: name.to_owned(),
+                because: because.to_owned(),
+            });
+        }
     };
+    if scene.gravity == Vector3::zeros() {
+        leave("gravity", "the scene has none");
+    }
     if scene.wind.is_none() {
         leave("wind", "the scene has none");
     }
     leave("self_contact", "cloth against cloth is not looked for");
     if scene.body.is_none() {
         leave("contact", "the scene has no avatar");
+        leave("friction", "the scene has no avatar");
     } else if scene.friction == 0.0 {
         leave("friction", "the coefficient is 0");
     }
     if scene.mesh.stitches.is_empty() {
         leave("seam", "the scene has no seams");
     }
-    if scene
-        .fabrics
-        .iter()
-        .all(|f| f.bending_warp_n_m.max(f.bending_weft_n_m) <= 0.0)
-    {
+    if !bends(scene) {
         leave("bend", "the fabrics have no bending rigidity");
     }
     left_out

@@ -127,6 +127,7 @@ impl<'c, 'w> Trace<'c, 'w> {
     ///
     /// The time is up when another iteration as long as the last ones, and the factor that an error estimate takes, would end
     /// after the limit: an iteration is not cut short.
+    #[inline(never)] // so that a profile tells what it takes
     pub(crate) fn look(&mut self, look: &Look<'_>) -> Verdict {
         let cpu_s = self.cpu_s();
         self.pace.look(cpu_s);

@@ -95,6 +95,7 @@ impl Way {
     }
 
     /// How far the shape `now` of this level, at `cpu_s` \[s\] and with the residual r, is from rest.
+    #[inline(never)] // so that a profile tells what it takes
     pub(super) fn to_go(&self, cpu_s: f64, r: f64, now: &[Vector3<f64>]) -> Option<ToGo> {
         let of_level = self.snapshots[self.first..].iter();
         let mut shapes: Vec<_> = of_level.map(Snapshot::moment).collect();
@@ -103,6 +104,7 @@ impl Way {
     }
 
     /// Distance of every kept shape from the final one on the finest mesh, to which `to_finest` carries the shapes of a level.
+    #[inline(never)] // so that a profile tells what it takes
     pub(super) fn points(
         &self,
         to_finest: &dyn Fn(usize, Vec<Vector3<f64>>) -> Vec<Vector3<f64>>,

@@ -1,4 +1,4 @@
-//! The triangle nearest to a point, by a tree of boxes.
+//! The triangle nearest to a point, by a tree of discs: a piece of a surface fits one far closer than a box.
 
 use super::TriangleMesh;
 use nalgebra::Vector3;
@@ -8,7 +8,10 @@ const LEAF: usize = 4;
 /// Depth of the stack: halving at the median gives a depth below `log2` of any number of triangles.
 const DEPTH: usize = 64;
 
-/// Boxes around boxes around triangles.
+/// Share of a gap that rounding may have added to it, and then some.
+const ROUNDING: f64 = 1e-9;
+
+/// Discs around discs around triangles.
 #[derive(Clone, Debug)]
 pub(super) struct Tree {
     nodes: Vec<Node>,
@@ -18,8 +21,13 @@ pub(super) struct Tree {
 
 #[derive(Clone, Copy, Debug)]
 struct Node {
-    lower: Vector3<f64>,
-    upper: Vector3<f64>,
+    middle: Vector3<f64>,
+    /// Of length 1.
+    axis: Vector3<f64>,
+    /// \[m\]
+    half_thickness: f64,
+    /// \[m\]
+    radius: f64,
     /// First triangle of a leaf, or the second child (the first one follows its parent).
     at: usize,
     /// Triangles of a leaf; 0 for a node with children.
@@ -99,14 +107,41 @@ impl Tree {
 }
 
 impl Node {
-    /// Squared distance of `p` from the box.
-    fn gap(&self, p: &Vector3<f64>) -> f64 {
-        let mut gap = 0.0;
-        for k in 0..3 {
-            let out = (self.lower[k] - p[k]).max(p[k] - self.upper[k]).max(0.0);
-            gap += out * out;
+    /// The disc around triangles that stands on their mean normal.
+    fn around(inside: &[(usize, [Vector3<f64>; 3])]) -> Self {
+        let corners = || inside.iter().flat_map(|(_, corners)| corners);
+        let normal = |(_, [a, b, c]): &(usize, [Vector3<f64>; 3])| (b - a).cross(&(c - a));
+        let sum: Vector3<f64> = inside.iter().map(normal).sum();
+        let axis = sum.try_normalize(0.0).unwrap_or_else(Vector3::y);
+        let mean = corners().sum::<Vector3<f64>>() / (3 * inside.len()).max(1) as f64;
+        let along = || corners().map(|p| (p - mean).dot(&axis));
+        let (low, high) = (
+            along().fold(f64::INFINITY, f64::min),
+            along().fold(f64::NEG_INFINITY, f64::max),
+        );
+        let middle = mean + axis * (0.5 * (low + high));
+        let across = corners().map(|p| {
+            let d = p - middle;
+            (d - axis * d.dot(&axis)).norm_squared()
+        });
+        Self {
+            middle,
+            axis,
+            half_thickness: 0.5 * (high - low),
+            radius: across.fold(0.0, f64::max).sqrt(),
+            at: 0,
+            count: 0,
         }
-        gap
+    }
+
+    /// Squared distance of `p` from the disc, or a little less.
+    fn gap(&self, p: &Vector3<f64>) -> f64 {
+        let d = p - self.middle;
+        let along = d.dot(&self.axis);
+        let across = (d.norm_squared() - along * along).max(0.0).sqrt();
+        let over = (along.abs() - self.half_thickness).max(0.0);
+        let beside = (across - self.radius).max(0.0);
+        (over * over + beside * beside) * (1.0 - ROUNDING)
     }
 }
 
@@ -116,23 +151,19 @@ fn grow(
     nodes: &mut Vec<Node>,
 ) {
     let inside = &mut leaves[from..to];
-    let mut lower = Vector3::repeat(f64::INFINITY);
-    let mut upper = -lower;
-    for corner in inside.iter().flat_map(|(_, corners)| corners) {
-        lower = lower.inf(corner);
-        upper = upper.sup(corner);
-    }
     let index = nodes.len();
     let count = if to - from <= LEAF { to - from } else { 0 };
     nodes.push(Node {
-        lower,
-        upper,
         at: from,
         count,
+        ..Node::around(inside)
     });
     if count > 0 || to == from {
         return;
     }
+    let corners = || inside.iter().flat_map(|(_, corners)| corners);
+    let lower = corners().fold(Vector3::repeat(f64::INFINITY), |l, p| l.inf(p));
+    let upper = corners().fold(Vector3::repeat(f64::NEG_INFINITY), |u, p| u.sup(p));
     let axis = (upper - lower).imax();
     let middle = (to - from) / 2;
     let key = |c: &[Vector3<f64>; 3]| c[0][axis] + c[1][axis] + c[2][axis];

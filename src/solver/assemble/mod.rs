@@ -57,8 +57,8 @@ pub(crate) fn assemble<'a>(
         }
         _ => Box::new(SpringForce::new(spring_net(scene, particles))),
     }];
-    let patches = bend_patches(scene, particles);
-    if !patches.is_empty() {
+    let patches = bends(scene).then(|| bend_patches(scene, particles));
+    if let Some(patches) = patches.filter(|patches| !patches.is_empty()) {
         forces.push(Box::new(BendForce::new(patches)));
     }
     if stage.gravity && scene.gravity != Vector3::zeros() {
@@ -104,6 +104,14 @@ pub(crate) fn assemble<'a>(
         contact_cpu_s: 0.0,
         clock,
     }
+}
+
+/// Whether anything of the scene resists bending.
+pub(super) fn bends(scene: &Scene) -> bool {
+    let rigidity = |f: &Fabric| f.bending_warp_n_m.max(f.bending_weft_n_m);
+    let fabrics = scene.fabrics.iter().map(rigidity);
+    let has_triangles = !scene.mesh.triangles.is_empty();
+    has_triangles && fabrics.fold(scene.least_bending_n_m, f64::max) > 0.0
 }
 
 /// Distance that cloth is kept from the skin \[m\].

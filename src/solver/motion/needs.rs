@@ -37,6 +37,7 @@ pub(super) fn too_many(time: f64, step: f64, limit: u64) -> Option<String> {
 ///
 /// The stable step is that of the cloth flat and at rest, seams that stay springs included; bent, stretched or pressed on a body
 /// its steps may only be shorter. Where there is friction or the method damps by itself, drag of 0 is no reason.
+#[inline(never)] // so that a profile tells what it takes
 pub(crate) fn refuse(
     scene: &Scene,
     ask: &Simulate,

@@ -1,0 +1,100 @@
+//! What a scene lacks has no arrays: a system takes the memory of its terms.
+
+use super::by_hand::{self, no_clock};
+use super::scenes::{Has, scene};
+use crate::scene::Scene;
+use crate::solver::assemble::{Stage, assemble};
+use crate::solver::topology::Particles;
+use crate::solver::{Anchors, Simulate};
+use allocation_counter::{AllocationInfo, measure};
+
+/// Cells along a sheet.
+const CELLS: usize = 8;
+
+/// What `make` allocates in all, and what is left of that while its result lives.
+fn allocated<T>(make: impl FnOnce() -> T) -> AllocationInfo {
+    let mut made = None;
+    measure(|| made = Some(make()))
+}
+
+fn assembled(scene: &Scene) -> AllocationInfo {
+    let particles = Particles::apart(scene.start.len());
+    let stitches: Vec<_> = scene.mesh.stitches.iter().map(|s| (s.a, s.b)).collect();
+    let anchors = Anchors::default();
+    let stage = Stage {
+        particles: &particles,
+        stitches: (!stitches.is_empty()).then_some((stitches, 1e4)),
+        gravity: true,
+        friction: Some(&anchors),
+        explicit: false,
+    };
+    allocated(|| assemble(scene, &Simulate::default(), &stage, &no_clock))
+}
+
+#[test]
+fn a_system_allocates_what_its_terms_do() {
+    for gravity in [false, true] {
+        let has = Has {
+            gravity,
+            ..Has::default()
+        };
+        let scene = scene(has, CELLS);
+        let by_hand = allocated(|| by_hand::system(&scene, gravity));
+        let assembled = assembled(&scene);
+        assert_eq!(assembled.bytes_current, by_hand.bytes_current, "{has:?}");
+        // Means over particles take a count of vertices that is gone when they are taken.
+        let counts = if gravity {
+            scene.mass.len() * size_of::<f64>()
+        } else {
+            0
+        };
+        let in_all = by_hand.bytes_total + counts as u64;
+        assert_eq!(assembled.bytes_total, in_all, "{has:?}");
+        let arrays = by_hand::bytes_of_arrays(&scene, gravity) as i64;
+        assert!(by_hand.bytes_current >= arrays, "{arrays}: {by_hand:?}");
+    }
+}
+
+/// So that the count above can fail: each thing more takes more.
+#[test]
+fn each_thing_that_a_scene_has_takes_memory() {
+    let least = assembled(&scene(Has::default(), CELLS)).bytes_current;
+    let body = Has {
+        body: true,
+        ..Has::default()
+    };
+    let contact = assembled(&scene(body, CELLS)).bytes_current;
+    let more = [
+        Has {
+            gravity: true,
+            ..Has::default()
+        },
+        Has {
+            wind: true,
+            ..Has::default()
+        },
+        Has {
+            bending: true,
+            ..Has::default()
+        },
+        Has {
+            seams: true,
+            ..Has::default()
+        },
+        body,
+    ];
+    for has in more {
+        let bytes = assembled(&scene(has, CELLS)).bytes_current;
+        assert!(bytes > least, "{has:?}: {bytes}, {least}");
+    }
+    let friction = Has {
+        friction: true,
+        ..body
+    };
+    assert!(assembled(&scene(friction, CELLS)).bytes_current > contact);
+    let of_no_body = Has {
+        body: false,
+        ..friction
+    };
+    assert_eq!(assembled(&scene(of_no_body, CELLS)).bytes_current, least);
+}

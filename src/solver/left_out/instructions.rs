@@ -1,0 +1,200 @@
+//! What a scene lacks is never entered: its drape takes the instructions of a program that has only its terms.
+//!
+//! Each program is a test of its own that is run alone, in a process under callgrind. What the report takes is left out of the
+//! comparison (see [`REPORT`]); `make instructions` tells what that is of a whole fit.
+
+use super::by_hand::{self, no_clock};
+use super::callgrind::{self, Profile, REPORT};
+use super::scenes::{Has, scene};
+use crate::config::Limits;
+use crate::progress::CancelToken;
+use crate::scene::Scene;
+use crate::solver::motion::{self, Motion};
+use crate::solver::newton::{FIRST_GAMMA, Iteration, Newton, Stop, Verdict};
+use crate::solver::settling::{DRAG, SADDLE, SPEED_LIMIT};
+use crate::solver::{Context, Drape, Method, Simulate, drape};
+use nalgebra::Vector3;
+
+/// Cells along a sheet; both sheets together are too small for a coarser mesh.
+const CELLS: usize = 13;
+/// Residual to reach, far above the round-off floor.
+const TOLERANCE: f64 = 1e-3;
+/// Steps of motion: enough to see what they take, not to come to rest.
+const STEPS: u64 = 2000;
+/// How much more than by hand a drape may take.
+const MORE: f64 = 0.01;
+
+/// Source files of what the plain scene lacks.
+const LACKS: [&str; 6] = [
+    "src/solver/forces/wind.rs",
+    "src/solver/contact",
+    "src/solver/forces/bend.rs",
+    "src/solver/assemble/bend.rs",
+    "src/solver/forces/sewing.rs",
+    "src/export",
+];
+
+fn ask(method: Method) -> Simulate {
+    Simulate {
+        method,
+        // By motion it may not come to rest; a lower one would be refused.
+        tolerance: if method == Method::Newton {
+            TOLERANCE
+        } else {
+            0.9
+        },
+        ..Simulate::default()
+    }
+}
+
+#[inline(never)]
+fn as_a_scene(scene: &Scene, ask: &Simulate) -> Drape {
+    let limits = Limits {
+        steps: STEPS,
+        ..Limits::default()
+    };
+    let cancel = CancelToken::new();
+    let mut context = Context {
+        cpu_s: &no_clock,
+        cancel: &cancel,
+        progress: &mut |_| {},
+        limits: &limits,
+    };
+    drape(scene, ask, &mut context)
+}
+
+#[inline(never)]
+fn bare(scene: &Scene, ask: &Simulate) -> Vec<Vector3<f64>> {
+    let mut system = by_hand::system(scene, true);
+    let mut x = scene.start.clone();
+    let mut judge = |i: Iteration<'_>| {
+        let share = if i.convex { 1.0 } else { SADDLE };
+        if i.residual <= share * ask.tolerance {
+            Verdict::Reached
+        } else {
+            Verdict::Continue
+        }
+    };
+    if ask.method == Method::Newton {
+        let mut newton = Newton::new(&mut system, FIRST_GAMMA).expect("memory for a small matrix");
+        let limit = Limits::default().iterations;
+        let stop = newton.run(&mut system, &mut x, limit, &mut judge);
+        assert_eq!(stop, Stop::Reached);
+    } else {
+        let motion = Motion {
+            method: ask.method,
+            drag: DRAG,
+            speed_limit: SPEED_LIMIT,
+            step: None,
+            tolerance: ask.tolerance,
+        };
+        let moved = motion::run(&mut system, &mut x, motion, STEPS, &mut judge);
+        assert!(moved.is_ok(), "{moved:?}");
+    }
+    x
+}
+
+#[test]
+#[ignore = "run under callgrind by the tests below"]
+fn drape_by_newton() {
+    as_a_scene(&scene(Has::WEIGHT, CELLS), &ask(Method::Newton));
+}
+
+#[test]
+#[ignore = "run under callgrind by the tests below"]
+fn bare_newton() {
+    bare(&scene(Has::WEIGHT, CELLS), &ask(Method::Newton));
+}
+
+#[test]
+#[ignore = "run under callgrind by the tests below"]
+fn drape_by_explicit_steps() {
+    as_a_scene(&scene(Has::WEIGHT, CELLS), &ask(Method::SymplecticEuler));
+}
+
+#[test]
+#[ignore = "run under callgrind by the tests below"]
+fn bare_explicit_steps() {
+    bare(&scene(Has::WEIGHT, CELLS), &ask(Method::SymplecticEuler));
+}
+
+#[test]
+#[ignore = "run under callgrind by the tests below"]
+fn drape_of_everything() {
+    as_a_scene(&scene(Has::ALL, 4), &ask(Method::Newton));
+}
+
+/// The profile of the test `name` of this module.
+fn profile(name: &str) -> Profile {
+    let module = module_path!().split_once("::");
+    let test = format!("{}::{name}", module.expect("within the crate").1);
+    let arguments = ["--exact", &test, "--ignored", "--test-threads=1"];
+    callgrind::run(&arguments).unwrap_or_else(|why| panic!("{name}: {why}"))
+}
+
+/// Instructions of the drape `name` without its report, of the program `by_hand`, and of the report.
+fn compare(name: &str, by_hand: &str) -> (Profile, [u64; 3]) {
+    let (profile_of_drape, by_hand) = (profile(name), profile(by_hand));
+    let report: u64 = REPORT.iter().filter_map(|f| profile_of_drape.of(f)).sum();
+    let whole = profile_of_drape
+        .of("instructions::as_a_scene")
+        .expect("it ran");
+    let bare = by_hand.of("instructions::bare").expect("it ran");
+    let more = (whole - report) as f64 / bare as f64 - 1.0;
+    println!(
+        "| {} | {bare} | {} | {:+.2} % | {report} |",
+        name.replace('_', " "),
+        whole - report,
+        100.0 * more
+    );
+    (profile_of_drape, [whole - report, bare, report])
+}
+
+#[test]
+fn a_plain_drape_takes_the_instructions_of_its_terms() {
+    let (plain, ask) = (scene(Has::WEIGHT, CELLS), ask(Method::Newton));
+    let drape = as_a_scene(&plain, &ask);
+    assert!(drape.report.converged, "{}", drape.report.why);
+    assert_eq!(drape.positions, bare(&plain, &ask));
+    if !callgrind::is_installed() {
+        return;
+    }
+    let (profile, [drape, bare, _]) = compare("drape_by_newton", "bare_newton");
+    for function in REPORT.iter().filter(|f| !f.ends_with("refuse")) {
+        assert!(profile.of(function).is_some(), "{function} did not run");
+    }
+    assert!(drape as f64 <= (1.0 + MORE) * bare as f64, "{drape} {bare}");
+    enters_nothing_that_it_lacks(&profile);
+}
+
+#[test]
+fn plain_explicit_steps_take_the_instructions_of_their_terms() {
+    let (plain, ask) = (scene(Has::WEIGHT, CELLS), ask(Method::SymplecticEuler));
+    assert_eq!(as_a_scene(&plain, &ask).positions, bare(&plain, &ask));
+    if !callgrind::is_installed() {
+        return;
+    }
+    let (profile, [drape, bare, _]) = compare("drape_by_explicit_steps", "bare_explicit_steps");
+    assert!(profile.of(REPORT[0]).is_some(), "{} did not run", REPORT[0]);
+    assert!(drape as f64 <= (1.0 + MORE) * bare as f64, "{drape} {bare}");
+    enters_nothing_that_it_lacks(&profile);
+}
+
+fn enters_nothing_that_it_lacks(profile: &Profile) {
+    assert!(profile.in_file("src/solver/forces/continuum.rs") > 0);
+    for file in LACKS {
+        assert_eq!(profile.in_file(file), 0, "{file}");
+    }
+}
+
+/// So that the tests above can fail.
+#[test]
+fn what_a_scene_has_is_entered() {
+    if !callgrind::is_installed() {
+        return;
+    }
+    let profile = profile("drape_of_everything");
+    for file in LACKS.iter().filter(|file| **file != "src/export") {
+        assert!(profile.in_file(file) > 0, "{file}");
+    }
+}

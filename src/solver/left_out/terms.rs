@@ -1,0 +1,98 @@
+//! Every combination of what a scene may have or lack gives the terms that it needs, and the report names the others.
+
+use super::scenes::{Has, scene};
+use crate::config::Limits;
+use crate::progress::CancelToken;
+use crate::solver::assemble::{Stage, assemble};
+use crate::solver::topology::Particles;
+use crate::solver::{Anchors, Context, Report, SeamClose, Simulate, drape};
+
+/// Cells along a sheet: few, since what is assembled counts, not what comes of it.
+const CELLS: usize = 2;
+
+/// The terms of a scene that has these things, in the order of their names, and the others.
+fn needed(has: Has) -> (Vec<&'static str>, Vec<&'static str>) {
+    let terms = [
+        ("bend", has.bending),
+        ("contact", has.body),
+        ("friction", has.body && has.friction),
+        ("gravity", has.gravity),
+        ("seam", has.seams),
+        ("self_contact", false),
+        ("stretch", true),
+        ("wind", has.wind),
+    ];
+    let named = |needed| move |(name, is): &(&'static str, bool)| (*is == needed).then_some(*name);
+    (
+        terms.iter().filter_map(named(true)).collect(),
+        terms.iter().filter_map(named(false)).collect(),
+    )
+}
+
+fn sorted<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut names: Vec<_> = names.collect();
+    names.sort_unstable();
+    names
+}
+
+#[test]
+fn a_system_has_the_terms_that_its_scene_needs_and_no_others() {
+    for has in Has::combinations() {
+        let scene = scene(has, CELLS);
+        let particles = Particles::apart(scene.start.len());
+        let stitches: Vec<_> = scene.mesh.stitches.iter().map(|s| (s.a, s.b)).collect();
+        let stage = Stage {
+            particles: &particles,
+            stitches: has.seams.then_some((stitches, 1e4)),
+            gravity: true,
+            friction: Some(&Anchors::default()),
+            explicit: false,
+        };
+        let system = assemble(&scene, &Simulate::default(), &stage, &|| 0.0);
+        let contact = system.contact.as_ref();
+        let held = contact.is_some_and(|c| c.anchors() != Anchors::default());
+        let apart = [("contact", contact.is_some()), ("friction", held)];
+        let apart = apart
+            .into_iter()
+            .filter(|(_, is)| *is)
+            .map(|(name, _)| name);
+        let terms = system.terms.iter().map(|term| term.force.name());
+        assert_eq!(sorted(terms.chain(apart)), needed(has).0, "{has:?}");
+    }
+}
+
+/// A few iterations: seams that stay springs are a term to the end.
+fn report(has: Has) -> Report {
+    let ask = Simulate {
+        seam_close: SeamClose::Spring,
+        ..Simulate::default()
+    };
+    let limits = Limits {
+        iterations: 2,
+        ..Limits::default()
+    };
+    let (cancel, scene) = (CancelToken::new(), scene(has, CELLS));
+    let mut context = Context {
+        cpu_s: &|| 0.0,
+        cancel: &cancel,
+        progress: &mut |_| {},
+        limits: &limits,
+    };
+    drape(&scene, &ask, &mut context).report
+}
+
+#[test]
+fn a_report_names_what_was_left_out_and_says_why() {
+    for has in Has::combinations() {
+        let report = report(has);
+        let (mut ran, left_out) = needed(has);
+        // friction runs as a part of contact
+        ran.retain(|name| *name != "friction");
+        let terms = report.terms.iter().map(|term| term.name.as_str());
+        assert_eq!(sorted(terms), ran, "{has:?}");
+        let named = report.left_out.iter().map(|left| left.name.as_str());
+        assert_eq!(sorted(named), left_out, "{has:?}");
+        let mut reasons = report.left_out.iter().map(|left| &left.because);
+        assert!(reasons.all(|because| !because.is_empty()), "{has:?}");
+    }
+}
