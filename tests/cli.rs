@@ -222,6 +222,54 @@ fn sew_names_the_file_that_is_at_fault() {
 }
 
 #[test]
+fn study_writes_a_table_and_a_plot_and_recommends() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let garment = written(folder.path(), "garment.json", &garment());
+    let (study, plot) = (at("study.json"), at("study.svg"));
+    let output = run(&[
+        "study",
+        &sample("skirt.dxf"),
+        &garment,
+        "-o",
+        &study,
+        "--plot",
+        &plot,
+        "--methods",
+        "newton",
+        "--tolerances",
+        "0.1,0.001",
+        "--edge-lengths",
+        "0.06",
+        "--time-limit",
+        "20",
+    ]);
+    // One method alone confirms no reference within the time, maybe: then it says what it left out.
+    let done = code(&output);
+    assert!(
+        done == Some(0) || stderr(&output).contains("left out"),
+        "{}",
+        stderr(&output)
+    );
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    let study: Value = serde_json::from_str(&std::fs::read_to_string(study).unwrap()).unwrap();
+    assert_eq!(said.trim(), study["recommendation"].as_str().unwrap());
+    assert!(said.contains("newton"), "{said}");
+    assert_eq!(study["runs"].as_array().unwrap().len(), 2);
+    assert!(std::fs::read_to_string(plot).unwrap().contains("</svg>"));
+    let refused = run(&[
+        "study",
+        &sample("skirt.dxf"),
+        &garment,
+        "-o",
+        "x",
+        "--tolerances",
+        "-1",
+    ]);
+    assert_eq!(code(&refused), Some(2), "{}", stderr(&refused));
+}
+
+#[test]
 fn sew_refuses_an_unknown_format_before_it_sews() {
     let output = run(&["sew", "absent.dxf", "absent.json", "-o", "out.stl"]);
     assert_eq!(code(&output), Some(2));
@@ -237,7 +285,7 @@ fn settings_that_cannot_be_served_are_refused() {
         (vec!["serve", "--workers", "0"], "at least 1"),
         (vec!["serve", "--log", "=,="], "--log"),
         (vec!["worker"], "seamster serve"),
-        (vec!["study"], "unrecognized subcommand"),
+        (vec!["mend"], "unrecognized subcommand"),
     ];
     for (arguments, said) in cases {
         let output = run(&arguments);

@@ -154,6 +154,8 @@ impl Run<'_, '_, '_, '_> {
             x = self.cascade.refine(number, &x);
             if self.cascade.is_softer(number) {
                 push_once(&mut self.report.ladder, "softer_cloth");
+                // What a coarser mesh of softer cloth handed on tells of both.
+                self.handed_on = None;
             } else {
                 let is_whole = x.len() == self.cascade.scene(0).start.len();
                 self.handed_on = (self.report.converged && is_whole).then(|| x.clone());

@@ -103,7 +103,7 @@ pub struct Worn {
 /// What was planned and expected, against what came of it.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Plan {
-    /// Vertices of each mesh that was to be solved, coarsest first.
+    /// Vertices of each mesh that was to be solved, coarsest first; one that is solved for softer cloth first is there again.
     pub levels: Vec<usize>,
     /// CPU time allowed \[s\].
     pub time_limit_s: Option<f64>,
