@@ -1,6 +1,7 @@
 //! One case in a process of its own, so that a crash is a line too and what never ends is ended.
 
-use crate::stability::{Case, Line};
+use crate::stability::Case;
+use crate::stability::line::Line;
 use std::io::{self, Read};
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;

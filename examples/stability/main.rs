@@ -12,7 +12,8 @@ mod stability;
 mod table;
 
 use clap::Parser;
-use stability::{Case, Line, cases};
+use stability::line::Line;
+use stability::{Case, cases};
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;

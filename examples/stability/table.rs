@@ -1,6 +1,6 @@
 //! The lines as a table for people, in Markdown or one by one.
 
-use crate::stability::Line;
+use crate::stability::line::Line;
 use std::fmt::Write;
 
 const HEAD: &str = "| case | vertices | expected | came to | CPU s | allowed | iterations, steps | r | ladder | energy J | at most | estimate mm | error mm |

@@ -11,7 +11,7 @@
 mod check;
 mod cloth;
 mod contrast;
-mod line;
+pub(crate) mod line;
 mod motion;
 mod run;
 mod seams;
@@ -27,7 +27,6 @@ mod samples;
 #[path = "../scenes/mod.rs"]
 mod scenes;
 
-pub(crate) use line::Line;
 pub(crate) use run::line;
 
 use seamster::config::Limits;
