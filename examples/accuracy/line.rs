@@ -11,6 +11,8 @@ use std::path::Path;
 
 /// Residual asked of the reference: below any floor, which then is what stops it.
 const TO_THE_FLOOR: f64 = 1e-300;
+/// A distance between coordinates of about 1 m that is rounding \[m\].
+const ROUNDING: f64 = 1e-15;
 
 /// What a run came to.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -50,9 +52,12 @@ impl Line {
         )
     }
 
-    /// The error that was stated over the true one.
+    /// The error that was stated over the true one; none where the shape was at the floor already.
     pub(crate) fn ratio(&self) -> Option<f64> {
-        self.estimate_m.map(|estimate| estimate / self.error_m)
+        let told = self.error_m > ROUNDING;
+        self.estimate_m
+            .filter(|_| told)
+            .map(|estimate| estimate / self.error_m)
     }
 }
 

@@ -27,12 +27,11 @@ fn summary(lines: &[&Line], timed: bool) -> String {
     let told: Vec<f64> = lines.iter().filter_map(|line| line.ratio()).collect();
     let within = |r: &&f64| (0.3..=3.0).contains(*r);
     let right = told.iter().filter(within).count();
-    let wrong = lines
-        .iter()
-        .filter(|line| line.valid && !line.ratio().as_ref().is_some_and(|r| within(&r)));
+    let is_wrong = |line: &&&Line| line.valid && line.ratio().as_ref().is_some_and(|r| !within(&r));
+    let wrong = lines.iter().filter(is_wrong);
     let mut text = format!(
-        "Of {} runs {right} state an error within 0.3 to 3 times the true one; {} that do not are held valid.",
-        lines.len(),
+        "Of {} runs whose true error can be told {right} state one within 0.3 to 3 times of it; of those that do not, {} are held valid.",
+        told.len(),
         wrong.count()
     );
     if timed {

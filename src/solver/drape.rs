@@ -222,7 +222,9 @@ impl Run<'_, '_, '_, '_> {
         let to_go = rest.to_go.map(|to_go| to_go.distance_m);
         let by_moves = match to_go.map(|m| m.min(most.unwrap_or(f64::INFINITY))) {
             _ if rest.at_rest && last > 0 => later,
-            to_go => to_go.map(|m| m.hypot(later.unwrap_or(0.0))),
+            // It was stopped before it moved: all of this level is still to come.
+            None => plan::moves_left(&levels[..earlier], last + 1),
+            Some(to_go) => Some(to_go.hypot(later.unwrap_or(0.0))),
         };
         let known = report.error_estimate_m.filter(|_| rest.at_rest);
         let by_moves = by_moves.filter(|moves| known.is_none() && moves.is_finite());

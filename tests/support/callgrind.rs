@@ -33,15 +33,6 @@ pub(crate) struct Profile {
     own: BTreeMap<String, u64>,
 }
 
-/// Whether valgrind can be run; says so where it cannot.
-pub(crate) fn is_installed() -> bool {
-    let found = Command::new("valgrind").arg("--version").output().is_ok();
-    if !found {
-        println!("valgrind is not installed: instructions are not counted (make test installs it)");
-    }
-    found
-}
-
 /// Runs this program once more, with `arguments`, under callgrind.
 ///
 /// # Errors
@@ -56,7 +47,9 @@ pub(crate) fn run(arguments: &[&str]) -> Result<Profile, String> {
         .arg(program)
         .args(arguments)
         .output()
-        .map_err(|error| error.to_string())?;
+        .map_err(|error| {
+            format!("valgrind counts instructions, and make test installs it: {error}")
+        })?;
     if !ran.status.success() {
         let said = [ran.stdout, ran.stderr].concat();
         return Err(String::from_utf8_lossy(&said).into_owned());

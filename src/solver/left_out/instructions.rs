@@ -156,9 +156,6 @@ fn a_plain_drape_takes_the_instructions_of_its_terms() {
     let drape = as_a_scene(&plain, &ask);
     assert!(drape.report.converged, "{}", drape.report.why);
     assert_eq!(drape.positions, bare(&plain, &ask));
-    if !callgrind::is_installed() {
-        return;
-    }
     let (profile, [drape, bare, _]) = compare("drape_by_newton", "bare_newton");
     for function in REPORT.iter().filter(|f| !f.ends_with("refuse")) {
         assert!(profile.of(function).is_some(), "{function} did not run");
@@ -171,9 +168,6 @@ fn a_plain_drape_takes_the_instructions_of_its_terms() {
 fn plain_explicit_steps_take_the_instructions_of_their_terms() {
     let (plain, ask) = (scene(Has::WEIGHT, CELLS), ask(Method::SymplecticEuler));
     assert_eq!(as_a_scene(&plain, &ask).positions, bare(&plain, &ask));
-    if !callgrind::is_installed() {
-        return;
-    }
     let (profile, [drape, bare, _]) = compare("drape_by_explicit_steps", "bare_explicit_steps");
     assert!(profile.of(REPORT[0]).is_some(), "{} did not run", REPORT[0]);
     assert!(drape as f64 <= (1.0 + MORE) * bare as f64, "{drape} {bare}");
@@ -190,9 +184,6 @@ fn enters_nothing_that_it_lacks(profile: &Profile) {
 /// So that the tests above can fail.
 #[test]
 fn what_a_scene_has_is_entered() {
-    if !callgrind::is_installed() {
-        return;
-    }
     let profile = profile("drape_of_everything");
     for file in LACKS.iter().filter(|file| **file != "src/export") {
         assert!(profile.in_file(file) > 0, "{file}");
