@@ -1,6 +1,7 @@
 //! The work-precision picture of a study.
 
 use super::report::{Study, StudyRun};
+use super::run::edges;
 use crate::export::{Plot, PlotPoint, PlotSeries};
 use crate::solver::Want;
 
@@ -56,7 +57,7 @@ pub fn plot_svg(study: &Study) -> String {
 fn name(run: &StudyRun, study: &Study) -> String {
     let method = method_name(run);
     let mut name = if study.meshes.len() > 1 {
-        format!("{method}, {:.3} mm edges", 1e3 * run.edge_length_m)
+        format!("{method}, {}", edges(run.edge_length_m))
     } else {
         method
     };
@@ -88,10 +89,10 @@ fn tip(run: &StudyRun) -> String {
         format!("; {}", run.why)
     };
     format!(
-        "{}, {}, {:.3} mm edges: {:.3} s, {error}{ended}",
+        "{}, {}, {}: {:.3} s, {error}{ended}",
         method_name(run),
         setting(run),
-        1e3 * run.edge_length_m,
+        edges(run.edge_length_m),
         run.cpu_s,
     )
 }

@@ -212,15 +212,15 @@ impl Trial<'_, '_, '_> {
                 }
                 Ended::Grew => {
                     step.because = format!(
-                        "none found up to {} s; with steps of {h} s the cloth left its rest shape, as it may by sliding",
-                        step.tried_s
+                        "{}with steps of {h} s the cloth left its rest shape, as it may by sliding",
+                        none_up_to(step.tried_s)
                     );
                     return step;
                 }
                 Ended::NotSolved => {
                     step.because = format!(
-                        "none found up to {} s; the equations of steps of {h} s were not solved",
-                        step.tried_s
+                        "{}the equations of steps of {h} s were not solved",
+                        none_up_to(step.tried_s)
                     );
                     return step;
                 }
@@ -317,6 +317,15 @@ impl Trial<'_, '_, '_> {
         };
         let mut system = assemble(scene, self.ask, &stage, self.context.cpu_s);
         f(&mut system, &particles.mean(self.rest))
+    }
+}
+
+/// What was found before a step failed for another reason.
+fn none_up_to(tried_s: f64) -> String {
+    if tried_s > 0.0 {
+        format!("none found up to {tried_s} s; ")
+    } else {
+        String::new()
     }
 }
 
