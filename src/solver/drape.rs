@@ -118,7 +118,7 @@ impl Run<'_, '_, '_, '_> {
         }
         measure_all(scene, &x, &mut self.report);
         self.report.worn = worn(scene, &self.report, self.sunk);
-        let handed_on = self.handed_on.as_ref();
+        let handed_on = self.handed_on.as_ref().filter(|_| self.report.converged);
         self.report.mesh_error_m = handed_on.map(|coarse| rms_distance(coarse, &x));
         let to_finest = |level, x| self.cascade.to_finest(level, x);
         self.report.error_against_run_time = self.trace.way.points(&to_finest, &x);
@@ -255,7 +255,11 @@ impl Run<'_, '_, '_, '_> {
         );
         let halving = rest.to_go.and_then(|to_go| to_go.halving_s);
         report.to_halve_the_error = match allowed {
-            Some(_) => halving.map(|halving_s| plan::more_time(total, halving_s)),
+            Some(_) => {
+                let all = report.plan.expected_cpu_s.map(|all| all - total);
+                let more = halving.or(all).filter(|more_s| *more_s > 0.0);
+                more.map(|more_s| plan::more_time(total, more_s))
+            }
             None => plan::advice(report),
         };
     }

@@ -71,7 +71,7 @@ pub(super) fn advice(report: &Report) -> Option<Advice> {
     })
 }
 
-/// What to change to halve the error of a shape whose time was up, if its error halves every `halving_s` \[CPU s\].
+/// What to change to halve the error of a shape whose time was up: what it takes to halve \[CPU s\], or to come to rest.
 pub(super) fn more_time(total: f64, halving_s: f64) -> Advice {
     Advice {
         field: "time_limit_s".to_owned(),
