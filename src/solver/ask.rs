@@ -103,7 +103,12 @@ impl Method {
         }
     }
 
-    /// Whether it steps from one time to the next without solving equations.
+    /// Whether it steps from one time to the next, and so follows the motion.
+    pub fn steps(self) -> bool {
+        !matches!(self, Self::Auto | Self::Newton)
+    }
+
+    /// Whether it steps without solving equations.
     pub fn is_explicit(self) -> bool {
         matches!(self, Self::SymplecticEuler | Self::Verlet)
     }

@@ -30,10 +30,11 @@ const LEAST_FLOORS: f64 = 3.0;
 /// # Limitations
 /// Rest shapes are not unique: cloth folds one way or another. Cloth passes through cloth.
 pub fn drape(scene: &Scene, ask: &Simulate, context: &mut Context<'_>) -> Drape {
-    let cascade = match ask.method {
-        Method::Auto | Method::Newton => Cascade::new(scene),
+    let cascade = if ask.method.steps() {
         // Motion is that of the mesh asked for.
-        _ => Cascade::single(scene),
+        Cascade::single(scene)
+    } else {
+        Cascade::new(scene)
     };
     run(&cascade, ask, None, context)
 }
@@ -104,7 +105,8 @@ impl Run<'_, '_, '_, '_> {
             Some(why) => {
                 self.report.why = why;
                 self.report.residual = f64::NAN;
-                (scene.start.clone(), 0, Rest::default())
+                let start = self.from.map_or(&scene.start, |from| &from.positions);
+                (start.clone(), 0, Rest::default())
             }
         };
         x = self.cascade.to_finest(last, x);

@@ -1,6 +1,6 @@
 //! One level of a fit (P9, P10): pull the seams shut, close them for good, let the garment fall and come to rest.
 
-use super::ask::{Method, Simulate};
+use super::ask::Simulate;
 use super::closing::{SEAM_STIFFNESS, close};
 use super::contact::Anchors;
 use super::motion::Motion;
@@ -89,9 +89,8 @@ impl Level<'_, '_, '_> {
 
     /// How a stage is run whose motion, if it is one, is `motion`.
     pub(super) fn how(&self, motion: Motion) -> How {
-        let steps = !matches!(self.ask.method, Method::Auto | Method::Newton);
         How {
-            motion: steps.then_some(Motion {
+            motion: self.ask.method.steps().then_some(Motion {
                 method: self.ask.method,
                 step: self.ask.step_s,
                 ..motion

@@ -3,7 +3,7 @@
 use super::minima::Minima;
 use super::report::{Study, StudyMesh, StudyReference, StudyRun};
 use super::rest::{Rest, depends_on_path, total};
-use super::run::{OnMesh, StudyPlan, StudyScene, edges, name_of, steps};
+use super::run::{OnMesh, StudyPlan, StudyScene, edges};
 use super::work::Work;
 use crate::solver::{self, Drape, Method, Simulate};
 
@@ -54,7 +54,7 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
         let first = study.runs.len();
         // Newton first: it gives the reference.
         let (follow, find): (Vec<Method>, Vec<Method>) =
-            self.plan.methods.iter().partition(|m| steps(**m));
+            self.plan.methods.iter().partition(|m| m.steps());
         for &method in find.iter().chain(&follow) {
             let mut tolerances = self.plan.tolerances.clone();
             tolerances.sort_by(|a, b| b.total_cmp(a));
@@ -73,9 +73,11 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
         }
         let began = self.work.cpu_s();
         let reference = self
-            .best(|m| !steps(m))
+            .best(|m| !m.steps())
             .or_else(|| self.own(Method::Newton));
-        let second = self.best(steps).or_else(|| self.own(Method::ImplicitEuler));
+        let second = self
+            .best(Method::steps)
+            .or_else(|| self.own(Method::ImplicitEuler));
         let mut confirmed = self.confirmation(reference, second);
         confirmed.cpu_s = self.work.cpu_s() - began;
         let number = reference.and_then(|found| found.minimum);
@@ -217,7 +219,7 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
             return out;
         };
         let (names, energies) = (
-            [name_of(a.method), name_of(b.method)],
+            [a.method.name(), b.method.name()],
             [1e3 * a.energy_j, 1e3 * b.energy_j],
         );
         let (Some(i), Some(j)) = (a.minimum, b.minimum) else {
@@ -255,10 +257,7 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
 
     fn what(&self, method: Method, tolerance: f64) -> String {
         let edges = edges(self.scene.edge_length_m);
-        format!(
-            "{} with tolerance {tolerance:.0e}, {edges}",
-            name_of(method)
-        )
+        format!("{} with tolerance {tolerance:.0e}, {edges}", method.name())
     }
 
     fn ask(&self, method: Method, tolerance: f64) -> Simulate {
@@ -276,7 +275,7 @@ fn why_alone(found: &[Found]) -> String {
         [] => "no method came to rest in the time allowed".to_owned(),
         [only, ..] => format!(
             "only {} came to rest in the time allowed: not confirmed",
-            name_of(only.method)
+            only.method.name()
         ),
     }
 }

@@ -3,7 +3,7 @@
 use super::order;
 use super::reference::{Kept, Reference, frames_apart};
 use super::report::{Study, StudyMesh, StudyReference, StudyRun};
-use super::run::{OnMesh, StudyPlan, StudyScene, edges, name_of};
+use super::run::{OnMesh, StudyPlan, StudyScene, edges};
 use super::work::Work;
 use crate::scene::Scene;
 use crate::solver::{self, Drape, Method, Simulate, Start, Trajectory, Want};
@@ -170,7 +170,7 @@ impl<'a, 'c, 'w> Motions<'a, 'c, 'w> {
     /// The longest step that an explicit method is allowed \[s\].
     fn allowed(&mut self, method: Method, start: &[Vector3<f64>]) -> Option<f64> {
         let ask = self.ask(method, Setting::Tolerance(EXACTLY));
-        let what = format!("the longest step of {}", name_of(method));
+        let what = format!("the longest step of {}", method.name());
         let scene = &self.scene.scene;
         self.work.part(&what, 0.0, |context, _| {
             solver::allowed_step(scene, &ask, start, context)
@@ -180,7 +180,7 @@ impl<'a, 'c, 'w> Motions<'a, 'c, 'w> {
     fn made(&mut self, method: Method, setting: Setting, start: &[Vector3<f64>]) -> Option<Made> {
         let what = format!(
             "{} with {}, {}",
-            name_of(method),
+            method.name(),
             match setting {
                 Setting::Step(h) => format!("steps of {h:.2e} s"),
                 Setting::Tolerance(t) => format!("tolerance {t:.0e}"),
@@ -293,7 +293,7 @@ impl<'a, 'c, 'w> Motions<'a, 'c, 'w> {
             left -= share;
             let what = format!(
                 "reference: {} in steps of {h:.2e} s, {edges}",
-                name_of(method)
+                method.name()
             );
             let ask = self.ask(method, Setting::Step(h));
             let motion = self.moved(&what, share, ask, start)?;

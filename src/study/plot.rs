@@ -69,7 +69,7 @@ fn name(run: &StudyRun, study: &Study) -> String {
 
 /// The method asked for, and which one `auto` was.
 pub(super) fn method_name(run: &StudyRun) -> String {
-    let asked = super::run::name_of(run.method).to_owned();
+    let asked = run.method.name().to_owned();
     if asked == run.used || run.used.is_empty() {
         asked
     } else {

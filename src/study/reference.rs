@@ -102,7 +102,7 @@ impl Reference {
     }
 
     fn alone(only: Pair) -> Self {
-        let name = super::run::name_of(only.method);
+        let name = only.method.name();
         let because = format!(
             "only {name} was finished in the time allowed, down to steps of {:.2e} s: not confirmed by a second method",
             only.step_s

@@ -136,23 +136,6 @@ fn empty(plan: &StudyPlan) -> Study {
     }
 }
 
-/// The name that a method has in JSON.
-pub(super) fn name_of(method: Method) -> &'static str {
-    match method {
-        Method::Auto => "auto",
-        Method::SymplecticEuler => "symplectic_euler",
-        Method::Verlet => "verlet",
-        Method::ImplicitEuler => "implicit_euler",
-        Method::Bdf2 => "bdf2",
-        Method::Newton => "newton",
-    }
-}
-
-/// Whether a method follows the motion.
-pub(super) fn steps(method: Method) -> bool {
-    !matches!(method, Method::Auto | Method::Newton)
-}
-
 /// A length of mesh edges in words.
 pub(super) fn edges(edge_length_m: f64) -> String {
     format!("{} mm edges", (1e6 * edge_length_m).round() * 1e-3)

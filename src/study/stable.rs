@@ -1,7 +1,7 @@
 //! The stability limits of a study: for each method that steps, near the rest shape on each mesh.
 
 use super::report::StudyStability;
-use super::run::{StudyPlan, StudyScene, edges, name_of, steps};
+use super::run::{StudyPlan, StudyScene, edges};
 use super::work::Work;
 use crate::solver::{self, Drape, Method, Simulate};
 
@@ -10,7 +10,7 @@ const PARTS: f64 = 2.0;
 
 /// Parts of a study on one mesh.
 pub(super) fn parts(plan: &StudyPlan) -> f64 {
-    PARTS * plan.methods.iter().filter(|m| steps(**m)).count() as f64
+    PARTS * plan.methods.iter().filter(|m| m.steps()).count() as f64
 }
 
 /// The limit of every method that steps, near the rest shape `rest`.
@@ -20,7 +20,7 @@ pub(super) fn limits(
     rest: Option<&Drape>,
     work: &mut Work<'_, '_>,
 ) -> Vec<StudyStability> {
-    let methods = plan.methods.iter().copied().filter(|m| steps(*m));
+    let methods = plan.methods.iter().copied().filter(|m| m.steps());
     methods
         .filter_map(|method| limit(scene, plan, method, rest, work))
         .collect()
@@ -35,7 +35,7 @@ fn limit(
 ) -> Option<StudyStability> {
     let what = format!(
         "stability limit of {}, {}",
-        name_of(method),
+        method.name(),
         edges(scene.edge_length_m)
     );
     let Some(rest) = rest else {

@@ -142,18 +142,6 @@ impl Made {
     }
 }
 
-/// The word for a method in JSON.
-fn word(method: Method) -> &'static str {
-    match method {
-        Method::Auto => "auto",
-        Method::SymplecticEuler => "symplectic_euler",
-        Method::Verlet => "verlet",
-        Method::ImplicitEuler => "implicit_euler",
-        Method::Bdf2 => "bdf2",
-        Method::Newton => "newton",
-    }
-}
-
 /// All cases, group by group.
 pub(crate) fn cases() -> Vec<Case> {
     let groups = [

@@ -2,7 +2,7 @@
 
 use super::cloth::{hung, stiffer};
 use super::stiffness::FACTORS;
-use super::{Case, Expect, Made, Work, word};
+use super::{Case, Expect, Made, Work};
 use seamster::config::Limits;
 use seamster::scene::Scene;
 use seamster::solver::{Method, Simulate, Start, Want};
@@ -26,7 +26,7 @@ pub(super) fn cases() -> Vec<Case> {
             (1e-1, 1.0),
         ] {
             let case = Case::new(
-                format!("motion: steps of {step:.0e} s, {}", word(method)),
+                format!("motion: steps of {step:.0e} s, {}", method.name()),
                 move || motion(1.0, method, Some(step), duration),
             );
             cases.push(if explicit && step > 1e-4 {
@@ -37,7 +37,7 @@ pub(super) fn cases() -> Vec<Case> {
         }
         for by in FACTORS {
             let case = Case::new(
-                format!("motion: x{by:.0e}, steps chosen, {}", word(method)),
+                format!("motion: x{by:.0e}, steps chosen, {}", method.name()),
                 move || motion(by, method, None, 0.2),
             );
             cases.push(match by {
@@ -49,7 +49,7 @@ pub(super) fn cases() -> Vec<Case> {
         if explicit {
             cases.push(
                 Case::new(
-                    format!("motion: a minute at x1e6, {}", word(method)),
+                    format!("motion: a minute at x1e6, {}", method.name()),
                     move || motion(1e6, method, None, 60.0),
                 )
                 .expect(Expect::Refused("needs ")),

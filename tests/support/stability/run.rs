@@ -2,7 +2,7 @@
 
 use super::check;
 use super::line::Line;
-use super::{Case, Expect, Made, Work, word};
+use super::{Case, Expect, Made, Work};
 use nalgebra::Vector3;
 use rustix::time::{ClockId, clock_gettime};
 use seamster::config::Limits;
@@ -48,7 +48,7 @@ pub(crate) fn line(case: &Case, slower: f64) -> Line {
 
 fn simulate(made: &Made, line: &mut Line) {
     let began = cpu_s();
-    line.method = word(made.ask.method).to_owned();
+    line.method = made.ask.method.name().to_owned();
     match &made.work {
         Work::NoScene(faults) => {
             line.came_to = "refused".to_owned();

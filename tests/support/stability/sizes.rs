@@ -1,7 +1,7 @@
 //! Three vertices and three hundred thousand.
 
 use super::cloth::{hung, poplin};
-use super::{Case, Expect, Made, word};
+use super::{Case, Expect, Made};
 use nalgebra::Vector3;
 use seamster::mesh::{ClothMesh, PanelRange};
 use seamster::scene::{Cut, Scene};
@@ -19,7 +19,7 @@ pub(super) fn cases() -> Vec<Case> {
         Method::ImplicitEuler,
         Method::Bdf2,
     ] {
-        let case = Case::new(format!("size: 3 vertices, {}", word(method)), move || {
+        let case = Case::new(format!("size: 3 vertices, {}", method.name()), move || {
             Made::drape(triangle(), method).asking(|ask| ask.tolerance = 1e-4)
         });
         // It may turn about the vertical through its pin: along that the second derivative is rounding.

@@ -4,7 +4,7 @@ use super::cloth::{hung, poplin, sewn};
 use super::scenes;
 use super::scenes::net::{Family, Net};
 use super::sheet::random;
-use super::{Case, Expect, Made, word};
+use super::{Case, Expect, Made};
 use nalgebra::Vector3;
 use seamster::config::Limits;
 use seamster::scene::Scene;
@@ -46,7 +46,7 @@ pub(super) fn cases() -> Vec<Case> {
             Made::drape(planar(change), Method::Newton)
         }));
         for method in [Method::ImplicitEuler, Method::SymplecticEuler] {
-            let case = Case::new(format!("start: {name}, {}", word(method)), move || {
+            let case = Case::new(format!("start: {name}, {}", method.name()), move || {
                 let mut scene = hung(poplin(), 8);
                 change(&mut scene);
                 Made::drape(scene, method).asking(|ask| {

@@ -1,7 +1,7 @@
 //! Cloth up to a million times stiffer than poplin, which is stiffer than sheet steel of its thickness.
 
 use super::cloth::{hung, sewn, stiffer};
-use super::{Case, Expect, Made, word};
+use super::{Case, Expect, Made};
 use seamster::solver::{Membrane, Method};
 
 pub(super) const FACTORS: [f64; 4] = [1.0, 1e2, 1e4, 1e6];
@@ -39,7 +39,7 @@ pub(super) fn cases() -> Vec<Case> {
 
 /// The drape by a method that steps; a million steps are allowed to the stiffest.
 fn by_motion(by: f64, method: Method) -> Case {
-    let name = format!("stiffness: hung x{by:.0e}, {}", word(method));
+    let name = format!("stiffness: hung x{by:.0e}, {}", method.name());
     let case = Case::new(name, move || {
         let mut made = Made::drape(hung(stiffer(by), 8), method);
         if by >= 1e4 {

@@ -3,7 +3,7 @@
 use super::cloth::{hung, poplin, sewn};
 use super::motion::moving;
 use super::samples::sample;
-use super::{Case, Expect, Made, Work, scenes, word};
+use super::{Case, Expect, Made, Work, scenes};
 use nalgebra::Vector3;
 use seamster::config::Limits;
 use seamster::scene::{Fabric, Scene, Wind};
@@ -32,7 +32,7 @@ pub(super) fn cases() -> Vec<Case> {
         for method in [Method::ImplicitEuler, Method::Verlet] {
             cases.push(
                 Case::new(
-                    format!("gravity {name}: motion, {}", word(method)),
+                    format!("gravity {name}: motion, {}", method.name()),
                     move || {
                         let scene = Scene {
                             drag: Some(0.0),
@@ -74,7 +74,7 @@ pub(super) fn cases() -> Vec<Case> {
         // In a gale cloth flaps within microseconds' reach of its stiffness: equations of longer steps are not solved.
         for method in [Method::ImplicitEuler, Method::Bdf2] {
             let case = Case::new(
-                format!("wind of {speed} m/s: motion, {}", word(method)),
+                format!("wind of {speed} m/s: motion, {}", method.name()),
                 move || {
                     moving(blown(speed), method, Some(1e-3), 0.2)
                         .asking(|ask| ask.time_limit_s = Some(2.0))
