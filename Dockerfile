@@ -1,5 +1,5 @@
 # The service in a container: docker build -t seamster . && docker run -e SEAMSTER_TOKENS=… -p 8737:8737 -v seamster:/data seamster
-# The steps are the Makefile's recipes; tests/house.rs keeps that so.
+# The steps are the Makefile's recipes; tests/it/structure/house.rs keeps that so.
 
 FROM rust:1.95-bookworm AS build
 RUN apt-get update -q && apt-get install -qy --no-install-recommends nodejs npm && rm -rf /var/lib/apt/lists/*

@@ -58,17 +58,17 @@ test: page browser chromium valgrind
 	SEAMSTER_BIN=target/debug/seamster node tests/browser/page.mjs
 
 bench:
-	cargo run --release --locked --example bench -- $(SCENES)
-	cargo run --release --locked --example bench_samples | tee target/bench_samples.jsonl
+	cargo run --release --locked -p seamster-tools -- bench $(SCENES)
+	cargo run --release --locked -p seamster-tools -- bench-samples | tee target/bench_samples.jsonl
 
 instructions: page valgrind
-	cargo run --release --locked --example instructions -- $(ARGS)
+	cargo run --release --locked -p seamster-tools -- instructions $(ARGS)
 
 stability:
-	cargo run --release --locked --example stability -- $(CASES)
+	cargo run --release --locked -p seamster-tools -- stability $(CASES)
 
 table: page
-	cargo run --locked --example truth_table $(SECTIONS)
+	cargo run --locked -p seamster-tools -- truth-table $(SECTIONS)
 
 fuzz: page
 	cargo fuzz --version >/dev/null 2>&1 || cargo install --locked cargo-fuzz

@@ -1,7 +1,6 @@
 //! Any bytes as the seams of a pattern: `cargo fuzz run -s none seams fuzz/corpus/seams tests/corpus/seams`.
 #![no_main]
 
-#[path = "../../tests/support/holds.rs"]
-mod holds;
+use seamster_fixtures::holds;
 
 libfuzzer_sys::fuzz_target!(|bytes: &[u8]| holds::of_seams(bytes));

@@ -4,7 +4,6 @@
 //! comparison (see [`REPORT`]); `make instructions` tells what that is of a whole fit.
 
 use super::by_hand::{self, no_clock};
-use super::callgrind::{self, Profile, REPORT};
 use super::scenes::{Has, scene};
 use crate::config::Limits;
 use crate::progress::CancelToken;
@@ -14,6 +13,7 @@ use crate::solver::newton::{FIRST_GAMMA, Iteration, Newton, Stop, Verdict};
 use crate::solver::settling::{DRAG, SADDLE, SPEED_LIMIT};
 use crate::solver::{Context, Drape, Method, Simulate, drape};
 use nalgebra::Vector3;
+use seamster_fixtures::callgrind::{self, Profile, REPORT};
 
 /// Cells along a sheet; both sheets together are too small for a coarser mesh.
 const CELLS: usize = 13;

@@ -2,8 +2,6 @@
 
 mod by_hand;
 mod bytes;
-#[path = "../../../tests/support/callgrind.rs"]
-mod callgrind;
 mod instructions;
 mod scenes;
 mod terms;

@@ -1,0 +1,501 @@
+//! The program as it is started: command line, exit codes, signals, and what survives them.
+
+#![expect(
+    clippy::unwrap_used,
+    reason = "a failure is a failed test, in its helpers too"
+)]
+
+use serde_json::{Value, json};
+use std::net::TcpListener;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// Far above what any of this takes on a busy machine.
+const PATIENCE: Duration = Duration::from_secs(240);
+
+fn seamster(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_seamster"));
+    command.args(arguments);
+    for name in [
+        "LISTEN", "DATA", "STORE", "BLOBS", "WORKERS", "TOKENS", "HOSTS", "LOG",
+    ] {
+        command.env_remove(format!("SEAMSTER_{name}"));
+    }
+    command
+}
+
+fn run(arguments: &[&str]) -> Output {
+    seamster(arguments).output().unwrap()
+}
+
+fn code(output: &Output) -> Option<i32> {
+    output.status.code()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn sample(file: &str) -> String {
+    format!("{}/static/samples/{file}", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The sample skirt's garment, sewn coarsely and from a fabric of its own: what is tested here is not the shape.
+fn garment() -> Value {
+    let text = std::fs::read_to_string(sample("skirt.garment.json")).unwrap();
+    let mut garment: Value = serde_json::from_str(&text).unwrap();
+    garment["simulate"] = json!({"edge_length_m": 0.03, "tolerance": 1e-4});
+    garment["default_fabric"] = json!("own");
+    garment["panels"] = without_fabrics(&garment["panels"]);
+    garment["fabrics"] = json!({"own": {
+        "name": "own", "density_kg_m2": 0.12, "thickness_m": 0.0003,
+        "stretch_warp_n_m": 2000.0, "stretch_weft_n_m": 2000.0, "shear_n_m": 60.0,
+        "bending_warp_n_m": 8e-6, "bending_weft_n_m": 5e-6,
+        "friction": 0.3, "damping_ratio": 0.1, "source": "made up for this test",
+    }});
+    garment
+}
+
+fn without_fabrics(panels: &Value) -> Value {
+    let mut panels = panels.as_object().cloned().unwrap_or_default();
+    for panel in panels.values_mut().filter_map(Value::as_object_mut) {
+        panel.remove("fabric");
+    }
+    panels.into()
+}
+
+fn written(folder: &Path, name: &str, garment: &Value) -> String {
+    let path = folder.join(name);
+    std::fs::write(&path, garment.to_string()).unwrap();
+    path.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn sew_writes_mesh_report_and_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let garment = written(folder.path(), "garment.json", &garment());
+    let dxf = sample("skirt.dxf");
+    let (mesh, report, scene) = (at("out.glb"), at("r.json"), at("s.json"));
+    let output = run(&[
+        "sew", &dxf, &garment, "-o", &mesh, "--report", &report, "--scene", &scene,
+    ]);
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+    assert_eq!(&std::fs::read(mesh).unwrap()[..4], b"glTF");
+    let report: Value = serde_json::from_slice(&std::fs::read(report).unwrap()).unwrap();
+    assert_eq!(report["converged"], true);
+    let scene: Value = serde_json::from_slice(&std::fs::read(scene).unwrap()).unwrap();
+    assert!(scene.is_object());
+}
+
+/// The lines that tell what was suggested.
+fn suggested(output: &Output) -> Vec<String> {
+    let told = stderr(output);
+    let lines = told
+        .lines()
+        .filter_map(|line| line.strip_prefix("suggested: "));
+    lines.map(str::to_owned).collect()
+}
+
+#[test]
+fn sew_tells_the_seams_that_it_suggests() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut asked = garment();
+    asked["seams"] = json!("suggest");
+    asked["panels"] = json!({});
+    let asked = written(folder.path(), "suggest.json", &asked);
+    let mesh = folder.path().join("out.glb");
+    let output = run(&[
+        "sew",
+        &sample("skirt.dxf"),
+        &asked,
+        "-o",
+        mesh.to_str().unwrap(),
+    ]);
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+    let lines = suggested(&output);
+    assert!(!lines.is_empty(), "{}", stderr(&output));
+    for (i, line) in lines.iter().enumerate() {
+        let (place, why) = line.split_once(": confidence ").unwrap();
+        assert!(
+            place.contains(&format!("suggest.json /seams/{i}: ")),
+            "{line}"
+        );
+        let (confidence, because) = why.split_once(": ").unwrap();
+        assert!((0.0..=1.0).contains(&confidence.parse::<f64>().unwrap()));
+        assert!(!because.is_empty());
+    }
+    assert!(mesh.exists());
+}
+
+/// A skirt of two trapezia as `GarmentCode` writes it, without stitches \[cm\].
+fn drafted_skirt() -> Value {
+    let edge = |from: usize| json!({"endpoints": [from, (from + 1) % 4]});
+    let panel = |z: f64, turn: f64| {
+        json!({
+            "translation": [0, 100, z], "rotation": [0, turn, 0],
+            "vertices": [[-19, 0], [19, 0], [35, -50], [-35, -50]],
+            "edges": [edge(0), edge(1), edge(2), edge(3)],
+        })
+    };
+    json!({
+        "pattern": {"panels": {"skirt_front": panel(25.0, 0.0), "skirt_back": panel(-25.0, 180.0)}, "stitches": []},
+        "properties": {"units_in_meter": 100},
+    })
+}
+
+#[test]
+fn sew_takes_a_specification_and_finds_its_seams() {
+    let folder = tempfile::tempdir().unwrap();
+    let pattern = written(folder.path(), "skirt_specification.json", &drafted_skirt());
+    let mut asked = garment();
+    asked["seams"] = json!("suggest");
+    asked["panels"] = json!({});
+    let asked = written(folder.path(), "suggest.json", &asked);
+    let mesh = folder.path().join("out.glb");
+    let output = run(&["sew", &pattern, &asked, "-o", mesh.to_str().unwrap()]);
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+    assert_eq!(suggested(&output).len(), 2, "{}", stderr(&output));
+    assert!(mesh.exists());
+}
+
+#[test]
+fn sew_tells_every_fault_with_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut bad = garment();
+    bad["default_fabric"] = json!("no-such-fabric");
+    bad["seams"][0]["a"]["panel"] = json!("no-such-panel");
+    let bad = written(folder.path(), "bad.json", &bad);
+    let output = run(&["sew", &sample("skirt.dxf"), &bad, "-o", "/nowhere/out.glb"]);
+    let told = stderr(&output);
+    assert_eq!(code(&output), Some(2), "{told}");
+    for place in ["bad.json /default_fabric: ", "bad.json /seams/0/a"] {
+        assert!(told.lines().any(|line| line.contains(place)), "{told}");
+    }
+}
+
+#[test]
+fn sew_tells_all_that_is_misshapen_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut bad = garment();
+    bad["simulate"]["edge_lenght_m"] = json!(0.01);
+    bad["seams"][0]["a"]["from"] = json!({"edge": 1, "at": 0.5, "notch": 2});
+    bad["seams"][1]["b"].as_object_mut().unwrap().remove("to");
+    bad["friction"] = json!("little");
+    let bad = written(folder.path(), "bad.json", &bad);
+    let output = run(&["sew", &sample("skirt.dxf"), &bad, "-o", "/nowhere/out.glb"]);
+    let told = stderr(&output);
+    assert_eq!(code(&output), Some(2), "{told}");
+    for fault in [
+        "bad.json /simulate/edge_lenght_m: request/unknown_field",
+        "bad.json /seams/0/a/from/notch: request/unknown_field",
+        "bad.json /seams/1/b/to: request/missing_field",
+        "bad.json /friction: request/wrong_type",
+    ] {
+        assert!(told.lines().any(|line| line.contains(fault)), "{told}");
+    }
+    assert!(told.contains("did you mean \"edge_length_m\"?"), "{told}");
+    let cut_off = folder.path().join("cut.json");
+    std::fs::write(&cut_off, "{\n").unwrap();
+    let output = run(&["sew", cut_off.to_str().unwrap(), "-o", "/nowhere/out.glb"]);
+    assert_eq!(code(&output), Some(2));
+    assert!(stderr(&output).contains("cut.json line 2 column"));
+}
+
+#[test]
+fn sew_names_the_file_that_is_at_fault() {
+    let folder = tempfile::tempdir().unwrap();
+    let good = written(folder.path(), "good.json", &garment());
+    let junk = written(folder.path(), "junk.dxf", &json!("not a drawing"));
+    let cases = [
+        (vec![junk.as_str(), &good], "junk.dxf"),
+        (vec!["absent.dxf", &good], "absent.dxf"),
+        (vec![junk.as_str(), "absent.json"], "absent.json"),
+        (vec![good.as_str()], "/pattern"),
+    ];
+    for (inputs, named) in cases {
+        let output = run(&[&["sew", "-o", "out.glb"], inputs.as_slice()].concat());
+        assert_eq!(code(&output), Some(2), "{named}");
+        assert!(stderr(&output).contains(named), "{}", stderr(&output));
+    }
+}
+
+#[test]
+fn study_writes_a_table_and_a_plot_and_recommends() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let garment = written(folder.path(), "garment.json", &garment());
+    let (study, plot) = (at("study.json"), at("study.svg"));
+    let output = run(&[
+        "study",
+        &sample("skirt.dxf"),
+        &garment,
+        "-o",
+        &study,
+        "--plot",
+        &plot,
+        "--methods",
+        "newton",
+        "--tolerances",
+        "0.1,0.001",
+        "--edge-lengths",
+        "0.06",
+        "--time-limit",
+        "20",
+    ]);
+    // One method alone confirms no reference within the time, maybe: then it says what it left out.
+    let done = code(&output);
+    assert!(
+        done == Some(0) || stderr(&output).contains("left out"),
+        "{}",
+        stderr(&output)
+    );
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    let study: Value = serde_json::from_str(&std::fs::read_to_string(study).unwrap()).unwrap();
+    assert_eq!(said.trim(), study["recommendation"].as_str().unwrap());
+    assert!(said.contains("newton"), "{said}");
+    assert_eq!(study["runs"].as_array().unwrap().len(), 2);
+    assert!(std::fs::read_to_string(plot).unwrap().contains("</svg>"));
+    let refused = run(&[
+        "study",
+        &sample("skirt.dxf"),
+        &garment,
+        "-o",
+        "x",
+        "--tolerances",
+        "-1",
+    ]);
+    assert_eq!(code(&refused), Some(2), "{}", stderr(&refused));
+}
+
+#[test]
+fn sew_refuses_an_unknown_format_before_it_sews() {
+    let output = run(&["sew", "absent.dxf", "absent.json", "-o", "out.stl"]);
+    assert_eq!(code(&output), Some(2));
+    assert!(stderr(&output).contains(".glb, .obj or .json"));
+}
+
+#[test]
+fn settings_that_cannot_be_served_are_refused() {
+    let cases = [
+        (vec!["serve", "--listen", "0.0.0.0:0"], "SEAMSTER_TOKENS"),
+        (vec!["serve", "--store", "nats://localhost"], "sqlite"),
+        (vec!["serve", "--blobs", "s3://bucket"], "file"),
+        (vec!["serve", "--workers", "0"], "at least 1"),
+        (vec!["serve", "--log", "=,="], "--log"),
+        (vec!["worker"], "seamster serve"),
+        (vec!["mend"], "unrecognized subcommand"),
+    ];
+    for (arguments, said) in cases {
+        let output = run(&arguments);
+        assert_eq!(code(&output), Some(2), "{arguments:?}");
+        assert!(stderr(&output).contains(said), "{}", stderr(&output));
+    }
+}
+
+#[test]
+fn settings_come_from_the_environment_too() {
+    let output = seamster(&["serve"])
+        .env("SEAMSTER_LISTEN", "0.0.0.0:0")
+        .env("SEAMSTER_TOKENS", "")
+        .output()
+        .unwrap();
+    assert_eq!(code(&output), Some(2));
+    assert!(stderr(&output).contains("SEAMSTER_TOKENS"));
+}
+
+#[test]
+fn schemas_are_printed_as_json() {
+    for command in ["openapi", "schema"] {
+        let output = run(&[command]);
+        assert_eq!(code(&output), Some(0));
+        let value: Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!(value.is_object());
+    }
+}
+
+/// A running service, killed when dropped.
+struct Service {
+    child: Child,
+    address: String,
+    agent: ureq::Agent,
+}
+
+impl Service {
+    fn start(data: &Path) -> Self {
+        let address = free_address();
+        let data = data.to_str().unwrap();
+        let child = seamster(&[
+            "serve",
+            "--listen",
+            &address,
+            "--data",
+            data,
+            "--workers",
+            "1",
+        ])
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+        let agent = ureq::Agent::config_builder()
+            .timeout_global(Some(Duration::from_secs(30)))
+            .build();
+        let service = Self {
+            child,
+            address,
+            agent: agent.into(),
+        };
+        until("it is ready", || service.is_ready().then_some(()));
+        service
+    }
+
+    fn is_ready(&self) -> bool {
+        run(&["health", "--listen", &self.address]).status.success()
+    }
+
+    fn get(&self, path: &str) -> Value {
+        let url = format!("http://{}{path}", self.address);
+        let mut answer = self.agent.get(&url).call().unwrap();
+        answer.body_mut().read_json().unwrap()
+    }
+
+    fn post(&self, path: &str, body: &[u8], kind: &str) -> Value {
+        let url = format!("http://{}{path}", self.address);
+        let request = self.agent.post(&url).header("content-type", kind);
+        let mut answer = request.send(body).unwrap();
+        answer.body_mut().read_json().unwrap()
+    }
+
+    /// Submits the sample skirt and returns where its fit is.
+    fn submit(&self) -> String {
+        let dxf = std::fs::read(sample("skirt.dxf")).unwrap();
+        let pattern = self.post("/v1/patterns", &dxf, "application/dxf");
+        let mut garment = garment();
+        garment["pattern"] = pattern["id"].clone();
+        let body = garment.to_string();
+        let fit = self.post("/v1/fits", body.as_bytes(), "application/json");
+        format!("/v1/fits/{}", fit["id"].as_str().unwrap())
+    }
+
+    fn has_status(&self, fit: &str, statuses: &[&str]) -> Option<Value> {
+        let record = self.get(fit);
+        let is_one = statuses.contains(&record["status"].as_str().unwrap());
+        is_one.then_some(record)
+    }
+
+    fn signal(&self, name: &str) {
+        let id = self.child.id().to_string();
+        let sent = Command::new("kill").args(["-s", name, &id]).status();
+        assert!(sent.unwrap().success());
+    }
+
+    /// Waits for the process to end by itself.
+    fn ended(mut self) -> Option<i32> {
+        until("it ends", || self.child.try_wait().unwrap()).code()
+    }
+}
+
+impl Drop for Service {
+    fn drop(&mut self) {
+        // It may have ended by itself: then there is nothing to kill.
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+fn free_address() -> String {
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    listener.local_addr().unwrap().to_string()
+}
+
+fn until<T>(what: &str, mut find: impl FnMut() -> Option<T>) -> T {
+    let deadline = Instant::now() + PATIENCE;
+    loop {
+        if let Some(found) = find() {
+            return found;
+        }
+        assert!(Instant::now() < deadline, "{what}: not in {PATIENCE:?}");
+        sleep(Duration::from_millis(5));
+    }
+}
+
+const FINAL: [&str; 3] = ["succeeded", "failed", "canceled"];
+
+#[test]
+fn killed_service_finishes_the_fit_after_a_restart() {
+    let data = tempfile::tempdir().unwrap();
+    let service = Service::start(data.path());
+    let fit = service.submit();
+    until("it runs", || service.has_status(&fit, &["running"]));
+    service.signal("KILL");
+    drop(service);
+    let service = Service::start(data.path());
+    let record = until("it ends", || service.has_status(&fit, &FINAL));
+    assert_eq!(record["status"], "succeeded", "{record}");
+    assert_eq!(record["attempts"], 2);
+    let report = service.get(&format!("{fit}/report"));
+    assert_eq!(report["converged"], true);
+}
+
+#[test]
+fn killed_service_finishes_the_study_after_a_restart() {
+    let data = tempfile::tempdir().unwrap();
+    let service = Service::start(data.path());
+    let dxf = std::fs::read(sample("skirt.dxf")).unwrap();
+    let mut garment = garment();
+    garment["pattern"] = service.post("/v1/patterns", &dxf, "application/dxf")["id"].clone();
+    let asked = serde_json::json!({
+        "garment": garment, "methods": ["newton"], "tolerances": [1e-1, 1e-2], "edge_lengths_m": [0.05],
+    });
+    let body = asked.to_string();
+    let study = service.post("/v1/studies", body.as_bytes(), "application/json");
+    let study = format!("/v1/studies/{}", study["id"].as_str().unwrap());
+    until("it runs", || service.has_status(&study, &["running"]));
+    service.signal("KILL");
+    drop(service);
+    let service = Service::start(data.path());
+    let record = until("it ends", || service.has_status(&study, &FINAL));
+    assert_eq!(record["status"], "succeeded", "{record}");
+    assert_eq!(record["attempts"], 2);
+    assert_eq!(record["report"]["runs"].as_array().unwrap().len(), 2);
+}
+
+#[test]
+fn terminated_service_gives_the_fit_back_and_ends() {
+    let data = tempfile::tempdir().unwrap();
+    let service = Service::start(data.path());
+    let fit = service.submit();
+    until("it runs", || service.has_status(&fit, &["running"]));
+    let asked = Instant::now();
+    service.signal("TERM");
+    assert_eq!(service.ended(), Some(0));
+    assert!(asked.elapsed() < Duration::from_secs(10));
+    let service = Service::start(data.path());
+    let record = until("it ends", || service.has_status(&fit, &FINAL));
+    assert_eq!(record["status"], "succeeded", "{record}");
+    assert_eq!(record["attempts"], 2);
+}
+
+#[test]
+fn second_service_on_the_same_folder_is_refused() {
+    let data = tempfile::tempdir().unwrap();
+    let _service = Service::start(data.path());
+    let folder: PathBuf = data.path().to_owned();
+    let output = run(&[
+        "serve",
+        "--listen",
+        &free_address(),
+        "--data",
+        folder.to_str().unwrap(),
+    ]);
+    assert_eq!(code(&output), Some(1));
+    assert!(stderr(&output).contains("another process"));
+}
+
+#[test]
+fn health_fails_where_nothing_listens() {
+    let output = run(&["health", "--listen", &free_address()]);
+    assert_eq!(code(&output), Some(1));
+}

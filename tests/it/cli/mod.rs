@@ -1,0 +1,3 @@
+//! Tests of `cli`: the program run as a process.
+
+mod commands;

@@ -1,0 +1,4 @@
+//! Tests of `export`: meshes and drawings as files.
+
+mod drawing;
+mod meshes;

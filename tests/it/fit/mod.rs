@@ -1,0 +1,6 @@
+//! Tests of `fit`: garments sewn from pattern to report.
+
+mod garmentcode;
+mod samples;
+mod seams;
+mod true_garments;

@@ -1,0 +1,3 @@
+//! Tests of `job`: the queue, its store and its workers.
+
+mod queue;

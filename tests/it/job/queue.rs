@@ -1,0 +1,779 @@
+//! Fits and studies on the queue and their workers, with a runner that does what the test says instead of sewing.
+
+#![expect(
+    clippy::unwrap_used,
+    reason = "a failure is a failed test, in its helpers too"
+)]
+
+use seamster::config::Limits;
+use seamster::fault::{Fault, Faults};
+use seamster::fit::{Garment, Outcome};
+use seamster::job::{
+    Done, Event, EventKind, FileBlobs, IdempotencyKey, JobKind, JobRecord, JobStore, PageAsked,
+    Queue, QueueError, ResultFile, Runner, SqliteStore, Status, Work, WorkerPool,
+};
+use seamster::progress::{CancelToken, Progress};
+use seamster::solver::Report;
+use seamster::study::{Study, StudyAsked};
+use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+use uuid::Uuid;
+
+const PATIENCE: Duration = Duration::from_secs(10);
+
+/// Does what the garment's default fabric says.
+#[derive(Clone, Default)]
+struct Script {
+    begun: Arc<AtomicUsize>,
+}
+
+impl Runner for Script {
+    fn run(
+        &self,
+        work: Work,
+        cancel: &CancelToken,
+        progress: &mut dyn FnMut(Progress),
+    ) -> Result<Done, Faults> {
+        self.begun.fetch_add(1, Ordering::SeqCst);
+        let (kind, mut good, mut canceled) = (work.kind(), true, false);
+        let garment = match work {
+            Work::Fit(garment) => *garment,
+            Work::Study(asked) => asked.garment,
+        };
+        match garment.default_fabric.as_str() {
+            "refuse" => return Err(Fault::new("seam/twisted", "/seams/0", "it is").into()),
+            "panic" => panic!("as told"),
+            "diverge" => good = false,
+            "count" => (1..=1_000).for_each(|step| progress(at(f64::from(step) / 1_000.0, 0.0))),
+            "wait" => canceled = wait(cancel, progress, 0.0),
+            "burn" => canceled = wait(cancel, progress, 1e9),
+            "infinite" => progress(at(f64::NAN, f64::INFINITY)),
+            "deaf" => sleep(Duration::from_millis(600)),
+            _ => {}
+        }
+        Ok(done(kind, good, canceled))
+    }
+}
+
+fn done(kind: JobKind, good: bool, canceled: bool) -> Done {
+    match kind {
+        JobKind::Fit => Done::Fit(Box::new(Outcome {
+            canceled,
+            ..outcome(good)
+        })),
+        JobKind::Study => Done::Study(Box::new(study(good, canceled))),
+    }
+}
+
+/// A study of one run, or of none.
+fn study(good: bool, canceled: bool) -> Study {
+    let run = serde_json::json!({
+        "method": "newton", "used": "newton", "tolerance": 1e-3, "step_s": null, "edge_length_m": 0.02, "vertices": 9,
+        "cpu_s": 0.5, "error_m": 1e-5, "error_certain": true, "estimate_m": null, "estimate_valid": false,
+        "energy_j": 1.0, "residual": 1e-4, "minimum": 0, "minimum_energy_j": 1.0, "same_as_reference": true,
+        "steps": 7, "converged": true, "why": "as told",
+    });
+    let study = serde_json::json!({
+        "schema": "seamster/study/1", "want": "drape", "membrane": "continuum", "start": "flat", "meshes": [],
+        "runs": if good { vec![run] } else { vec![] }, "orders": [], "stability": [], "recommendation": "none",
+        "notes": [], "left_out": [{"what": "all", "because": "as told"}], "complete": false, "canceled": canceled,
+        "cpu_s": 0.5, "version": "0",
+    });
+    serde_json::from_value(study).unwrap()
+}
+
+/// Polls the flag as a solver does; says whether it was raised before a long time had passed.
+fn wait(cancel: &CancelToken, progress: &mut dyn FnMut(Progress), cpu_s: f64) -> bool {
+    for _ in 0..6_000 {
+        progress(at(0.5, cpu_s));
+        if cancel.is_canceled() {
+            return true;
+        }
+        sleep(Duration::from_millis(5));
+    }
+    false
+}
+
+fn at(fraction: f64, cpu_s: f64) -> Progress {
+    Progress {
+        stage: "drape".to_owned(),
+        fraction,
+        cpu_s,
+        ..Progress::default()
+    }
+}
+
+fn outcome(converged: bool) -> Outcome {
+    Outcome {
+        mesh: Default::default(),
+        report: Report {
+            converged,
+            why: "as told".to_owned(),
+            ..Report::default()
+        },
+        canceled: false,
+    }
+}
+
+fn garment(does: &str) -> Garment {
+    let garment = serde_json::json!({
+        "pattern": Uuid::nil(), "seams": "suggest", "default_fabric": does,
+    });
+    serde_json::from_value(garment).unwrap()
+}
+
+fn work(kind: JobKind, does: &str) -> Work {
+    match kind {
+        JobKind::Fit => Work::Fit(Box::new(garment(does))),
+        JobKind::Study => Work::Study(Box::new(asked(does))),
+    }
+}
+
+fn asked(does: &str) -> StudyAsked {
+    serde_json::from_value(serde_json::json!({"garment": garment(does)})).unwrap()
+}
+
+fn open_with(folder: &Path, lease: Duration, limits: Limits) -> Arc<Queue> {
+    // A process that was just dropped here may need a moment to let go of the folder.
+    let deadline = Instant::now() + PATIENCE;
+    let store = loop {
+        match SqliteStore::open_with_lease(folder, lease) {
+            Ok(store) => break Arc::new(store),
+            Err(error) => assert!(Instant::now() < deadline, "{error}"),
+        }
+    };
+    let blobs = Arc::new(FileBlobs::open(&folder.join("blobs")).unwrap());
+    Queue::new(store.clone(), store, blobs, limits).unwrap()
+}
+
+fn open(folder: &Path) -> Arc<Queue> {
+    open_with(folder, Duration::from_secs(30), Limits::default())
+}
+
+fn start(queue: &Arc<Queue>, count: usize) -> WorkerPool {
+    WorkerPool::start(queue, Script::default(), count).unwrap()
+}
+
+fn submit(queue: &Queue, does: &str) -> Uuid {
+    submit_as(JobKind::Fit, queue, does)
+}
+
+fn submit_as(kind: JobKind, queue: &Queue, does: &str) -> Uuid {
+    queue.submit(&work(kind, does), None).unwrap().id
+}
+
+fn get(queue: &Queue, id: Uuid) -> JobRecord {
+    let mut found = JobKind::ALL
+        .iter()
+        .filter_map(|kind| queue.job(*kind, id).unwrap());
+    found.next().expect("it was submitted")
+}
+
+fn wait_for(queue: &Queue, id: Uuid, is_there: impl Fn(&JobRecord) -> bool) -> JobRecord {
+    let deadline = Instant::now() + PATIENCE;
+    loop {
+        let record = get(queue, id);
+        if is_there(&record) {
+            return record;
+        }
+        assert!(Instant::now() < deadline, "{record:?}");
+        sleep(Duration::from_millis(5));
+    }
+}
+
+fn finished(queue: &Queue, id: Uuid) -> JobRecord {
+    wait_for(queue, id, |record| record.status.is_final())
+}
+
+fn running(queue: &Queue, id: Uuid) -> JobRecord {
+    wait_for(queue, id, |record| {
+        record.status == Status::Running && record.progress.fraction > 0.0
+    })
+}
+
+fn error_code(record: &JobRecord) -> &str {
+    record.error.as_ref().map_or("", |error| &error.code)
+}
+
+/// All events from after `after` to the last.
+fn events(queue: &Queue, id: Uuid, after: Option<u64>) -> Vec<Event> {
+    let mut events = queue
+        .events(JobKind::Fit, id, after)
+        .unwrap()
+        .expect("it was submitted");
+    let mut runtime = tokio::runtime::Builder::new_current_thread();
+    let collect = async {
+        let mut all = Vec::new();
+        while let Some(event) = events.next().await {
+            all.push(event);
+        }
+        all
+    };
+    let within = async { tokio::time::timeout(PATIENCE, collect).await };
+    let runtime = runtime.enable_time().build().unwrap();
+    runtime.block_on(within).expect("it ends")
+}
+
+#[test]
+fn converged_fit_succeeds_and_leaves_its_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let id = submit(&queue, "sew");
+    assert_eq!(get(&queue, id).status, Status::Queued);
+    let pool = start(&queue, 1);
+    let record = finished(&queue, id);
+    assert_eq!((record.status, record.attempts), (Status::Succeeded, 1));
+    assert!(record.created_at <= record.started_at.unwrap());
+    assert!(record.started_at <= record.finished_at);
+    let report = queue.file(&record, ResultFile::Report).unwrap().unwrap();
+    let report: Report = serde_json::from_slice(&report).unwrap();
+    assert_eq!(report, outcome(true).report);
+    assert!(queue.file(&record, ResultFile::Mesh).unwrap().is_some());
+    let kept: Garment =
+        serde_json::from_slice(&queue.asked(JobKind::Fit, id).unwrap().unwrap()).unwrap();
+    assert_eq!(kept, garment("sew"));
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn study_succeeds_and_leaves_its_report() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let id = submit_as(JobKind::Study, &queue, "sew");
+    let pool = start(&queue, 1);
+    let record = finished(&queue, id);
+    assert_eq!((record.status, record.attempts), (Status::Succeeded, 1));
+    let report = queue.file(&record, ResultFile::Report).unwrap().unwrap();
+    let report: Study = serde_json::from_slice(&report).unwrap();
+    assert_eq!(report, study(true, false));
+    assert_eq!(queue.file(&record, ResultFile::Mesh).unwrap(), None);
+    let kept = queue.asked(JobKind::Study, id).unwrap().unwrap();
+    assert_eq!(
+        serde_json::from_slice::<StudyAsked>(&kept).unwrap(),
+        asked("sew")
+    );
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn failed_studies_say_why_in_codes_of_their_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    for (does, code, has_report) in [
+        ("diverge", "study/nothing_ran", true),
+        ("refuse", "study/refused", false),
+        ("panic", "study/panicked", false),
+        ("burn", "study/time_limit", true),
+    ] {
+        let record = finished(&queue, submit_as(JobKind::Study, &queue, does));
+        assert_eq!((record.status, error_code(&record)), (Status::Failed, code));
+        let report = queue.file(&record, ResultFile::Report).unwrap();
+        assert_eq!(report.is_some(), has_report, "{does}");
+    }
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn running_study_is_canceled_within_a_second() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    let id = submit_as(JobKind::Study, &queue, "wait");
+    running(&queue, id);
+    let asked = Instant::now();
+    queue.cancel(JobKind::Study, id).unwrap().unwrap();
+    let record = finished(&queue, id);
+    assert!(asked.elapsed() < Duration::from_secs(1));
+    assert_eq!((record.status, record.result), (Status::Canceled, None));
+    pool.shutdown(PATIENCE);
+}
+
+/// A fit may use as much CPU time as a fit may, however much a study may use.
+#[test]
+fn each_kind_has_its_own_limit_of_cpu_time() {
+    let limits = Limits {
+        fit_cpu_s: 1e10,
+        ..Limits::default()
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open_with(folder.path(), Duration::from_secs(30), limits);
+    let pool = start(&queue, 1);
+    let study = submit_as(JobKind::Study, &queue, "burn");
+    assert_eq!(error_code(&finished(&queue, study)), "study/time_limit");
+    let fit = submit(&queue, "burn");
+    running(&queue, fit);
+    queue.cancel(JobKind::Fit, fit).unwrap();
+    assert_eq!(finished(&queue, fit).status, Status::Canceled);
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn jobs_of_one_kind_are_not_found_as_the_other() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    for (own, other) in [
+        (JobKind::Fit, JobKind::Study),
+        (JobKind::Study, JobKind::Fit),
+    ] {
+        let id = submit_as(own, &queue, "sew");
+        assert!(queue.job(own, id).unwrap().is_some());
+        assert_eq!(queue.job(other, id).unwrap(), None);
+        assert!(queue.events(other, id, None).unwrap().is_none());
+        assert_eq!(queue.asked(other, id).unwrap(), None);
+        assert_eq!(queue.cancel(other, id).unwrap(), None);
+        assert_eq!(get(&queue, id).status, Status::Queued);
+    }
+    let page = PageAsked {
+        limit: 10,
+        ..PageAsked::default()
+    };
+    for kind in JobKind::ALL {
+        let found = queue.jobs(kind, &page).unwrap().items;
+        let kinds: Vec<_> = found.iter().map(|record| record.kind).collect();
+        assert_eq!(kinds, [kind]);
+    }
+}
+
+#[test]
+fn fit_that_does_not_converge_fails_and_keeps_its_shape() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    let record = finished(&queue, submit(&queue, "diverge"));
+    assert_eq!(record.status, Status::Failed);
+    assert_eq!(error_code(&record), "fit/not_converged");
+    assert_eq!(record.error.as_ref().unwrap().detail, "as told");
+    assert!(queue.file(&record, ResultFile::Mesh).unwrap().is_some());
+    assert!(queue.file(&record, ResultFile::Report).unwrap().is_some());
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn faults_of_the_garment_are_all_in_the_record() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    let record = finished(&queue, submit(&queue, "refuse"));
+    assert_eq!(record.status, Status::Failed);
+    let error = record.error.unwrap();
+    assert_eq!(error.code, "fit/refused");
+    assert_eq!(error.errors[0].pointer, "/seams/0");
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn panic_is_a_failed_fit_and_the_worker_lives() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    let panics = submit(&queue, "panic");
+    let next = submit(&queue, "sew");
+    let record = finished(&queue, panics);
+    assert_eq!(record.status, Status::Failed);
+    assert_eq!((error_code(&record), record.attempts), ("fit/panicked", 1));
+    assert_eq!(finished(&queue, next).status, Status::Succeeded);
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn numbers_that_are_not_finite_do_not_spoil_the_record() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    let record = finished(&queue, submit(&queue, "infinite"));
+    assert!(record.progress.fraction.is_finite());
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn running_fit_is_canceled_within_a_second() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    let id = submit(&queue, "wait");
+    running(&queue, id);
+    let asked = Instant::now();
+    assert!(
+        queue
+            .cancel(JobKind::Fit, id)
+            .unwrap()
+            .unwrap()
+            .cancel_requested
+    );
+    let record = finished(&queue, id);
+    assert!(asked.elapsed() < Duration::from_secs(1));
+    assert_eq!((record.status, record.result), (Status::Canceled, None));
+    // Asking again changes nothing.
+    assert_eq!(queue.cancel(JobKind::Fit, id).unwrap(), Some(record));
+    assert_eq!(queue.cancel(JobKind::Fit, Uuid::now_v7()).unwrap(), None);
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn queued_fit_is_canceled_at_once_and_never_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let id = submit(&queue, "sew");
+    let record = queue.cancel(JobKind::Fit, id).unwrap().unwrap();
+    assert_eq!(record.status, Status::Canceled);
+    assert!(record.finished_at.is_some());
+    let script = Script::default();
+    let pool = WorkerPool::start(&queue, script.clone(), 1).unwrap();
+    finished(&queue, submit(&queue, "sew"));
+    assert_eq!(script.begun.load(Ordering::SeqCst), 1);
+    assert_eq!(get(&queue, id), record);
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn fit_that_ends_by_itself_after_it_was_canceled_is_canceled() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    let id = submit(&queue, "deaf");
+    wait_for(&queue, id, |record| record.status == Status::Running);
+    queue.cancel(JobKind::Fit, id).unwrap();
+    let record = finished(&queue, id);
+    assert_eq!((record.status, record.result), (Status::Canceled, None));
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn cpu_time_limit_stops_the_fit_and_keeps_its_shape() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    let record = finished(&queue, submit(&queue, "burn"));
+    assert_eq!(record.status, Status::Failed);
+    assert_eq!(error_code(&record), "fit/time_limit");
+    assert!(queue.file(&record, ResultFile::Mesh).unwrap().is_some());
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn shutdown_gives_running_fits_back_and_does_not_count_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let limits = Limits {
+        attempts: 0,
+        ..Limits::default()
+    };
+    let queue = open_with(folder.path(), Duration::from_secs(30), limits);
+    let id = submit(&queue, "wait");
+    for attempts in 1..=3 {
+        let pool = start(&queue, 2);
+        running(&queue, id);
+        pool.shutdown(PATIENCE);
+        let record = get(&queue, id);
+        assert_eq!(record.status, Status::Queued);
+        assert_eq!((record.attempts, record.released), (attempts, attempts));
+        assert_eq!(record.started_at, None);
+    }
+}
+
+/// Leaves a fit as a process that was killed leaves it: claimed, its record running, nothing given back.
+fn die_while_running(kind: JobKind, folder: &Path, does: &str) -> Uuid {
+    let id = submit_as(kind, &open(folder), does);
+    for _ in 0..100 {
+        if let Ok(store) = SqliteStore::open(folder) {
+            begin_and_die(&store, id);
+            return id;
+        }
+        sleep(Duration::from_millis(20));
+    }
+    panic!("the folder stays locked");
+}
+
+fn begin_and_die(store: &SqliteStore, id: Uuid) {
+    store.claim().unwrap().expect("it waits");
+    let mut record = store.job(id).unwrap().expect("it was submitted");
+    record.status = Status::Running;
+    record.attempts += 1;
+    store
+        .replace(&record)
+        .unwrap()
+        .expect("nobody else is there");
+}
+
+#[test]
+fn job_of_a_process_that_died_runs_again() {
+    for kind in JobKind::ALL {
+        let folder = tempfile::tempdir().unwrap();
+        let id = die_while_running(kind, folder.path(), "sew");
+        let queue = open(folder.path());
+        let pool = start(&queue, 1);
+        let record = finished(&queue, id);
+        assert_eq!((record.status, record.attempts), (Status::Succeeded, 2));
+        assert_eq!(record.result, Some(2));
+        pool.shutdown(PATIENCE);
+    }
+}
+
+#[test]
+fn job_that_keeps_killing_its_process_is_given_up() {
+    for kind in JobKind::ALL {
+        let folder = tempfile::tempdir().unwrap();
+        let id = die_while_running(kind, folder.path(), "sew");
+        for _ in 0..3 {
+            let store = SqliteStore::open(folder.path()).unwrap();
+            begin_and_die(&store, id);
+        }
+        let queue = open(folder.path());
+        let pool = start(&queue, 1);
+        let record = finished(&queue, id);
+        assert_eq!((record.status, record.attempts), (Status::Failed, 4));
+        let code = format!("{}/abandoned", kind.as_str());
+        assert_eq!(error_code(&record), code);
+        pool.shutdown(PATIENCE);
+    }
+}
+
+#[test]
+fn fit_canceled_before_its_process_died_is_canceled_at_the_next_start() {
+    let folder = tempfile::tempdir().unwrap();
+    let id = die_while_running(JobKind::Fit, folder.path(), "wait");
+    let store = SqliteStore::open(folder.path()).unwrap();
+    let mut record = store.job(id).unwrap().unwrap();
+    record.cancel_requested = true;
+    store.replace(&record).unwrap().unwrap();
+    drop(store);
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    assert_eq!(finished(&queue, id).status, Status::Canceled);
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn long_fit_keeps_its_lease_and_runs_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let lease = Duration::from_millis(300);
+    let queue = open_with(folder.path(), lease, Limits::default());
+    let script = Script::default();
+    let pool = WorkerPool::start(&queue, script.clone(), 3).unwrap();
+    let id = submit(&queue, "wait");
+    running(&queue, id);
+    sleep(5 * lease);
+    // Wakes the idle workers, which find nothing to claim.
+    finished(&queue, submit(&queue, "sew"));
+    assert_eq!(get(&queue, id).attempts, 1);
+    assert_eq!(script.begun.load(Ordering::SeqCst), 2);
+    queue.cancel(JobKind::Fit, id).unwrap();
+    finished(&queue, id);
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn workers_run_as_many_fits_at_once_as_there_are() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 2);
+    let fits: Vec<Uuid> = (0..3).map(|_| submit(&queue, "wait")).collect();
+    running(&queue, fits[0]);
+    running(&queue, fits[1]);
+    assert_eq!(get(&queue, fits[2]).status, Status::Queued);
+    queue.cancel(JobKind::Fit, fits[0]).unwrap();
+    running(&queue, fits[2]);
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn idle_worker_hears_of_a_new_fit_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    sleep(Duration::from_millis(100));
+    let asked = Instant::now();
+    finished(&queue, submit(&queue, "sew"));
+    assert!(asked.elapsed() < Duration::from_secs(2));
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn events_are_numbered_and_end_with_the_final_status() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let id = submit(&queue, "count");
+    let follower = {
+        let queue = Arc::clone(&queue);
+        std::thread::spawn(move || events(&queue, id, None))
+    };
+    sleep(Duration::from_millis(50));
+    let pool = start(&queue, 1);
+    let all = follower.join().unwrap();
+    assert!(all.windows(2).all(|pair| pair[0].id < pair[1].id));
+    let mut statuses: Vec<Status> = all
+        .iter()
+        .filter_map(|event| match &event.kind {
+            EventKind::Status(record) => Some(record.status),
+            EventKind::Progress(_) => None,
+        })
+        .collect();
+    // Who begins to follow while the news of the submission is still on its way is told `queued` by both.
+    statuses.dedup();
+    assert_eq!(
+        statuses,
+        [Status::Queued, Status::Running, Status::Succeeded]
+    );
+    assert!(
+        all.iter()
+            .any(|event| matches!(event.kind, EventKind::Progress(_)))
+    );
+    // Who comes later gets the end, once.
+    let late = events(&queue, id, Some(all[0].id));
+    assert_eq!(late.len(), 1);
+    assert!(late[0].is_last());
+    assert!(events(&queue, id, Some(late[0].id)).is_empty());
+    assert!(
+        queue
+            .events(JobKind::Fit, Uuid::now_v7(), None)
+            .unwrap()
+            .is_none()
+    );
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn follower_who_comes_back_gets_what_came_since() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    let id = submit(&queue, "wait");
+    running(&queue, id);
+    let runtime = tokio::runtime::Builder::new_current_thread()
+        .build()
+        .unwrap();
+    let mut first = queue.events(JobKind::Fit, id, None).unwrap().unwrap();
+    let seen = runtime.block_on(first.next()).unwrap();
+    queue.cancel(JobKind::Fit, id).unwrap();
+    let rest = events(&queue, id, Some(seen.id));
+    assert!(rest.iter().all(|event| event.id > seen.id));
+    assert!(rest.last().unwrap().is_last());
+    pool.shutdown(PATIENCE);
+}
+
+#[test]
+fn closing_the_queue_ends_all_events() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let id = submit(&queue, "sew");
+    let follower = {
+        let queue = Arc::clone(&queue);
+        std::thread::spawn(move || events(&queue, id, None))
+    };
+    sleep(Duration::from_millis(100));
+    queue.close();
+    let seen = follower.join().unwrap();
+    assert!(!seen.iter().any(Event::is_last));
+}
+
+#[test]
+fn full_queue_and_reused_keys_are_refused_and_leave_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let limits = Limits {
+        queued_jobs: 2,
+        ..Limits::default()
+    };
+    let queue = open_with(folder.path(), Duration::from_secs(30), limits);
+    let key = |digest| IdempotencyKey {
+        key: "k".to_owned(),
+        digest: [digest; 32],
+    };
+    let first = queue
+        .submit(&work(JobKind::Fit, "sew"), Some(&key(1)))
+        .unwrap();
+    let same = queue
+        .submit(&work(JobKind::Fit, "sew"), Some(&key(1)))
+        .unwrap();
+    assert_eq!(first.id, same.id);
+    assert_eq!(
+        queue.submitted(JobKind::Fit, &key(1)).unwrap().unwrap().id,
+        first.id
+    );
+    let reused = queue.submit(&work(JobKind::Fit, "sew"), Some(&key(2)));
+    assert!(matches!(reused, Err(QueueError::KeyReused(JobKind::Fit))));
+    // The same bytes under the same key as another kind of job are another request.
+    for found in [
+        queue
+            .submit(&work(JobKind::Study, "sew"), Some(&key(1)))
+            .map(Some),
+        queue.submitted(JobKind::Study, &key(1)),
+    ] {
+        assert!(matches!(found, Err(QueueError::KeyReused(JobKind::Study))));
+    }
+    submit(&queue, "sew");
+    let full = queue.submit(&work(JobKind::Fit, "sew"), None);
+    assert!(matches!(full, Err(QueueError::Full(2))));
+    let garments = folder.path().join("blobs/garments");
+    assert_eq!(std::fs::read_dir(garments).unwrap().count(), 2);
+    let studies = folder.path().join("blobs/studies");
+    assert_eq!(std::fs::read_dir(studies).unwrap().count(), 0);
+}
+
+#[test]
+fn list_is_newest_first_with_the_latest_progress() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    let (runs, waits) = (submit(&queue, "wait"), submit(&queue, "sew"));
+    running(&queue, runs);
+    let page = PageAsked {
+        limit: 10,
+        ..PageAsked::default()
+    };
+    let found = queue.jobs(JobKind::Fit, &page).unwrap().items;
+    assert_eq!([found[0].id, found[1].id], [waits, runs]);
+    assert!(found[1].progress.fraction > 0.0);
+    pool.shutdown(PATIENCE);
+}
+
+/// Stalls in the first attempt, so that another one can begin meanwhile.
+#[derive(Clone, Default)]
+struct Stalled {
+    stalled: Arc<Mutex<bool>>,
+}
+
+impl Runner for Stalled {
+    fn run(
+        &self,
+        _work: Work,
+        _cancel: &CancelToken,
+        _progress: &mut dyn FnMut(Progress),
+    ) -> Result<Done, Faults> {
+        let is_first = !std::mem::replace(&mut *self.stalled.lock().unwrap(), true);
+        if is_first {
+            sleep(Duration::from_millis(1_500));
+        }
+        let mut outcome = outcome(true);
+        outcome.report.why = format!("the first: {is_first}");
+        Ok(Done::Fit(Box::new(outcome)))
+    }
+}
+
+#[test]
+fn attempt_that_lost_its_lease_has_no_effect() {
+    let folder = tempfile::tempdir().unwrap();
+    let store =
+        Arc::new(SqliteStore::open_with_lease(folder.path(), Duration::from_secs(30)).unwrap());
+    let blobs = Arc::new(FileBlobs::open(&folder.path().join("blobs")).unwrap());
+    let queue = Queue::new(store.clone(), store.clone(), blobs, Limits::default()).unwrap();
+    let pool = WorkerPool::start(&queue, Stalled::default(), 2).unwrap();
+    let id = submit(&queue, "sew");
+    let first = wait_for(&queue, id, |record| record.status == Status::Running);
+    // What another worker does that was given the fit meanwhile.
+    let mut second = store.job(id).unwrap().unwrap();
+    second.attempts += 1;
+    store.replace(&second).unwrap().expect("nobody is faster");
+    // The first attempt ends and finds that; a third one is then free to win.
+    let record = finished(&queue, id);
+    assert_eq!((record.status, record.attempts), (Status::Succeeded, 3));
+    assert_eq!(record.result, Some(3));
+    let report = queue.file(&record, ResultFile::Report).unwrap().unwrap();
+    let report: Report = serde_json::from_slice(&report).unwrap();
+    assert_eq!(report.why, "the first: false");
+    let results = folder.path().join(format!("blobs/results/{id}"));
+    assert!(!results.join(first.attempts.to_string()).exists());
+    pool.shutdown(PATIENCE);
+}

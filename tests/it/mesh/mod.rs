@@ -1,0 +1,3 @@
+//! Tests of `mesh`: panels triangulated.
+
+mod triangulate;

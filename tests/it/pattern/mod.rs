@@ -1,0 +1,10 @@
+//! Tests of `pattern`: DXF and GarmentCode files read as panels.
+
+mod allowance;
+mod copies;
+mod corpus;
+mod garmentcode;
+mod import;
+mod loss;
+mod properties;
+mod truth;

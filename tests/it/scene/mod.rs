@@ -1,0 +1,3 @@
+//! Tests of `scene`: raw scenes of particles and springs.
+
+mod raw;

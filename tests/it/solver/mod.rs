@@ -1,0 +1,16 @@
+//! Tests of `solver`: drapes and motions against closed forms, orders of convergence and limits.
+
+mod buckling;
+mod cantilever;
+mod contact;
+mod drape;
+mod estimates;
+mod hanging;
+mod levels;
+mod motion_closed_forms;
+mod motion_order;
+mod motion_rest;
+mod patch;
+mod stability;
+mod wind;
+mod wind_closed_forms;

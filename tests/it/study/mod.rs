@@ -1,0 +1,3 @@
+//! Tests of `study`: methods compared on one garment.
+
+mod runs;

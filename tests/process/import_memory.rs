@@ -1,0 +1,80 @@
+//! Large files: what they cost in memory. One test alone, because the peak of memory is that of the whole process.
+
+use seamster::config::Limits;
+use seamster::pattern::{ImportOptions, import};
+use seamster_fixtures::dxf::DxfBuilder;
+
+/// The most memory that this process had at any time [bytes]; `None` where the system does not say.
+fn peak_memory() -> Option<usize> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status
+        .lines()
+        .find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kilobytes: usize = line.split_whitespace().next()?.parse().ok()?;
+    Some(1024 * kilobytes)
+}
+
+/// Pieces as CAD writes them: a block each, runs of polylines with a vertex in eight lines, turn points.
+fn pieces() -> Vec<u8> {
+    let mut file = DxfBuilder::metric();
+    for i in 0..400 {
+        let name = format!("PIECE-{i}");
+        file = file.block(&name).text("1", &format!("Piece Name: {name}"));
+        let corners = [
+            [0.0, 0.0],
+            [300.1234, 0.0],
+            [300.1234, 400.4321],
+            [0.0, 400.4321],
+        ];
+        for k in 0..4 {
+            let (a, b) = (corners[k], corners[(k + 1) % 4]);
+            let at = |t: f64| [0, 1].map(|k: usize| a[k] + t * (b[k] - a[k]));
+            let run: Vec<[f64; 2]> = (0..=64).map(|i| at(f64::from(i) / 64.0)).collect();
+            file = file.run("1", false, &run).point("2", a);
+        }
+    }
+    file.bytes()
+}
+
+/// A piece, and then one kind of entity without end.
+fn filled(add: impl Fn(DxfBuilder, [f64; 2]) -> DxfBuilder) -> Vec<u8> {
+    let square = [[0.0, 0.0], [300.0, 0.0], [300.0, 400.0], [0.0, 400.0]];
+    let mut file = DxfBuilder::metric().run("1", true, &square);
+    for i in 0..50_000_u32 {
+        file = add(file, [f64::from(i % 300), f64::from(i * 7 % 400)]);
+    }
+    file.bytes()
+}
+
+#[test]
+fn large_files_stay_within_their_share_of_memory() {
+    let Some(before) = peak_memory() else {
+        println!("left out: memory of large files (the system does not tell it)");
+        return;
+    };
+    let real = pieces();
+    assert!(real.len() > 4_000_000, "{}", real.len());
+    let read = |bytes: &[u8]| import(bytes, &ImportOptions::default(), &Limits::default());
+    let pattern = read(&real).expect("400 pieces");
+    assert_eq!(pattern.panels.len(), 400);
+    let share = |bytes: usize| {
+        let grown = peak_memory().expect("told before") - before;
+        println!(
+            "{bytes} bytes: peak of {:.1} times as much",
+            grown as f64 / bytes as f64
+        );
+        grown / bytes
+    };
+    // The builder itself holds the file three times.
+    assert!(share(real.len()) < 12 + 3);
+    drop(pattern);
+    for bytes in [
+        filled(|file, p| file.point("13", p)),
+        filled(|file, p| file.line("8", p, [p[1], p[0]])),
+        filled(|file, p| file.text("1", &p[0].to_string())),
+    ] {
+        let pattern = read(&bytes).expect("one piece");
+        assert_eq!(pattern.panels.len(), 1);
+        assert!(share(bytes.len()) < 60);
+    }
+}
