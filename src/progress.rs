@@ -1,35 +1,35 @@
-//! What a long computation shares with whoever asked for it: how far it is, and whether to stop.
+//! Progress and cancellation of a long computation.
 
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use utoipa::ToSchema;
 
-/// Asks a computation to stop; a cheap handle, every clone of it means the same flag.
+/// A request to stop a computation; a cheap handle, every clone of it is the same flag.
 #[derive(Clone, Debug, Default)]
 pub struct CancelToken(Arc<AtomicBool>);
 
 impl CancelToken {
-    /// A flag that is not raised.
+    /// Creates a token that is not canceled.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Raises the flag for good.
+    /// Cancels, for good.
     pub fn cancel(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    /// Whether the flag was raised. Kernels poll this every iteration.
+    /// Returns true once the token was canceled. Kernels poll this every iteration.
     pub fn is_canceled(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
 }
 
-/// How far a fit or a study is.
+/// Progress of a fit or a study.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Progress {
-    /// What runs now, of a fit: `mesh`, `assemble`, `sew`, `drape` or `export`; of a study, in words.
+    /// Present stage; of a fit: `mesh`, `assemble`, `sew`, `drape` or `export`; of a study, in words.
     pub stage: String,
     /// Share of the whole done, 0 to 1; an estimate that never falls.
     pub fraction: f64,

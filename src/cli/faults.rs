@@ -1,15 +1,15 @@
-//! Faults as lines for a person or a script.
+//! Faults, warnings and suggested seams as lines for a person or a script.
 
 use seamster::fault::{Fault, Faults, Warning};
 use seamster::seam::suggest::SuggestedSeam;
 use std::path::Path;
 
-/// One line: the file, where in it, what kind, what is wrong and what to do.
-fn line(file: &Path, fault: &Fault) -> String {
+/// Writes a fault as one line: file, place, code, detail and fix.
+fn fault_line(file: &Path, fault: &Fault) -> String {
     let mut line = format!(
         "{} {}: {}: {}",
         file.display(),
-        place(&fault.pointer),
+        shown_pointer(&fault.pointer),
         fault.code,
         fault.detail
     );
@@ -17,35 +17,35 @@ fn line(file: &Path, fault: &Fault) -> String {
         line.push_str("; fix: ");
         line.push_str(fix);
     }
-    plain(&line)
+    without_controls(&line)
 }
 
-/// One fault is one line, whatever a name in a file holds.
-fn plain(line: &str) -> String {
+/// Replaces control characters: one fault is one line, whatever a name in a file holds.
+fn without_controls(line: &str) -> String {
     line.replace(|c: char| c.is_control(), " ")
 }
 
-fn place(pointer: &str) -> &str {
+fn shown_pointer(pointer: &str) -> &str {
     if pointer.is_empty() { "/" } else { pointer }
 }
 
-/// Writes every fault of a file to stderr.
-pub(super) fn tell(file: &Path, faults: &Faults) {
+/// Prints every fault of a file to stderr.
+pub(super) fn print_faults(file: &Path, faults: &Faults) {
     for fault in &faults.0 {
-        eprintln!("{}", line(file, fault));
+        eprintln!("{}", fault_line(file, fault));
     }
 }
 
-/// Writes every warning about a file to stderr.
-pub(super) fn warn(file: &Path, warnings: &[Warning]) {
+/// Prints every warning about a file to stderr.
+pub(super) fn print_warnings(file: &Path, warnings: &[Warning]) {
     for warning in warnings {
         let fault = Fault::new(&warning.code, &warning.pointer, &warning.detail);
-        eprintln!("warning: {}", line(file, &fault));
+        eprintln!("warning: {}", fault_line(file, &fault));
     }
 }
 
-/// Writes every seam that was suggested to stderr: the garment's file, its place, its id, how sure it is and why.
-pub(super) fn tell_suggested(file: &Path, seams: &[SuggestedSeam]) {
+/// Prints every suggested seam to stderr: the garment's file, place, id, confidence and reason.
+pub(super) fn print_suggested(file: &Path, seams: &[SuggestedSeam]) {
     for (i, seam) in seams.iter().enumerate() {
         let file = file.display();
         let SuggestedSeam {
@@ -57,7 +57,7 @@ pub(super) fn tell_suggested(file: &Path, seams: &[SuggestedSeam]) {
             "{file} /seams/{i}: {}: confidence {confidence}: {because}",
             pair.id
         );
-        eprintln!("suggested: {}", plain(&line));
+        eprintln!("suggested: {}", without_controls(&line));
     }
 }
 
@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn fault_is_one_line_with_all_that_is_known() {
         let fault = Fault::new("seam/twisted", "/seams/0", "a\nb\u{1b}[31m").fix("turn it");
-        let text = line(Path::new("g.json"), &fault);
+        let text = fault_line(Path::new("g.json"), &fault);
         assert_eq!(
             text,
             "g.json /seams/0: seam/twisted: a b [31m; fix: turn it"

@@ -1,19 +1,19 @@
 //! Asks the service on this machine whether it is ready: the probe of a container.
 
-use super::fail;
+use super::exit::fail;
 use seamster::config::Config;
 use std::io::{self, Read, Write};
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, TcpStream};
 use std::process::ExitCode;
 use std::time::Duration;
 
-/// How long each step of the probe may take.
-const PATIENCE: Duration = Duration::from_secs(3);
+/// Time limit of each step of the probe.
+const TIMEOUT: Duration = Duration::from_secs(3);
 
 /// Succeeds if the service answers that it is ready.
 pub(super) fn health(config: &Config) -> ExitCode {
     let address = reachable(config.listen);
-    match ask(address) {
+    match probe(address) {
         Ok(answer) if answer.starts_with("HTTP/1.1 200") => ExitCode::SUCCESS,
         Ok(answer) => fail(&format!(
             "{address} answers: {}",
@@ -23,7 +23,7 @@ pub(super) fn health(config: &Config) -> ExitCode {
     }
 }
 
-/// Where a service that listens on `listen` is reached from this machine.
+/// Returns the address by which a service that listens on `listen` is reached from this machine.
 fn reachable(listen: SocketAddr) -> SocketAddr {
     let ip = match listen.ip() {
         IpAddr::V4(ip) if ip.is_unspecified() => Ipv4Addr::LOCALHOST.into(),
@@ -33,11 +33,11 @@ fn reachable(listen: SocketAddr) -> SocketAddr {
     SocketAddr::new(ip, listen.port())
 }
 
-/// The beginning of the answer.
-fn ask(address: SocketAddr) -> io::Result<String> {
-    let mut stream = TcpStream::connect_timeout(&address, PATIENCE)?;
-    stream.set_read_timeout(Some(PATIENCE))?;
-    stream.set_write_timeout(Some(PATIENCE))?;
+/// Sends the probe, and returns the beginning of the answer.
+fn probe(address: SocketAddr) -> io::Result<String> {
+    let mut stream = TcpStream::connect_timeout(&address, TIMEOUT)?;
+    stream.set_read_timeout(Some(TIMEOUT))?;
+    stream.set_write_timeout(Some(TIMEOUT))?;
     let port = address.port();
     // By a loopback name, which the service always knows itself by.
     write!(

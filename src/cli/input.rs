@@ -1,4 +1,4 @@
-//! The files that a garment is read from.
+//! Input files: a garment, and the pattern beside it.
 
 use super::faults;
 use clap::Args;
@@ -18,26 +18,26 @@ pub(super) struct Input {
     #[arg(required = true, num_args = 1..=2, value_names = ["PATTERN", "GARMENT.json"])]
     inputs: Vec<PathBuf>,
     /// Unit of the pattern's coordinates, overriding what it says: mm, cm, m or inch
-    #[arg(long, value_parser = word::<Units>)]
+    #[arg(long, value_parser = parse_word::<Units>)]
     units: Option<Units>,
     /// Size to sew of a graded pattern; its sample size if not given
     #[arg(long)]
     size: Option<String>,
-    /// How the three angles of a GarmentCode panel make up its rotation: xyz (Rx Ry Rz, as it writes) or zyx
-    #[arg(long, value_parser = word::<RotationOrder>)]
+    /// Order of the three angles of a GarmentCode panel in its rotation: xyz (Rx Ry Rz, as it writes) or zyx
+    #[arg(long, value_parser = parse_word::<RotationOrder>)]
     rotation_order: Option<RotationOrder>,
 }
 
-/// A value by the word that it has in JSON.
-pub(super) fn word<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+/// Reads a value by the word that it has in JSON.
+pub(super) fn parse_word<T: DeserializeOwned>(text: &str) -> Result<T, String> {
     serde_json::from_value(text.into()).map_err(|error| error.to_string())
 }
 
-/// Why nothing was done: the file at fault, and its faults.
-pub(super) type Refused<'a> = (&'a Path, Faults);
+/// A file with its faults.
+pub(super) type FileFaults<'a> = (&'a Path, Faults);
 
 impl Input {
-    /// The garment's file.
+    /// Returns the file of the garment.
     pub(super) fn file(&self) -> &Path {
         self.inputs.last().expect("clap asks for at least one")
     }
@@ -49,21 +49,20 @@ impl Input {
         }
     }
 
-    /// Reads both files, and tells what the pattern's warns of.
-    pub(super) fn garment(&self, limits: &Limits) -> Result<Garment, Refused<'_>> {
+    /// Reads both files, and prints the warnings of the pattern.
+    pub(super) fn garment(&self, limits: &Limits) -> Result<Garment, FileFaults<'_>> {
         let file = self.file();
-        let in_garment = |faults| (file, faults);
-        let mut garment = read_garment(file, limits).map_err(in_garment)?;
-        if let Some(file) = self.pattern_file() {
+        let mut garment = read_garment(file, limits).map_err(|faults| (file, faults))?;
+        if let Some(pattern_file) = self.pattern_file() {
             if garment.pattern.is_some() {
                 let detail = "the pattern is given as a file and in the garment too";
                 let fault = Fault::new("fit/two_patterns", "/pattern", detail);
-                return Err(in_garment(fault.fix("leave it out of the garment").into()));
+                return Err((file, fault.fix("leave it out of the garment").into()));
             }
             let pattern = self
-                .read_pattern(file, limits)
-                .map_err(|faults| (file, faults))?;
-            faults::warn(file, &pattern.warnings);
+                .read_pattern(pattern_file, limits)
+                .map_err(|faults| (pattern_file, faults))?;
+            faults::print_warnings(pattern_file, &pattern.warnings);
             garment.pattern = Some(PatternAsked::Whole(Box::new(pattern)));
         }
         Ok(garment)
@@ -71,7 +70,7 @@ impl Input {
 
     fn read_pattern(&self, file: &Path, limits: &Limits) -> Result<Pattern, Faults> {
         // The import knows what it is, and bounds each kind.
-        let bytes = read(file, limits.dxf_bytes.max(limits.json_bytes))?;
+        let bytes = read_file(file, limits.dxf_bytes.max(limits.json_bytes))?;
         let name = file.file_stem().and_then(|name| name.to_str());
         let options = ImportOptions {
             name: name.map(str::to_owned),
@@ -84,19 +83,19 @@ impl Input {
 }
 
 fn read_garment(file: &Path, limits: &Limits) -> Result<Garment, Faults> {
-    let bytes = read(file, limits.json_bytes)?;
+    let bytes = read_file(file, limits.json_bytes)?;
     fit::read_garment(&bytes).map_err(Faults::from)
 }
 
-/// The bytes of a file, at most `limit`.
-fn read(file: &Path, limit: usize) -> Result<Vec<u8>, Faults> {
-    let cannot = |detail: String| Faults::from(Fault::new("file/unreadable", "", detail));
+/// Reads a file of at most `limit` bytes.
+fn read_file(file: &Path, limit: usize) -> Result<Vec<u8>, Faults> {
+    let fault = |detail: String| Faults::from(Fault::new("file/unreadable", "", detail));
     let mut bytes = Vec::new();
     File::open(file)
         .and_then(|file| file.take(limit as u64 + 1).read_to_end(&mut bytes))
-        .map_err(|error| cannot(error.to_string()))?;
+        .map_err(|error| fault(error.to_string()))?;
     if bytes.len() > limit {
-        return Err(cannot(format!("it has more than {limit} bytes")));
+        return Err(fault(format!("it has more than {limit} bytes")));
     }
     Ok(bytes)
 }

@@ -1,4 +1,4 @@
-//! A file to be written, in the format that its name says.
+//! Output files, in the format that their names say.
 
 use seamster::export::{self, GarmentMesh};
 use std::fs;
@@ -9,11 +9,11 @@ use std::str::FromStr;
 #[derive(Clone, Debug)]
 pub(super) struct MeshOutput {
     path: PathBuf,
-    format: Format,
+    format: MeshFormat,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Format {
+enum MeshFormat {
     Glb,
     Obj,
     Json,
@@ -26,9 +26,9 @@ impl FromStr for MeshOutput {
         let path = PathBuf::from(text);
         let extension = path.extension().and_then(|extension| extension.to_str());
         let format = match extension.map(str::to_ascii_lowercase).as_deref() {
-            Some("glb") => Format::Glb,
-            Some("obj") => Format::Obj,
-            Some("json") => Format::Json,
+            Some("glb") => MeshFormat::Glb,
+            Some("obj") => MeshFormat::Obj,
+            Some("json") => MeshFormat::Json,
             _ => return Err("its name must end in .glb, .obj or .json".to_owned()),
         };
         Ok(Self { path, format })
@@ -42,9 +42,9 @@ impl MeshOutput {
     /// The file and why it cannot be written.
     pub(super) fn write(&self, mesh: &GarmentMesh) -> Result<(), String> {
         let bytes = match self.format {
-            Format::Glb => export::glb(mesh),
-            Format::Obj => export::obj(mesh).into_bytes(),
-            Format::Json => serde_json::to_vec(mesh).map_err(|error| error.to_string())?,
+            MeshFormat::Glb => export::glb(mesh),
+            MeshFormat::Obj => export::obj(mesh).into_bytes(),
+            MeshFormat::Json => serde_json::to_vec(mesh).map_err(|error| error.to_string())?,
         };
         write(&self.path, &bytes)
     }

@@ -1,9 +1,9 @@
-//! Serves over HTTP and runs fits, until it is asked to end.
+//! The command `serve`: serves over HTTP and runs jobs, until it is asked to end.
 
-use super::{fail, refuse};
+use super::exit::{fail, refuse};
 use seamster::config::Config;
 use seamster::http;
-use seamster::job::{Queue, Sewing, WorkerPool};
+use seamster::job::{Queue, SolverRunner, WorkerPool};
 use std::io;
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -12,12 +12,12 @@ use tokio::signal::unix::{SignalKind, signal};
 use tokio::sync::oneshot;
 use tokio::time::timeout;
 
-/// How long running work may take to end; container engines kill after ten seconds.
-const PATIENCE: Duration = Duration::from_secs(8);
+/// Time that running work has to end; container engines kill after ten seconds.
+const SHUTDOWN_TIMEOUT: Duration = Duration::from_secs(8);
 
 /// Serves until SIGTERM or SIGINT.
 pub(super) fn serve(config: Config) -> ExitCode {
-    let config = match config.checked() {
+    let config = match config.validated() {
         Ok(config) => config,
         Err(error) => return refuse(&error.to_string()),
     };
@@ -32,20 +32,24 @@ fn start(config: &Config) -> Result<(), Box<dyn std::error::Error>> {
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()?;
-    let runner = Sewing {
+    let runner = SolverRunner {
         catalogue: Arc::clone(queue.catalogue()),
         limits: config.limits.clone(),
     };
     let pool = WorkerPool::start(&queue, runner, config.worker_count())?;
     tracing::info!(workers = config.worker_count(), data = %config.data.display(), "started");
-    let served = runtime.block_on(until_asked(config, queue, pool));
+    let served = runtime.block_on(serve_until_signal(config, queue, pool));
     // Threads that still wait for a client must not hold the process up.
     runtime.shutdown_timeout(Duration::from_millis(100));
     Ok(served?)
 }
 
 /// Serves until a signal, then gives running fits back while requests end.
-async fn until_asked(config: &Config, queue: Arc<Queue>, pool: WorkerPool) -> io::Result<()> {
+async fn serve_until_signal(
+    config: &Config,
+    queue: Arc<Queue>,
+    pool: WorkerPool,
+) -> io::Result<()> {
     let mut terminate = signal(SignalKind::terminate())?;
     let mut interrupt = signal(SignalKind::interrupt())?;
     let (end, ended) = oneshot::channel::<()>();
@@ -60,12 +64,12 @@ async fn until_asked(config: &Config, queue: Arc<Queue>, pool: WorkerPool) -> io
         _ = interrupt.recv() => None,
     };
     drop(end);
-    let workers = tokio::task::spawn_blocking(move || pool.shutdown(PATIENCE));
+    let workers = tokio::task::spawn_blocking(move || pool.shutdown(SHUTDOWN_TIMEOUT));
     let served = match served {
         Some(served) => served,
         None => {
             tracing::info!("ending");
-            timeout(PATIENCE, server).await.unwrap_or(Ok(()))
+            timeout(SHUTDOWN_TIMEOUT, server).await.unwrap_or(Ok(()))
         }
     };
     workers.await.map_err(io::Error::other)?;

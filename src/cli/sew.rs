@@ -1,8 +1,9 @@
-//! Sews one garment without a server.
+//! The command `sew`: sews one garment without a server.
 
-use super::input::{Input, Refused};
+use super::exit::{BAD_INPUT, FAILED, fail};
+use super::faults;
+use super::input::{FileFaults, Input};
 use super::output::{MeshOutput, write};
-use super::{BAD_INPUT, FAILED, faults};
 use clap::Args;
 use seamster::config::Limits;
 use seamster::fault::Faults;
@@ -13,72 +14,72 @@ use seamster::solver::Context;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// What to sew, and where to write it.
+/// Arguments of `sew`: the garment, and the files to write.
 #[derive(Args)]
-pub(super) struct SewAsked {
+pub(super) struct SewCommand {
     #[command(flatten)]
     input: Input,
-    /// Where to write the mesh; the name says the format: .glb, .obj or .json
+    /// File to write the mesh to; its name gives the format: .glb, .obj or .json
     #[arg(short, long, value_name = "OUT.glb")]
     output: MeshOutput,
-    /// Where to write the report
+    /// File to write the report to
     #[arg(long, value_name = "R.json")]
     report: Option<PathBuf>,
-    /// Where to write the assembled scene
+    /// File to write the assembled scene to
     #[arg(long, value_name = "S.json")]
     scene: Option<PathBuf>,
 }
 
-/// Sews a garment, and says by the exit code what came of it.
-pub(super) fn sew(asked: &SewAsked) -> ExitCode {
+/// Sews a garment; the exit code tells whether it converged.
+pub(super) fn sew(command: &SewCommand) -> ExitCode {
     let limits = Limits::default();
-    let ran = prepared(asked, &limits).and_then(|prepared| {
-        run(asked, &prepared, &limits).map_err(|faults| (asked.input.file(), faults))
+    let ran = prepare(command, &limits).and_then(|prepared| {
+        run(command, &prepared, &limits).map_err(|faults| (command.input.file(), faults))
     });
     match ran {
-        Ok(sewn) => written(asked, &sewn),
+        Ok(sewn) => write_output(command, &sewn),
         Err((file, faults)) => {
-            faults::tell(file, &faults);
+            faults::print_faults(file, &faults);
             BAD_INPUT.into()
         }
     }
 }
 
 /// Reads both files and checks the garment whole.
-fn prepared<'a>(asked: &'a SewAsked, limits: &Limits) -> Result<Prepared, Refused<'a>> {
-    let file = asked.input.file();
-    let garment = asked.input.garment(limits)?;
+fn prepare<'a>(command: &'a SewCommand, limits: &Limits) -> Result<Prepared, FileFaults<'a>> {
+    let file = command.input.file();
+    let garment = command.input.garment(limits)?;
     let prepared = fit::prepare(garment, &Shipped, limits).map_err(|faults| (file, faults))?;
-    faults::tell_suggested(file, prepared.suggested());
-    faults::warn(file, prepared.warnings());
+    faults::print_suggested(file, prepared.suggested());
+    faults::print_warnings(file, prepared.warnings());
     Ok(prepared)
 }
 
-/// What came of it, and the scene where it is asked for.
-struct Sewn {
+/// An outcome, and the scene where it is requested.
+struct SewOutput {
     outcome: Outcome,
     scene: Option<Vec<u8>>,
 }
 
-fn run(asked: &SewAsked, prepared: &Prepared, limits: &Limits) -> Result<Sewn, Faults> {
+fn run(command: &SewCommand, prepared: &Prepared, limits: &Limits) -> Result<SewOutput, Faults> {
     let began = thread_cpu_s();
     let mut context = Context {
         cpu_s: &|| thread_cpu_s() - began,
         cancel: &CancelToken::new(),
-        progress: &mut teller(),
+        progress: &mut stage_logger(),
         limits,
     };
     let outcome = fit::run(prepared, &mut context)?;
-    let scene = asked.scene.is_some();
+    let scene = command.scene.is_some();
     let scene = scene.then(|| fit::scene_json(prepared, &context));
-    Ok(Sewn {
+    Ok(SewOutput {
         outcome,
         scene: scene.transpose()?,
     })
 }
 
-/// Logs each stage as it begins.
-pub(super) fn teller() -> impl FnMut(Progress) {
+/// Returns a progress callback that logs each stage as it begins.
+pub(super) fn stage_logger() -> impl FnMut(Progress) {
     let mut stage = String::new();
     move |progress| {
         if progress.stage != stage {
@@ -88,9 +89,9 @@ pub(super) fn teller() -> impl FnMut(Progress) {
     }
 }
 
-fn written(asked: &SewAsked, sewn: &Sewn) -> ExitCode {
-    if let Err(error) = write_all(asked, sewn) {
-        return super::fail(&error);
+fn write_output(command: &SewCommand, sewn: &SewOutput) -> ExitCode {
+    if let Err(error) = write_all(command, sewn) {
+        return fail(&error);
     }
     let report = &sewn.outcome.report;
     if !report.converged {
@@ -100,13 +101,13 @@ fn written(asked: &SewAsked, sewn: &Sewn) -> ExitCode {
     ExitCode::SUCCESS
 }
 
-fn write_all(asked: &SewAsked, Sewn { outcome, scene }: &Sewn) -> Result<(), String> {
-    asked.output.write(&outcome.mesh)?;
-    if let Some(path) = &asked.report {
+fn write_all(command: &SewCommand, SewOutput { outcome, scene }: &SewOutput) -> Result<(), String> {
+    command.output.write(&outcome.mesh)?;
+    if let Some(path) = &command.report {
         let json = serde_json::to_vec_pretty(&outcome.report).map_err(|error| error.to_string())?;
         write(path, &json)?;
     }
-    if let (Some(path), Some(json)) = (&asked.scene, scene) {
+    if let (Some(path), Some(json)) = (&command.scene, scene) {
         write(path, json)?;
     }
     Ok(())

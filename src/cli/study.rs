@@ -1,11 +1,13 @@
-//! Studies one garment without a server.
+//! The command `study`: studies one garment without a server.
 
-use super::input::{Input, Refused, word};
+use super::exit::{BAD_INPUT, FAILED, fail, print};
+use super::faults;
+use super::input::{FileFaults, Input, parse_word};
 use super::output::write;
-use super::sew::teller;
-use super::{BAD_INPUT, FAILED, faults};
+use super::sew::stage_logger;
 use clap::Args;
 use seamster::config::Limits;
+use seamster::fault::Faults;
 use seamster::fit::Shipped;
 use seamster::job::thread_cpu_s;
 use seamster::progress::CancelToken;
@@ -14,19 +16,19 @@ use seamster::study::{self, PreparedStudy, Study, StudyAsked};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// What to study, and where to write it.
+/// Arguments of `study`: the garment, the methods and settings, and the files to write.
 #[derive(Args)]
 pub(super) struct StudyCommand {
     #[command(flatten)]
     input: Input,
-    /// Where to write the study
+    /// File to write the study to
     #[arg(short, long, value_name = "OUT.json")]
     output: PathBuf,
-    /// Where to write the plot of error against run time
+    /// File to write the plot of error against run time to
     #[arg(long, value_name = "OUT.svg")]
     plot: Option<PathBuf>,
     /// Methods, as in the garment's `simulate.method`, with commas between them
-    #[arg(long, value_delimiter = ',', value_parser = word::<Method>)]
+    #[arg(long, value_delimiter = ',', value_parser = parse_word::<Method>)]
     methods: Vec<Method>,
     /// Tolerances, as in the garment's `simulate.tolerance`
     #[arg(long, value_delimiter = ',')]
@@ -42,52 +44,52 @@ pub(super) struct StudyCommand {
     time_limit: Option<f64>,
 }
 
-/// Studies a garment, and says by the exit code whether all of it was done.
-pub(super) fn study(asked: &StudyCommand) -> ExitCode {
+/// Studies a garment; the exit code tells whether every run was made.
+pub(super) fn study(command: &StudyCommand) -> ExitCode {
     let limits = Limits::default();
-    match made(asked, &limits) {
-        Ok(study) => written(asked, &study),
+    match make_study(command, &limits) {
+        Ok(study) => write_output(command, &study),
         Err((file, faults)) => {
-            faults::tell(file, &faults);
+            faults::print_faults(file, &faults);
             BAD_INPUT.into()
         }
     }
 }
 
-fn made<'a>(asked: &'a StudyCommand, limits: &Limits) -> Result<Study, Refused<'a>> {
-    let file = asked.input.file();
-    let whole = StudyAsked {
-        garment: asked.input.garment(limits)?,
-        methods: asked.methods.clone(),
-        tolerances: asked.tolerances.clone(),
-        steps_s: asked.steps.clone(),
-        edge_lengths_m: asked.edge_lengths.clone(),
-        time_limit_s: asked.time_limit,
+fn make_study<'a>(command: &'a StudyCommand, limits: &Limits) -> Result<Study, FileFaults<'a>> {
+    let file = command.input.file();
+    let request = StudyAsked {
+        garment: command.input.garment(limits)?,
+        methods: command.methods.clone(),
+        tolerances: command.tolerances.clone(),
+        steps_s: command.steps.clone(),
+        edge_lengths_m: command.edge_lengths.clone(),
+        time_limit_s: command.time_limit,
     };
-    let prepared = study::prepare(whole, &Shipped, limits).map_err(|faults| (file, faults))?;
-    faults::tell_suggested(file, prepared.suggested());
-    faults::warn(file, prepared.warnings());
+    let prepared = study::prepare(request, &Shipped, limits).map_err(|faults| (file, faults))?;
+    faults::print_suggested(file, prepared.suggested());
+    faults::print_warnings(file, prepared.warnings());
     run(&prepared, limits).map_err(|faults| (file, faults))
 }
 
-fn run(prepared: &PreparedStudy, limits: &Limits) -> Result<Study, seamster::fault::Faults> {
+fn run(prepared: &PreparedStudy, limits: &Limits) -> Result<Study, Faults> {
     let began = thread_cpu_s();
     let mut context = Context {
         cpu_s: &|| thread_cpu_s() - began,
         cancel: &CancelToken::new(),
-        progress: &mut teller(),
+        progress: &mut stage_logger(),
         limits,
     };
     study::run(prepared, &mut context)
 }
 
-fn written(asked: &StudyCommand, study: &Study) -> ExitCode {
-    if let Err(error) = write_all(asked, study) {
-        return super::fail(&error);
+fn write_output(command: &StudyCommand, study: &Study) -> ExitCode {
+    if let Err(error) = write_all(command, study) {
+        return fail(&error);
     }
-    let said = super::print(&study.recommendation);
+    let printed = print(&study.recommendation);
     if study.complete {
-        return said;
+        return printed;
     }
     for left_out in &study.left_out {
         let (what, because) = (&left_out.what, &left_out.because);
@@ -96,10 +98,10 @@ fn written(asked: &StudyCommand, study: &Study) -> ExitCode {
     FAILED.into()
 }
 
-fn write_all(asked: &StudyCommand, study: &Study) -> Result<(), String> {
+fn write_all(command: &StudyCommand, study: &Study) -> Result<(), String> {
     let json = serde_json::to_vec_pretty(study).map_err(|error| error.to_string())?;
-    write(&asked.output, &json)?;
-    match &asked.plot {
+    write(&command.output, &json)?;
+    match &command.plot {
         Some(path) => write(path, study::plot_svg(study).as_bytes()),
         None => Ok(()),
     }

@@ -49,7 +49,7 @@ pub struct Limits {
     pub study_cpu_s: f64,
     /// Fits and studies waiting in the queue.
     pub queued_jobs: usize,
-    /// How often a fit or a study is begun again after its worker died.
+    /// Number of times that a fit or a study is begun again after its worker died.
     pub attempts: u32,
     /// Longest wait of one request that asks to wait \[s\].
     pub wait_s: f64,

@@ -1,4 +1,4 @@
-//! What the operator sets: one [`Config`], and the [`Limits`] on everything that comes from outside.
+//! Settings of the operator: one [`Config`], and the [`Limits`] on everything that comes from outside.
 
 mod limits;
 mod settings;

@@ -1,6 +1,6 @@
 //! The settings of the service, from flags and the environment; nothing else reads the environment.
 
-use super::Limits;
+use super::limits::Limits;
 use clap::Args;
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -15,10 +15,10 @@ pub struct Config {
     /// Folder of everything that is kept
     #[arg(long, env = "SEAMSTER_DATA", default_value = "./data")]
     pub data: PathBuf,
-    /// Where records and the queue are kept: sqlite
+    /// Storage of records and the queue: sqlite
     #[arg(long, env = "SEAMSTER_STORE", default_value = "sqlite")]
     pub store: StoreKind,
-    /// Where results are kept: file
+    /// Storage of results: file
     #[arg(long, env = "SEAMSTER_BLOBS", default_value = "file")]
     pub blobs: BlobKind,
     /// Fits and studies run at the same time; one less than the cores if not given
@@ -40,10 +40,10 @@ pub struct Config {
     pub limits: Limits,
 }
 
-/// What is logged.
+/// Settings of the log.
 #[derive(Args, Clone, Debug)]
 pub struct Logging {
-    /// What is logged to stderr: error, warn, info, debug, or target=level, separated by commas
+    /// Level of the log on stderr: error, warn, info, debug, or target=level, separated by commas
     #[arg(long, env = "SEAMSTER_LOG", default_value = "info", global = true)]
     pub log: String,
 }
@@ -51,22 +51,22 @@ pub struct Logging {
 /// Settings that cannot be served.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ConfigError {
-    /// Anyone could call.
+    /// The address is public and no token is set: anyone could call.
     #[error(
         "{0} can be reached from other machines: set SEAMSTER_TOKENS (or --tokens), or listen on 127.0.0.1"
     )]
     PublicWithoutTokens(SocketAddr),
-    /// Nothing would ever run.
+    /// There are no workers: nothing would ever run.
     #[error("SEAMSTER_WORKERS (or --workers) must be at least 1")]
     NoWorkers,
 }
 
 impl Config {
-    /// The same settings, with empty tokens and hosts dropped, once they are known to go together.
+    /// Drops empty tokens and hosts, and checks that the settings go together.
     ///
     /// # Errors
     /// A public address without tokens, no workers.
-    pub fn checked(mut self) -> Result<Self, ConfigError> {
+    pub fn validated(mut self) -> Result<Self, ConfigError> {
         for list in [&mut self.tokens, &mut self.hosts] {
             *list = list.iter().map(|item| item.trim().to_owned()).collect();
             list.retain(|item| !item.is_empty());
@@ -80,14 +80,14 @@ impl Config {
         Ok(self)
     }
 
-    /// Fits and studies run at the same time: as set, else one less than the cores so that requests are still answered.
+    /// Returns the number of jobs run at the same time: as set, else one less than the cores so that requests are still answered.
     pub fn worker_count(&self) -> usize {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         self.workers.unwrap_or(cores.saturating_sub(1)).max(1)
     }
 }
 
-/// Where records and the queue are kept.
+/// Storage of records and the queue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StoreKind {
     /// In a file of the data folder, for one process.
@@ -107,7 +107,7 @@ impl FromStr for StoreKind {
     }
 }
 
-/// Where results are kept.
+/// Storage of results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum BlobKind {
     /// In files of the data folder.
@@ -133,13 +133,14 @@ mod tests {
     use clap::Parser;
 
     #[derive(Parser)]
-    struct Command {
+    struct ServeArguments {
         #[command(flatten)]
         config: Config,
     }
 
     fn parse(flags: &[&str]) -> Result<Config, clap::Error> {
-        Command::try_parse_from([&["seamster"], flags].concat()).map(|command| command.config)
+        ServeArguments::try_parse_from([&["seamster"], flags].concat())
+            .map(|arguments| arguments.config)
     }
 
     #[test]
@@ -152,7 +153,7 @@ mod tests {
         ] {
             let config = parse(&["--listen", listen]).unwrap();
             assert!(
-                matches!(config.checked(), Err(ConfigError::PublicWithoutTokens(_))),
+                matches!(config.validated(), Err(ConfigError::PublicWithoutTokens(_))),
                 "{listen}"
             );
         }
@@ -161,15 +162,15 @@ mod tests {
     #[test]
     fn empty_tokens_are_no_tokens() {
         let config = parse(&["--listen", "0.0.0.0:80", "--tokens", " ,,"]).unwrap();
-        assert!(config.checked().is_err());
+        assert!(config.validated().is_err());
         let config = parse(&["--listen", "0.0.0.0:80", "--tokens", ", a , "]).unwrap();
-        assert_eq!(config.checked().unwrap().tokens, ["a"]);
+        assert_eq!(config.validated().unwrap().tokens, ["a"]);
     }
 
     #[test]
     fn loopback_needs_no_tokens() {
         for listen in ["127.0.0.1:0", "[::1]:0", "[::ffff:127.0.0.1]:0"] {
-            assert!(parse(&["--listen", listen]).unwrap().checked().is_ok());
+            assert!(parse(&["--listen", listen]).unwrap().validated().is_ok());
         }
     }
 
@@ -184,6 +185,6 @@ mod tests {
     #[test]
     fn there_is_always_a_worker() {
         assert!(parse(&[]).unwrap().worker_count() >= 1);
-        assert!(parse(&["--workers", "0"]).unwrap().checked().is_err());
+        assert!(parse(&["--workers", "0"]).unwrap().validated().is_err());
     }
 }

@@ -1,24 +1,13 @@
-//! The `OpenAPI` 3.1 document, made from the code.
+//! The `OpenAPI` 3.1 document, made of the routes.
 
-use super::answer::Answer;
-use super::problem::Problem;
-use super::state::App;
-use super::{avatars, events, fabrics, fits, health, metrics, patterns, results, seams, studies};
-use crate::fit::Garment;
-use axum::Router;
-use axum::http::HeaderMap;
-use axum::response::Response;
-use axum::routing::get;
-use std::sync::LazyLock;
+use super::routes;
 use utoipa::openapi::schema::AdditionalProperties;
 use utoipa::openapi::security::{Http, HttpAuthScheme, SecurityScheme};
 use utoipa::openapi::{RefOr, Schema};
-use utoipa::{Modify, OpenApi, ToSchema};
+use utoipa::{Modify, OpenApi};
+use utoipa_axum::router::OpenApiRouter;
 
-pub(super) fn router() -> Router<App> {
-    Router::new().route("/openapi.json", get(openapi))
-}
-
+/// The document without its routes.
 #[derive(OpenApi)]
 #[openapi(
     info(
@@ -26,26 +15,35 @@ pub(super) fn router() -> Router<App> {
         description = "Garment sewing without a screen: patterns (DXF, GarmentCode) and seams in, a garment draped on a body out.\n\nLengths are in metres, times in seconds, angles in degrees. Every answer that is no success is a `Problem` (RFC 9457) that lists all faults at once.",
         license(name = "MIT", identifier = "MIT")
     ),
-    paths(
-        patterns::create, patterns::list, patterns::show, patterns::drawing, patterns::remove, seams::check, seams::suggest,
-        fabrics::list, fabrics::create, fabrics::show,
-        avatars::create, avatars::list, avatars::show, avatars::remove, avatars::mesh,
-        fits::create, fits::list, fits::show, fits::cancel, events::fit_events,
-        results::mesh, results::mesh_glb, results::mesh_obj, results::mesh_json,
-        results::report, results::scene, results::garment,
-        studies::create, studies::list, studies::show, studies::cancel, studies::plot, studies::asked, events::study_events,
-        health::live, health::ready, metrics::metrics,
-    ),
     components(schemas(crate::progress::Progress)),
-    security(("token" = []), ()),
-    modifiers(&Token, &ClosedPlaces, &WholeSuggestedSeam, &OwnNames)
+    security(("token" = []), ())
 )]
 struct Document;
 
-/// The security scheme; a service without tokens needs none.
-struct Token;
+/// Returns the `OpenAPI` document, as `api/openapi.json` has it.
+pub fn openapi_json() -> String {
+    let mut document = OpenApiRouter::with_openapi(Document::openapi())
+        .merge(routes::resources())
+        .merge(routes::probes())
+        .merge(routes::metrics())
+        .into_openapi();
+    let modifiers: [&dyn Modify; 4] = [
+        &TokenScheme,
+        &ClosedPlaces,
+        &FlatSuggestedSeam,
+        &PrefixedOperationIds,
+    ];
+    for modifier in modifiers {
+        modifier.modify(&mut document);
+    }
+    let json = document.to_pretty_json();
+    json.expect("a document of strings always serializes") + "\n"
+}
 
-impl Modify for Token {
+/// Adds the security scheme; a service without tokens needs none.
+struct TokenScheme;
+
+impl Modify for TokenScheme {
     fn modify(&self, document: &mut utoipa::openapi::OpenApi) {
         let scheme = SecurityScheme::Http(Http::new(HttpAuthScheme::Bearer));
         let components = document.components.get_or_insert_default();
@@ -53,7 +51,7 @@ impl Modify for Token {
     }
 }
 
-/// Places are told apart by their fields: each has these and no others. The derive says so of structs, not of variants.
+/// Forbids further fields of places, which are told apart by their fields. The derive does so for structs, not for variants.
 struct ClosedPlaces;
 
 impl Modify for ClosedPlaces {
@@ -74,10 +72,10 @@ impl Modify for ClosedPlaces {
     }
 }
 
-/// A suggested seam has the fields of a seam and more, but a seam is closed: it has to be said in one piece.
-struct WholeSuggestedSeam;
+/// Writes the schema of a suggested seam in one piece: it has the fields of a seam and more, but a seam is closed.
+struct FlatSuggestedSeam;
 
-impl Modify for WholeSuggestedSeam {
+impl Modify for FlatSuggestedSeam {
     fn modify(&self, document: &mut utoipa::openapi::OpenApi) {
         let Some(all) = document.components.as_mut().map(|all| &mut all.schemas) else {
             return;
@@ -103,10 +101,10 @@ impl Modify for WholeSuggestedSeam {
     }
 }
 
-/// The names of operations must differ, and handlers of different resources have the same: the resource goes before.
-struct OwnNames;
+/// Puts the resource before the names of operations, which must differ: handlers of different resources have the same.
+struct PrefixedOperationIds;
 
-impl Modify for OwnNames {
+impl Modify for PrefixedOperationIds {
     fn modify(&self, document: &mut utoipa::openapi::OpenApi) {
         for calls in document.paths.paths.values_mut() {
             let calls = [&mut calls.get, &mut calls.post, &mut calls.delete];
@@ -117,36 +115,4 @@ impl Modify for OwnNames {
             }
         }
     }
-}
-
-/// A form with a pattern file.
-#[derive(ToSchema)]
-#[expect(dead_code, reason = "only its description is used")]
-pub(super) struct PatternForm {
-    /// The DXF or the `GarmentCode` specification.
-    #[schema(value_type = String, format = Binary)]
-    file: Vec<u8>,
-}
-
-/// A form with a pattern file and a garment.
-#[derive(ToSchema)]
-#[expect(dead_code, reason = "only its description is used")]
-pub(super) struct FitForm {
-    /// The DXF.
-    #[schema(value_type = String, format = Binary)]
-    pattern: Vec<u8>,
-    /// The garment, without `pattern`.
-    garment: Garment,
-}
-
-/// The `OpenAPI` document, as `api/openapi.json` has it.
-pub fn openapi_json() -> String {
-    let json = Document::openapi().to_pretty_json();
-    json.expect("a document of strings always serialises") + "\n"
-}
-
-async fn openapi(headers: HeaderMap) -> Result<Response, Problem> {
-    // Made from the code alone, once.
-    static JSON: LazyLock<String> = LazyLock::new(openapi_json);
-    Answer::new(JSON.as_bytes(), "application/json").to(&headers)
 }

@@ -1,97 +1,97 @@
-//! What all calls share.
+//! The state that all handlers share.
 
-use super::forms::Forms;
-use super::guard::Guard;
-use super::metrics::Metrics;
-use super::problem::Problem;
+use super::dress_form_cache::DressFormCache;
+use super::middleware::{AccessPolicy, RequestMetrics};
+use super::respond::Problem;
 use crate::config::{Config, Limits};
 use crate::job::{Catalogue, Queue};
 use std::ops::Deref;
 use std::sync::Arc;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
-/// Connections that follow a job or wait for one, at most.
-const FOLLOWERS: usize = 256;
+/// Most connections that follow a job or wait for one at the same time.
+const STREAMS: usize = 256;
 
-/// A cheap handle on what all calls share.
+/// A cheap handle on the state that all handlers share.
 #[derive(Clone)]
-pub(super) struct App(Arc<Shared>);
+pub(super) struct AppState(Arc<App>);
 
-/// What all calls share.
-pub(super) struct Shared {
+/// The state that all handlers share.
+pub(super) struct App {
     /// Fits and studies.
     pub(super) queue: Arc<Queue>,
-    /// Who may call.
-    pub(super) guard: Guard,
-    /// What was counted.
-    pub(super) metrics: Metrics,
+    /// The hosts and tokens that requests are accepted with.
+    pub(super) access: AccessPolicy,
+    /// Counts of requests.
+    pub(super) metrics: RequestMetrics,
     /// Dress forms made lately.
-    pub(super) forms: Forms,
-    /// A seat for each computation that a call may wait for.
-    seats: Arc<Semaphore>,
-    followers: Arc<Semaphore>,
+    pub(super) dress_forms: DressFormCache,
+    /// A permit for each computation that a request may wait for.
+    compute_permits: Arc<Semaphore>,
+    stream_permits: Arc<Semaphore>,
 }
 
-impl Deref for App {
-    type Target = Shared;
+impl Deref for AppState {
+    type Target = App;
 
-    fn deref(&self) -> &Shared {
+    fn deref(&self) -> &App {
         &self.0
     }
 }
 
-impl Shared {
-    /// Stored patterns, avatars and fabrics.
+impl App {
+    /// Returns the stored patterns, avatars and fabrics.
     pub(super) fn catalogue(&self) -> &Catalogue {
         self.queue.catalogue()
     }
 
-    /// Bounds on what one input may ask for.
+    /// Returns the bounds on what one input may ask for.
     pub(super) fn limits(&self) -> &Limits {
         self.queue.limits()
     }
 }
 
-impl App {
+impl AppState {
+    /// Creates the state of a service with these settings and this queue.
     pub(super) fn new(config: &Config, queue: Arc<Queue>) -> Self {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
-        Self(Arc::new(Shared {
+        Self(Arc::new(App {
             queue,
-            guard: Guard::new(&config.hosts, &config.tokens),
-            metrics: Metrics::default(),
-            forms: Forms::default(),
-            seats: Arc::new(Semaphore::new(cores)),
-            followers: Arc::new(Semaphore::new(FOLLOWERS)),
+            access: AccessPolicy::new(&config.hosts, &config.tokens),
+            metrics: RequestMetrics::default(),
+            dress_forms: DressFormCache::default(),
+            compute_permits: Arc::new(Semaphore::new(cores)),
+            stream_permits: Arc::new(Semaphore::new(STREAMS)),
         }))
     }
 
-    /// Reads or writes the store, on a thread that may block.
-    pub(super) async fn blocking<T: Send + 'static>(
+    /// Runs work that reads or writes the store on a thread that may block.
+    pub(super) async fn run_blocking<T: Send + 'static>(
         &self,
-        work: impl FnOnce(&Shared) -> T + Send + 'static,
+        work: impl FnOnce(&App) -> T + Send + 'static,
     ) -> Result<T, Problem> {
-        let shared = Arc::clone(&self.0);
-        tokio::task::spawn_blocking(move || work(&shared))
+        let app = Arc::clone(&self.0);
+        tokio::task::spawn_blocking(move || work(&app))
             .await
             .map_err(Problem::internal)
     }
 
-    /// Computes something, once one of as many seats as there are cores is free.
-    pub(super) async fn heavy<T: Send + 'static>(
+    /// Runs a computation on a thread of its own, once one of as many permits as there are cores is free.
+    pub(super) async fn run_compute<T: Send + 'static>(
         &self,
-        work: impl FnOnce(&Shared) -> T + Send + 'static,
+        work: impl FnOnce(&App) -> T + Send + 'static,
     ) -> Result<T, Problem> {
-        let seat = Arc::clone(&self.0.seats).acquire_owned().await;
-        // The seat goes with the work: a call that is given up leaves its work running.
-        self.blocking(move |shared| {
-            let _seat = seat;
-            work(shared)
+        let permit = Arc::clone(&self.0.compute_permits).acquire_owned().await;
+        // The permit goes with the work: a request that is given up leaves its work running.
+        self.run_blocking(move |app| {
+            let _permit = permit;
+            work(app)
         })
         .await
     }
 
-    /// A place among those who follow a job, while there is one.
-    pub(super) fn follower(&self) -> Option<OwnedSemaphorePermit> {
-        Arc::clone(&self.0.followers).try_acquire_owned().ok()
+    /// Returns a permit to follow a job or to wait for one, while there is one.
+    pub(super) fn stream_permit(&self) -> Option<OwnedSemaphorePermit> {
+        Arc::clone(&self.0.stream_permits).try_acquire_owned().ok()
     }
 }

@@ -1,4 +1,4 @@
-//! Where results are kept: bytes under keys such as `results/<fit>/<attempt>/mesh.json`.
+//! Storage of results: bytes under keys such as `results/<fit>/<attempt>/mesh.json`.
 
 use super::store::StoreError;
 use std::fs::{self, File};
@@ -8,7 +8,7 @@ use uuid::Uuid;
 
 /// Bytes under keys made by the service: parts of letters, digits, `-` and `.`, joined by `/`.
 pub trait Blobs: Send + Sync {
-    /// Keeps bytes; when this returns they survive a crash. A reader sees all of them or none.
+    /// Stores bytes; when this returns they survive a crash. A reader sees all of them or none.
     ///
     /// # Errors
     /// If nothing could be written.
@@ -34,7 +34,7 @@ pub struct FileBlobs {
 }
 
 impl FileBlobs {
-    /// Keeps files below `root`, which is made if it is not there.
+    /// Opens a folder, which is made if it is not there.
     ///
     /// # Errors
     /// If the folder cannot be made.

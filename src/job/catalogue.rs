@@ -1,6 +1,6 @@
-//! Stored patterns, avatars and fabrics: what a garment may refer to.
+//! Stored patterns, avatars and fabrics, which garments refer to.
 
-use super::store::{DocumentKind, Documents, Page, PageAsked, StoreError};
+use super::store::{DocumentKind, Documents, Page, PageRequest, StoreError};
 use crate::fit::Library;
 use crate::pattern::Pattern;
 use crate::scene::{self, DressForm, Fabric};
@@ -12,7 +12,7 @@ use std::sync::Arc;
 use utoipa::ToSchema;
 use uuid::Uuid;
 
-/// An avatar as it was asked for.
+/// An avatar as it was requested.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct AvatarRecord {
     /// Name for a person.
@@ -27,7 +27,7 @@ pub struct AvatarRecord {
 pub struct Stored<T> {
     /// `UUIDv7`.
     pub id: Uuid,
-    /// When it was stored.
+    /// Time at which it was stored.
     pub created_at: Timestamp,
     /// The thing.
     pub value: T,
@@ -39,12 +39,12 @@ pub struct Catalogue {
 }
 
 impl Catalogue {
-    /// The catalogue of what `documents` keeps.
+    /// Creates the catalogue of a document store.
     pub fn new(documents: Arc<dyn Documents>) -> Self {
         Self { documents }
     }
 
-    /// Keeps a pattern, checked before, and gives it its id.
+    /// Stores a pattern, checked before, and gives it its id.
     ///
     /// # Errors
     /// If nothing could be written.
@@ -54,7 +54,7 @@ impl Catalogue {
         self.add(DocumentKind::Pattern, id, pattern)
     }
 
-    /// Keeps an avatar, checked before.
+    /// Stores an avatar, checked before.
     ///
     /// # Errors
     /// If nothing could be written.
@@ -62,7 +62,7 @@ impl Catalogue {
         self.add(DocumentKind::Avatar, Uuid::now_v7(), avatar)
     }
 
-    /// Keeps a fabric, checked before. Garments refer to it by its id in text.
+    /// Stores a fabric, checked before. Garments refer to it by its id in text.
     ///
     /// # Errors
     /// If nothing could be written.
@@ -70,7 +70,7 @@ impl Catalogue {
         self.add(DocumentKind::Fabric, Uuid::now_v7(), fabric)
     }
 
-    /// A pattern.
+    /// Finds a pattern.
     ///
     /// # Errors
     /// If nothing could be read.
@@ -78,7 +78,7 @@ impl Catalogue {
         self.find(DocumentKind::Pattern, id)
     }
 
-    /// An avatar, as asked for.
+    /// Finds an avatar, as it was requested.
     ///
     /// # Errors
     /// If nothing could be read.
@@ -86,30 +86,30 @@ impl Catalogue {
         self.find(DocumentKind::Avatar, id)
     }
 
-    /// Patterns, newest first.
+    /// Returns patterns, newest first.
     ///
     /// # Errors
     /// If nothing could be read.
-    pub fn patterns(&self, page: &PageAsked) -> Result<Page<Stored<Pattern>>, StoreError> {
+    pub fn patterns(&self, page: &PageRequest) -> Result<Page<Stored<Pattern>>, StoreError> {
         self.list(DocumentKind::Pattern, page)
     }
 
-    /// Avatars, newest first.
+    /// Returns avatars, newest first.
     ///
     /// # Errors
     /// If nothing could be read.
-    pub fn avatars(&self, page: &PageAsked) -> Result<Page<Stored<AvatarRecord>>, StoreError> {
+    pub fn avatars(&self, page: &PageRequest) -> Result<Page<Stored<AvatarRecord>>, StoreError> {
         self.list(DocumentKind::Avatar, page)
     }
 
-    /// All fabrics by id: those shipped and those stored.
+    /// Returns all fabrics by id: those shipped and those stored.
     ///
     /// # Errors
     /// If nothing could be read.
     pub fn fabrics(&self) -> Result<BTreeMap<String, Fabric>, StoreError> {
-        let everything = PageAsked {
+        let everything = PageRequest {
             limit: usize::MAX,
-            ..PageAsked::default()
+            ..PageRequest::default()
         };
         let own = self.list::<Fabric>(DocumentKind::Fabric, &everything)?;
         let mut fabrics = scene::library();
@@ -121,7 +121,7 @@ impl Catalogue {
         Ok(fabrics)
     }
 
-    /// Removes a pattern, an avatar or a fabric; says whether it was there. Fits keep their own copy.
+    /// Removes a pattern, an avatar or a fabric; returns true if it was there. Fits keep their own copy.
     ///
     /// # Errors
     /// If nothing could be written.
@@ -158,7 +158,7 @@ impl Catalogue {
     fn list<T: DeserializeOwned>(
         &self,
         kind: DocumentKind,
-        page: &PageAsked,
+        page: &PageRequest,
     ) -> Result<Page<Stored<T>>, StoreError> {
         let page = self.documents.list(kind, page)?;
         let items = page

@@ -1,8 +1,11 @@
-//! What every [`JobStore`] must keep, as tests that each implementation runs.
+//! The contract of [`JobStore`] and [`Documents`], as tests that each implementation runs.
 
-use super::record::{JobKind, JobRecord, Status};
+use super::kind::JobKind;
+use super::record::JobRecord;
+use super::status::JobStatus;
 use super::store::{
-    DocumentKind, Documents, IdempotencyKey, JobStore, Lease, NewJob, Notice, PageAsked, Submitted,
+    DocumentKind, Documents, IdempotencyKey, JobNotice, JobStore, Lease, NewJob, PageRequest,
+    Submitted,
 };
 use jiff::Timestamp;
 use std::collections::BTreeSet;
@@ -74,7 +77,7 @@ fn get(store: &dyn JobStore, id: Uuid) -> JobRecord {
     store.job(id).unwrap().expect("it was submitted")
 }
 
-fn set_status(store: &dyn JobStore, id: Uuid, status: Status) {
+fn set_status(store: &dyn JobStore, id: Uuid, status: JobStatus) {
     let mut record = get(store, id);
     record.status = status;
     assert!(store.replace(&record).unwrap().is_some());
@@ -136,9 +139,9 @@ fn oldest_job_is_claimed_first_and_once(kind: JobKind, store: &dyn JobStore) {
         submit(kind, store),
         submit(kind, store),
     ];
-    set_status(store, jobs[1], Status::Canceled);
+    set_status(store, jobs[1], JobStatus::Canceled);
     assert_eq!(claim(store).map(|lease| lease.job), Some(jobs[0]));
-    set_status(store, jobs[0], Status::Running);
+    set_status(store, jobs[0], JobStatus::Running);
     assert_eq!(claim(store).map(|lease| lease.job), Some(jobs[2]));
     assert_eq!(claim(store), None);
 }
@@ -166,7 +169,7 @@ fn concurrent_claims_differ(kind: JobKind, store: &Arc<dyn JobStore>) {
 fn lease_that_is_not_renewed_runs_out(kind: JobKind, store: &dyn JobStore) {
     let id = submit(kind, store);
     let first = claim(store).expect("one waits");
-    set_status(store, id, Status::Running);
+    set_status(store, id, JobStatus::Running);
     thread::sleep(2 * store.lease_time());
     let second = claim(store).expect("its lease ran out");
     assert_eq!(second.job, id);
@@ -192,11 +195,11 @@ fn ended_lease_hands_out_again_unless_final(kind: JobKind, store: &dyn JobStore)
     store.end(&lease).unwrap();
     assert_eq!(
         notices.recv_timeout(Duration::from_secs(10)),
-        Ok(Notice::Queued)
+        Ok(JobNotice::Queued)
     );
     let lease = claim(store).expect("it was given back");
     assert_eq!(lease.job, id);
-    set_status(store, id, Status::Succeeded);
+    set_status(store, id, JobStatus::Succeeded);
     store.end(&lease).unwrap();
     assert_eq!(claim(store), None);
 }
@@ -231,7 +234,7 @@ fn same_key_is_the_same_job(kind: JobKind, store: &dyn JobStore) {
     assert_eq!(store.submitted(&other).unwrap(), Some(reused));
     let b = key("b", 1);
     assert_eq!(put(store, &new(kind), Some(&b), NO_LIMIT), Submitted::New);
-    assert_eq!(store.counts(kind).unwrap().of(Status::Queued), 2);
+    assert_eq!(store.counts(kind).unwrap().of(JobStatus::Queued), 2);
 }
 
 fn concurrent_submissions_of_one_key_are_one_job(kind: JobKind, store: &Arc<dyn JobStore>) {
@@ -244,7 +247,7 @@ fn concurrent_submissions_of_one_key_are_one_job(kind: JobKind, store: &Arc<dyn 
             });
         }
     });
-    assert_eq!(store.counts(kind).unwrap().of(Status::Queued), 1);
+    assert_eq!(store.counts(kind).unwrap().of(JobStatus::Queued), 1);
 }
 
 fn full_queue_refuses(kind: JobKind, store: &dyn JobStore) {
@@ -260,7 +263,7 @@ fn full_queue_refuses(kind: JobKind, store: &dyn JobStore) {
     let same = Submitted::Same(record.id);
     assert_eq!(put(store, &late, Some(&known), 2), same);
     // What runs does not wait.
-    set_status(store, record.id, Status::Running);
+    set_status(store, record.id, JobStatus::Running);
     assert_eq!(put(store, &late, None, 2), Submitted::New);
 }
 
@@ -268,18 +271,18 @@ fn pages_are_newest_first_and_whole(kind: JobKind, store: &dyn JobStore) {
     let mut jobs: Vec<Uuid> = (0..7).map(|_| submit(kind, store)).collect();
     jobs.reverse();
     for id in &jobs[2..5] {
-        set_status(store, *id, Status::Failed);
+        set_status(store, *id, JobStatus::Failed);
     }
     assert_eq!(walk(kind, store, None), jobs);
-    assert_eq!(walk(kind, store, Some(Status::Failed)), jobs[2..5]);
-    assert!(walk(kind, store, Some(Status::Succeeded)).is_empty());
+    assert_eq!(walk(kind, store, Some(JobStatus::Failed)), jobs[2..5]);
+    assert!(walk(kind, store, Some(JobStatus::Succeeded)).is_empty());
     let counts = store.counts(kind).unwrap();
-    assert_eq!(counts.of(Status::Queued), 4);
-    assert_eq!(counts.of(Status::Failed), 3);
+    assert_eq!(counts.of(JobStatus::Queued), 4);
+    assert_eq!(counts.of(JobStatus::Failed), 3);
 }
 
-fn walk(kind: JobKind, store: &dyn JobStore, status: Option<Status>) -> Vec<Uuid> {
-    let mut page = PageAsked {
+fn walk(kind: JobKind, store: &dyn JobStore, status: Option<JobStatus>) -> Vec<Uuid> {
+    let mut page = PageRequest {
         limit: 3,
         after: None,
         status,
@@ -303,11 +306,11 @@ fn walk(kind: JobKind, store: &dyn JobStore, status: Option<Status>) -> Vec<Uuid
 fn notices_reach_all_who_listen(kind: JobKind, store: &dyn JobStore) {
     let listeners = [store.listen(), store.listen()];
     let id = submit(kind, store);
-    store.publish(Notice::Cancel(id));
+    store.publish(JobNotice::Cancel(id));
     for listener in listeners {
         let wait = Duration::from_secs(10);
-        assert_eq!(listener.recv_timeout(wait), Ok(Notice::Queued));
-        assert_eq!(listener.recv_timeout(wait), Ok(Notice::Cancel(id)));
+        assert_eq!(listener.recv_timeout(wait), Ok(JobNotice::Queued));
+        assert_eq!(listener.recv_timeout(wait), Ok(JobNotice::Cancel(id)));
     }
 }
 
@@ -319,17 +322,17 @@ fn what_ran_when_the_process_died_is_handed_out_again(
     let (ran, done) = (submit(kind, &*store), submit(kind, &*store));
     claim(&*store).expect("one waits");
     let mut record = get(&*store, ran);
-    record.status = Status::Running;
+    record.status = JobStatus::Running;
     record.attempts = 1;
     store.replace(&record).unwrap();
-    set_status(&*store, done, Status::Succeeded);
+    set_status(&*store, done, JobStatus::Succeeded);
     drop(store);
     let store = open("died", SHORT);
     thread::sleep(2 * store.lease_time());
     assert_eq!(claim(&*store).map(|lease| lease.job), Some(ran));
     assert_eq!(claim(&*store), None);
     assert_eq!(get(&*store, ran).attempts, 1);
-    assert_eq!(get(&*store, done).status, Status::Succeeded);
+    assert_eq!(get(&*store, done).status, JobStatus::Succeeded);
 }
 
 fn kinds_share_the_queue_and_no_list(store: &dyn JobStore) {
@@ -344,27 +347,30 @@ fn kinds_share_the_queue_and_no_list(store: &dyn JobStore) {
     }
     for (kind, record) in [(JobKind::Fit, &fit), (JobKind::Study, &study)] {
         assert_eq!(get(store, record.id).kind, kind);
-        let page = PageAsked {
+        let page = PageRequest {
             limit: 9,
-            ..PageAsked::default()
+            ..PageRequest::default()
         };
         let listed = |status| {
-            let page = PageAsked { status, ..page };
+            let page = PageRequest { status, ..page };
             let found = store.jobs(kind, &page).unwrap().items;
             found.into_iter().map(|job| job.id).collect::<Vec<_>>()
         };
         assert_eq!(listed(None), [record.id]);
-        assert_eq!(listed(Some(Status::Queued)), [record.id]);
-        assert_eq!(store.counts(kind).unwrap().of(Status::Queued), 1);
+        assert_eq!(listed(Some(JobStatus::Queued)), [record.id]);
+        assert_eq!(store.counts(kind).unwrap().of(JobStatus::Queued), 1);
     }
     // Each is made before the next, so their ids sort as they stand in `ALL`.
     assert_eq!(claim(store).map(|lease| lease.job), Some(fit.id));
     assert_eq!(claim(store).map(|lease| lease.job), Some(study.id));
-    set_status(store, study.id, Status::Succeeded);
-    assert_eq!(store.counts(JobKind::Fit).unwrap().of(Status::Succeeded), 0);
+    set_status(store, study.id, JobStatus::Succeeded);
+    assert_eq!(
+        store.counts(JobKind::Fit).unwrap().of(JobStatus::Succeeded),
+        0
+    );
 }
 
-/// The same for [`Documents`].
+/// Runs every test of [`Documents`].
 pub(super) fn documents_contract(store: &dyn Documents) {
     let ids: Vec<Uuid> = (0..4).map(|_| Uuid::now_v7()).collect();
     for id in &ids {
@@ -377,7 +383,7 @@ pub(super) fn documents_contract(store: &dyn Documents) {
     assert_eq!(get(DocumentKind::Avatar, ids[0]), Some(b"body".to_vec()));
     assert_eq!(get(DocumentKind::Fabric, ids[0]), None);
     assert!(store.put(DocumentKind::Avatar, ids[0], b"other").is_err());
-    let page = |after| PageAsked {
+    let page = |after| PageRequest {
         limit: 3,
         after,
         status: None,

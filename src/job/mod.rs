@@ -1,12 +1,12 @@
 //! Fits and studies queued, stored and run by workers.
 //!
-//! A job is handed out at least once and takes effect once: every attempt writes its files under a key of its
-//! own (`results/<job>/<attempt>`), and the record names the winner by compare-and-set. One queue holds both kinds.
+//! A job is handed out at least once and takes effect once: every attempt writes its files under a key of its own
+//! (`results/<job>/<attempt>`), and the record names the winner by compare-and-set. One queue holds both kinds.
 //!
-//! - [`JobRecord`]: what is known about one job. [`Work`], [`Done`]: what it is asked as, and what it comes to.
-//! - [`JobStore`], [`Documents`], [`Blobs`]: what has to be kept, as interfaces; [`SqliteStore`] and [`FileBlobs`] keep it in one folder.
+//! - [`JobRecord`]: the state of one job. [`JobRequest`], [`JobOutcome`]: its input and its output.
+//! - [`JobStore`], [`Documents`], [`Blobs`]: interfaces of storage; [`SqliteStore`] and [`FileBlobs`] keep all in one folder.
 //! - [`Catalogue`]: stored patterns, avatars and fabrics.
-//! - [`Queue`]: submits, finds, lists, cancels and follows jobs; what the service is built on.
+//! - [`Queue`]: submits, finds, lists, cancels and follows jobs; the service is built on it.
 //! - [`WorkerPool`]: threads that take jobs from the store and run them by a [`Runner`].
 
 mod blobs;
@@ -14,24 +14,32 @@ mod catalogue;
 mod clock;
 #[cfg(test)]
 mod contract;
-mod feed;
+mod events;
+mod failure;
+mod kind;
 mod queue;
 mod record;
+mod request;
+mod result;
 mod sqlite;
+mod status;
 mod store;
-mod work;
 mod worker;
 
 pub use blobs::{Blobs, FileBlobs};
 pub use catalogue::{AvatarRecord, Catalogue, Stored};
 pub use clock::thread_cpu_s;
-pub use feed::{Event, EventKind, Events};
+pub use events::{JobEvent, JobEventKind, JobEvents};
+pub use failure::JobFailure;
+pub use kind::JobKind;
 pub use queue::{Queue, QueueError};
-pub use record::{Failure, JobKind, JobRecord, Status};
+pub use record::JobRecord;
+pub use request::JobRequest;
+pub use result::{JobOutcome, ResultFile};
 pub use sqlite::SqliteStore;
+pub use status::JobStatus;
 pub use store::{
-    Counts, DocumentKind, Documents, IdempotencyKey, JobStore, Lease, NewJob, Notice, Page,
-    PageAsked, StoreError, Submitted,
+    DocumentKind, Documents, IdempotencyKey, JobCounts, JobNotice, JobStore, Lease, NewJob, Page,
+    PageRequest, StoreError, Submitted,
 };
-pub use work::{Done, ResultFile, Work};
-pub use worker::{Runner, Sewing, WorkerPool};
+pub use worker::{Runner, SolverRunner, WorkerPool};

@@ -1,30 +1,33 @@
-//! Submits, finds, lists, cancels and follows jobs: what the service is built on. All calls but those of [`Events`] block.
+//! Submits, finds, lists, cancels and follows jobs. All calls but those of [`JobEvents`] block.
 
 use super::blobs::{Blobs, FileBlobs};
 use super::catalogue::Catalogue;
-use super::feed::{Event, Events, Feeds};
-use super::record::{JobKind, JobRecord, Status};
+use super::events::{EventFeeds, JobEvent, JobEvents};
+use super::kind::JobKind;
+use super::record::JobRecord;
+use super::request::{JobRequest, request_folder, request_key};
+use super::result::ResultFile;
 use super::sqlite::SqliteStore;
+use super::status::JobStatus;
 use super::store::{
-    Counts, Documents, IdempotencyKey, JobStore, NewJob, Notice, Page, PageAsked, StoreError,
-    Submitted,
+    Documents, IdempotencyKey, JobCounts, JobNotice, JobStore, NewJob, Page, PageRequest,
+    StoreError, Submitted,
 };
-use super::work::{ResultFile, Work, asked_folder, asked_key};
 use crate::config::{Config, Limits};
 use jiff::Timestamp;
 use std::sync::Arc;
 use uuid::Uuid;
 
-/// Why a job was not put on the queue.
+/// The reason why a job was not put on the queue.
 #[derive(Debug, thiserror::Error)]
 pub enum QueueError {
-    /// Try again later.
+    /// Too many jobs wait; try again later.
     #[error("the queue is full: {0} jobs wait already")]
     Full(usize),
-    /// The same key with another request.
+    /// The key was used before for another request.
     #[error("this Idempotency-Key was used before for another request")]
     KeyReused(JobKind),
-    /// The service is at fault.
+    /// The store failed.
     #[error(transparent)]
     Store(#[from] StoreError),
 }
@@ -35,7 +38,7 @@ pub struct Queue {
     pub(super) blobs: Arc<dyn Blobs>,
     pub(super) limits: Limits,
     catalogue: Arc<Catalogue>,
-    feeds: Arc<Feeds>,
+    feeds: Arc<EventFeeds>,
 }
 
 impl Queue {
@@ -49,7 +52,7 @@ impl Queue {
         Self::new(store.clone(), store, blobs, config.limits.clone())
     }
 
-    /// The jobs of a store.
+    /// Creates the queue of a store.
     ///
     /// # Errors
     /// If no thread can be started.
@@ -59,12 +62,12 @@ impl Queue {
         blobs: Arc<dyn Blobs>,
         limits: Limits,
     ) -> Result<Arc<Self>, StoreError> {
-        let feeds = Arc::new(Feeds::default());
-        let (notices, told) = (store.listen(), Arc::clone(&feeds));
+        let feeds = Arc::new(EventFeeds::default());
+        let (notices, publisher) = (store.listen(), Arc::clone(&feeds));
         // Ends when the store is dropped.
         std::thread::Builder::new()
             .name("feeds".to_owned())
-            .spawn(move || notices.iter().for_each(|notice| told.tell(notice)))
+            .spawn(move || notices.iter().for_each(|notice| publisher.publish(notice)))
             .map_err(|cause| StoreError::new("starting a thread", cause))?;
         Ok(Arc::new(Self {
             store,
@@ -75,17 +78,17 @@ impl Queue {
         }))
     }
 
-    /// Stored patterns, avatars and fabrics.
+    /// Returns the stored patterns, avatars and fabrics.
     pub fn catalogue(&self) -> &Arc<Catalogue> {
         &self.catalogue
     }
 
-    /// Bounds on what one input may ask for.
+    /// Returns the bounds on what one input may ask for.
     pub fn limits(&self) -> &Limits {
         &self.limits
     }
 
-    /// The job that the same request was submitted as before, if it was.
+    /// Returns the job that the same request was submitted as before, if it was.
     ///
     /// # Errors
     /// If the key was used for another request, or nothing could be read.
@@ -101,37 +104,38 @@ impl Queue {
         }
     }
 
-    /// The job that a key stands for. A request for another kind of job is another request.
+    /// Returns the job that a key stands for. A request for another kind of job is another request.
     fn same(&self, kind: JobKind, id: Uuid) -> Result<JobRecord, QueueError> {
         self.job(kind, id)?.ok_or(QueueError::KeyReused(kind))
     }
 
-    /// Puts work on the queue.
+    /// Puts a request on the queue.
     ///
     /// # Errors
     /// If the queue is full, the key was used for another request, or nothing could be written.
     pub fn submit(
         &self,
-        work: &Work,
+        request: &JobRequest,
         key: Option<&IdempotencyKey>,
     ) -> Result<JobRecord, QueueError> {
-        let kind = work.kind();
+        let kind = request.kind();
         let record = JobRecord::queued(kind, Uuid::now_v7(), Timestamp::now());
-        let body = work
+        let body = request
             .json()
             .map_err(|cause| StoreError::new("writing what is asked", cause))?;
-        self.blobs.put(&asked_key(kind, record.id), &body)?;
+        self.blobs.put(&request_key(kind, record.id), &body)?;
         let submitted = self.store.submit(&NewJob {
             record: &record,
             key,
             queue_limit: self.limits.queued_jobs,
         });
         if !matches!(submitted, Ok(Submitted::New)) {
-            self.blobs.delete(&asked_folder(kind, record.id))?;
+            self.blobs.delete(&request_folder(kind, record.id))?;
         }
         match submitted? {
             Submitted::New => {
-                self.store.publish(Notice::Status(Box::new(record.clone())));
+                self.store
+                    .publish(JobNotice::Status(Box::new(record.clone())));
                 Ok(record)
             }
             Submitted::Same(id) => self.same(kind, id),
@@ -140,7 +144,7 @@ impl Queue {
         }
     }
 
-    /// What is known about a job of this kind, its latest progress included.
+    /// Returns the record of a job of this kind, its latest progress included.
     ///
     /// # Errors
     /// If nothing could be read.
@@ -153,11 +157,11 @@ impl Queue {
         Ok(self.store.job(id)?.filter(|record| record.kind == kind))
     }
 
-    /// Jobs of a kind, newest first.
+    /// Returns the jobs of a kind, newest first.
     ///
     /// # Errors
     /// If nothing could be read.
-    pub fn jobs(&self, kind: JobKind, page: &PageAsked) -> Result<Page<JobRecord>, StoreError> {
+    pub fn jobs(&self, kind: JobKind, page: &PageRequest) -> Result<Page<JobRecord>, StoreError> {
         let page = self.store.jobs(kind, page)?;
         let items = page.items.into_iter();
         Ok(Page {
@@ -173,36 +177,36 @@ impl Queue {
         record
     }
 
-    /// Asks a job to stop, and returns what is then known about it: canceled at once if it waited, soon if it runs,
+    /// Asks a job to stop, and returns its record after that: canceled at once if it waited, soon if it runs,
     /// unchanged if it has ended. `None` if there is no such job.
     ///
     /// # Errors
     /// If nothing could be written.
     pub fn cancel(&self, kind: JobKind, id: Uuid) -> Result<Option<JobRecord>, StoreError> {
-        let changed = change(&*self.store, id, |record| {
+        let changed = update_record(&*self.store, id, |record| {
             match record.status {
                 _ if record.kind != kind => return false,
-                Status::Queued => {
-                    record.status = Status::Canceled;
+                JobStatus::Queued => {
+                    record.status = JobStatus::Canceled;
                     record.finished_at = Some(Timestamp::now());
                 }
-                Status::Running if !record.cancel_requested => {}
+                JobStatus::Running if !record.cancel_requested => {}
                 _ => return false,
             }
             record.cancel_requested = true;
             true
         })?;
         match changed {
-            Changed::Yes(record) if record.status.is_final() => {
-                self.store.publish(Notice::Status(record));
+            RecordUpdate::Changed(record) if record.status.is_final() => {
+                self.store.publish(JobNotice::Status(record));
             }
-            Changed::Yes(_) => self.store.publish(Notice::Cancel(id)),
-            Changed::No => {}
+            RecordUpdate::Changed(_) => self.store.publish(JobNotice::Cancel(id)),
+            RecordUpdate::Unchanged => {}
         }
         self.job(kind, id)
     }
 
-    /// The events of a job after event `after`, or from the first one kept. `None` if there is no such job.
+    /// Returns the events of a job after event `after`, or from the first one kept. `None` if there is no such job.
     ///
     /// # Errors
     /// If nothing could be read.
@@ -211,27 +215,27 @@ impl Queue {
         kind: JobKind,
         id: Uuid,
         after: Option<u64>,
-    ) -> Result<Option<Events>, StoreError> {
+    ) -> Result<Option<JobEvents>, StoreError> {
         // Followed before the record is read, so that an end that comes between the two is not missed.
         let events = self.feeds.follow(id, after);
         Ok(self.stored(kind, id)?.map(|record| {
             if !record.status.is_final() {
                 return events.or_now(record, after);
             }
-            let last = Event::last(record);
-            Events::of((after < Some(last.id)).then_some(last))
+            let last = JobEvent::last(record);
+            JobEvents::of((after < Some(last.id)).then_some(last))
         }))
     }
 
-    /// What a job was asked as, complete in itself, in JSON. `None` if there is no such job.
+    /// Returns the request of a job, complete in itself, in JSON. `None` if there is no such job.
     ///
     /// # Errors
     /// If nothing could be read.
-    pub fn asked(&self, kind: JobKind, id: Uuid) -> Result<Option<Vec<u8>>, StoreError> {
-        self.blobs.get(&asked_key(kind, id))
+    pub fn request(&self, kind: JobKind, id: Uuid) -> Result<Option<Vec<u8>>, StoreError> {
+        self.blobs.get(&request_key(kind, id))
     }
 
-    /// A file that a job left, in JSON. `None` while there is none.
+    /// Returns a file that a job left, in JSON. `None` while there is none.
     ///
     /// # Errors
     /// If nothing could be read.
@@ -246,11 +250,11 @@ impl Queue {
         }
     }
 
-    /// How many jobs of a kind there are of each status. Fails where the store cannot serve: the readiness probe.
+    /// Counts the jobs of a kind by status. Fails where the store cannot serve: the readiness probe.
     ///
     /// # Errors
     /// If nothing could be read.
-    pub fn counts(&self, kind: JobKind) -> Result<Counts, StoreError> {
+    pub fn counts(&self, kind: JobKind) -> Result<JobCounts, StoreError> {
         self.store.counts(kind)
     }
 
@@ -260,33 +264,33 @@ impl Queue {
     }
 }
 
-/// Whether a record was changed.
-pub(super) enum Changed {
-    /// It is this now.
-    Yes(Box<JobRecord>),
-    /// There is none, or it was not to be changed.
-    No,
+/// The result of an update of a record.
+pub(super) enum RecordUpdate {
+    /// The record after the change.
+    Changed(Box<JobRecord>),
+    /// There is no such record, or the edit did not want to change it.
+    Unchanged,
 }
 
-/// Changes a record by compare-and-set, again until nobody was faster. `edit` says whether it wants the change.
+/// Changes a record by compare-and-set, repeated until nobody was faster. `edit` returns false to leave it as it is.
 ///
 /// # Errors
 /// If nothing could be written.
-pub(super) fn change(
+pub(super) fn update_record(
     store: &dyn JobStore,
     id: Uuid,
     mut edit: impl FnMut(&mut JobRecord) -> bool,
-) -> Result<Changed, StoreError> {
+) -> Result<RecordUpdate, StoreError> {
     loop {
         let Some(mut record) = store.job(id)? else {
-            return Ok(Changed::No);
+            return Ok(RecordUpdate::Unchanged);
         };
         if !edit(&mut record) {
-            return Ok(Changed::No);
+            return Ok(RecordUpdate::Unchanged);
         }
         if let Some(revision) = store.replace(&record)? {
             record.revision = revision;
-            return Ok(Changed::Yes(Box::new(record)));
+            return Ok(RecordUpdate::Changed(Box::new(record)));
         }
     }
 }

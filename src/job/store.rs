@@ -1,8 +1,10 @@
-//! What has to be kept, as interfaces: one implementation is a folder of one machine, another may be a cluster.
+//! The interfaces of storage: one implementation is a folder of one machine, another may be a cluster.
 //!
 //! All calls block; async code makes them from a blocking thread.
 
-use super::record::{JobKind, JobRecord, Status};
+use super::kind::JobKind;
+use super::record::JobRecord;
+use super::status::JobStatus;
 use crate::progress::Progress;
 use std::sync::mpsc::Receiver;
 use std::time::Duration;
@@ -12,15 +14,15 @@ use uuid::Uuid;
 #[derive(Debug, thiserror::Error)]
 #[error("{doing}: {cause}")]
 pub struct StoreError {
-    /// What was being done.
+    /// The operation that failed.
     pub doing: String,
-    /// Why it could not be.
+    /// The reason.
     #[source]
     pub cause: Box<dyn std::error::Error + Send + Sync>,
 }
 
 impl StoreError {
-    /// An error with what was being done.
+    /// Creates an error of an operation.
     pub fn new(
         doing: impl Into<String>,
         cause: impl Into<Box<dyn std::error::Error + Send + Sync>>,
@@ -32,10 +34,10 @@ impl StoreError {
     }
 }
 
-/// Makes a repeated request mean the same job.
+/// A key by which a repeated request means the same job.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct IdempotencyKey {
-    /// As the client chose it.
+    /// The text that the client chose.
     pub key: String,
     /// SHA-256 of the request.
     pub digest: [u8; 32],
@@ -46,13 +48,13 @@ pub struct IdempotencyKey {
 pub struct NewJob<'a> {
     /// Its record, queued.
     pub record: &'a JobRecord,
-    /// Makes a repeated request mean the same job.
+    /// The key by which a repeated request means the same job.
     pub key: Option<&'a IdempotencyKey>,
     /// The most jobs of all kinds that may wait, this one included.
     pub queue_limit: usize,
 }
 
-/// What became of a submission.
+/// The result of a submission.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Submitted {
     /// It is on the queue.
@@ -70,13 +72,13 @@ pub enum Submitted {
 pub struct Lease {
     /// The job.
     pub job: Uuid,
-    /// Tells this lease from any other of the same job.
+    /// Token that tells this lease from any other of the same job.
     pub token: Uuid,
 }
 
-/// What a store tells everyone who listens. Notices may get lost; records are the truth.
+/// A notice of a store to all listeners. Notices may get lost; records are the truth.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Notice {
+pub enum JobNotice {
     /// A job can be claimed.
     Queued,
     /// Somebody asked to stop this job.
@@ -89,34 +91,34 @@ pub enum Notice {
         job: Uuid,
         /// The attempt.
         attempt: u32,
-        /// How far it is.
+        /// Its progress.
         progress: Progress,
     },
 }
 
-/// How many jobs of a kind there are of each status.
+/// Number of jobs of a kind by status.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Counts {
-    /// Jobs by status, in the order of [`Status::ALL`].
+pub struct JobCounts {
+    /// Jobs by status, in the order of [`JobStatus::ALL`].
     pub by_status: [u64; 5],
 }
 
-impl Counts {
-    /// How many have this status.
-    pub fn of(&self, status: Status) -> u64 {
+impl JobCounts {
+    /// Returns the number of jobs of a status.
+    pub fn of(&self, status: JobStatus) -> u64 {
         self.by_status[status as usize]
     }
 }
 
-/// Which part of a list is wanted, newest first.
+/// A request for a part of a list, newest first.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct PageAsked {
+pub struct PageRequest {
     /// The most items wanted.
     pub limit: usize,
     /// The last id of the page before.
     pub after: Option<Uuid>,
     /// Only jobs of this status; other lists have none.
-    pub status: Option<Status>,
+    pub status: Option<JobStatus>,
 }
 
 /// A part of a list, newest first.
@@ -133,19 +135,19 @@ pub struct Page<T> {
 /// Records are the truth, changed by compare-and-set. The queue only hands out ids: at least once, oldest first, each under a
 /// lease that runs out unless it is renewed. `contract::store_contract` states what every implementation must keep.
 pub trait JobStore: Send + Sync {
-    /// Puts a job on the queue, all or nothing, and sends [`Notice::Queued`].
+    /// Puts a job on the queue, all or nothing, and sends [`JobNotice::Queued`].
     ///
     /// # Errors
     /// If nothing could be written.
     fn submit(&self, job: &NewJob<'_>) -> Result<Submitted, StoreError>;
 
-    /// The job that a key stands for, or [`Submitted::KeyReused`]; `None` if the key is new.
+    /// Returns the job that a key stands for, or [`Submitted::KeyReused`]; `None` if the key is new.
     ///
     /// # Errors
     /// If nothing could be read.
     fn submitted(&self, key: &IdempotencyKey) -> Result<Option<Submitted>, StoreError>;
 
-    /// The record of a job.
+    /// Returns the record of a job.
     ///
     /// # Errors
     /// If nothing could be read.
@@ -157,47 +159,47 @@ pub trait JobStore: Send + Sync {
     /// If nothing could be written.
     fn replace(&self, record: &JobRecord) -> Result<Option<u64>, StoreError>;
 
-    /// Records of a kind, newest first.
+    /// Returns the records of a kind, newest first.
     ///
     /// # Errors
     /// If nothing could be read.
-    fn jobs(&self, kind: JobKind, page: &PageAsked) -> Result<Page<JobRecord>, StoreError>;
+    fn jobs(&self, kind: JobKind, page: &PageRequest) -> Result<Page<JobRecord>, StoreError>;
 
-    /// How many jobs of a kind there are of each status.
+    /// Counts the jobs of a kind by status.
     ///
     /// # Errors
     /// If nothing could be read.
-    fn counts(&self, kind: JobKind) -> Result<Counts, StoreError>;
+    fn counts(&self, kind: JobKind) -> Result<JobCounts, StoreError>;
 
-    /// How long a lease lasts unless it is renewed.
+    /// Returns the duration of a lease that is not renewed.
     fn lease_time(&self) -> Duration;
 
-    /// The oldest job, of whatever kind, that is not final and that nobody has a live lease on.
+    /// Leases the oldest job, of whatever kind, that is not final and that nobody has a live lease on.
     ///
     /// # Errors
     /// If nothing could be read.
     fn claim(&self) -> Result<Option<Lease>, StoreError>;
 
-    /// Makes a lease last longer. `false`: it has run out, the run must stop.
+    /// Extends a lease. Returns false if it has run out: the run must stop.
     ///
     /// # Errors
     /// If the store could not be asked; the lease may still be live.
     fn renew(&self, lease: &Lease) -> Result<bool, StoreError>;
 
-    /// Ends a lease. If the job is not final by now it is handed out again at once, and [`Notice::Queued`] is sent.
+    /// Ends a lease. If the job is not final by now it is handed out again at once, and [`JobNotice::Queued`] is sent.
     ///
     /// # Errors
     /// If the store could not be told; the lease runs out by itself.
     fn end(&self, lease: &Lease) -> Result<(), StoreError>;
 
     /// Listens to notices from now on, those of this process included.
-    fn listen(&self) -> Receiver<Notice>;
+    fn listen(&self) -> Receiver<JobNotice>;
 
-    /// Tells everyone who listens.
-    fn publish(&self, notice: Notice);
+    /// Sends a notice to all listeners.
+    fn publish(&self, notice: JobNotice);
 }
 
-/// What kind of document.
+/// The kind of a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DocumentKind {
     /// A pattern.
@@ -210,7 +212,7 @@ pub enum DocumentKind {
 
 /// Small documents by id, written once. Ids are `UUIDv7`, so that newest first is the order of ids, falling.
 pub trait Documents: Send + Sync {
-    /// Keeps a document.
+    /// Stores a document.
     ///
     /// # Errors
     /// If nothing could be written.
@@ -222,19 +224,19 @@ pub trait Documents: Send + Sync {
     /// If nothing could be read.
     fn get(&self, kind: DocumentKind, id: Uuid) -> Result<Option<Vec<u8>>, StoreError>;
 
-    /// Removes a document; says whether it was there.
+    /// Removes a document; returns true if it was there.
     ///
     /// # Errors
     /// If nothing could be written.
     fn delete(&self, kind: DocumentKind, id: Uuid) -> Result<bool, StoreError>;
 
-    /// Documents, newest first.
+    /// Returns documents, newest first.
     ///
     /// # Errors
     /// If nothing could be read.
     fn list(
         &self,
         kind: DocumentKind,
-        page: &PageAsked,
+        page: &PageRequest,
     ) -> Result<Page<(Uuid, Vec<u8>)>, StoreError>;
 }

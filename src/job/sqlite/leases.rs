@@ -1,4 +1,4 @@
-//! Who may run which job, in memory: the store serves one process.
+//! The leases of jobs, in memory: the store serves one process.
 
 use crate::job::store::Lease;
 use std::collections::HashMap;
@@ -6,16 +6,18 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use uuid::Uuid;
 
-/// The live leases, each until a moment.
+/// Live leases by job, each with its token and its end.
 pub(super) struct Leases {
-    pub(super) time: Duration,
+    /// Duration of a lease that is not renewed.
+    pub(super) duration: Duration,
     by_job: Mutex<HashMap<Uuid, (Uuid, Instant)>>,
 }
 
 impl Leases {
-    pub(super) fn lasting(time: Duration) -> Self {
+    /// Creates an empty set of leases that last `duration` each.
+    pub(super) fn with_duration(duration: Duration) -> Self {
         Self {
-            time,
+            duration,
             by_job: Mutex::default(),
         }
     }
@@ -27,23 +29,23 @@ impl Leases {
         by_job.retain(|_, (_, until)| *until > now);
         let job = jobs.into_iter().find(|job| !by_job.contains_key(job))?;
         let token = Uuid::now_v7();
-        by_job.insert(job, (token, now + self.time));
+        by_job.insert(job, (token, now + self.duration));
         Some(Lease { job, token })
     }
 
-    /// Makes a live lease last longer; says whether it was live.
+    /// Extends a live lease; returns false if it was no longer live.
     pub(super) fn renew(&self, lease: &Lease) -> bool {
         let now = Instant::now();
         match self.lock().get_mut(&lease.job) {
             Some((token, until)) if *token == lease.token && *until > now => {
-                *until = now + self.time;
+                *until = now + self.duration;
                 true
             }
             _ => false,
         }
     }
 
-    /// Ends a lease; says whether it was still there.
+    /// Ends a lease; returns true if it was still there.
     pub(super) fn end(&self, lease: &Lease) -> bool {
         let mut by_job = self.lock();
         let is_there = by_job

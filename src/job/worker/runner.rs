@@ -1,45 +1,48 @@
-//! What a worker does with a job.
+//! The work that is done for a job: the one place of this module that calls `fit` and `study`.
 
 use crate::config::Limits;
 use crate::fault::Faults;
 use crate::fit;
 use crate::job::catalogue::Catalogue;
 use crate::job::clock::thread_cpu_s;
-use crate::job::work::{Done, Work};
+use crate::job::request::JobRequest;
+use crate::job::result::JobOutcome;
 use crate::progress::{CancelToken, Progress};
 use crate::solver::Context;
 use crate::study;
 use std::sync::Arc;
 
-/// What a worker does with a job.
+/// Does the work of jobs.
 pub trait Runner: Send + Sync + 'static {
-    /// Does it, polling `cancel` at least ten times a second. What comes of it is of the same kind.
+    /// Does what is requested, polling `cancel` at least ten times a second.
+    ///
+    /// The outcome is of the same kind as the request.
     ///
     /// # Errors
     /// The faults that keep it from being done.
     fn run(
         &self,
-        work: Work,
+        request: JobRequest,
         cancel: &CancelToken,
         progress: &mut dyn FnMut(Progress),
-    ) -> Result<Done, Faults>;
+    ) -> Result<JobOutcome, Faults>;
 }
 
-/// The real runner.
-pub struct Sewing {
-    /// What garments may refer to.
+/// The runner of the service: sews, drapes and studies garments.
+pub struct SolverRunner {
+    /// Patterns, avatars and fabrics that garments refer to.
     pub catalogue: Arc<Catalogue>,
     /// Bounds on the work.
     pub limits: Limits,
 }
 
-impl Runner for Sewing {
+impl Runner for SolverRunner {
     fn run(
         &self,
-        work: Work,
+        request: JobRequest,
         cancel: &CancelToken,
         progress: &mut dyn FnMut(Progress),
-    ) -> Result<Done, Faults> {
+    ) -> Result<JobOutcome, Faults> {
         let (library, limits) = (&*self.catalogue, &self.limits);
         let began = thread_cpu_s();
         let mut context = Context {
@@ -48,16 +51,16 @@ impl Runner for Sewing {
             progress,
             limits,
         };
-        match work {
-            Work::Fit(garment) => {
+        match request {
+            JobRequest::Fit(garment) => {
                 let prepared = fit::prepare(*garment, library, limits)?;
                 let outcome = fit::run(&prepared, &mut context)?;
-                Ok(Done::Fit(Box::new(outcome)))
+                Ok(JobOutcome::Fit(Box::new(outcome)))
             }
-            Work::Study(asked) => {
-                let prepared = study::prepare(*asked, library, limits)?;
+            JobRequest::Study(request) => {
+                let prepared = study::prepare(*request, library, limits)?;
                 let study = study::run(&prepared, &mut context)?;
-                Ok(Done::Study(Box::new(study)))
+                Ok(JobOutcome::Study(Box::new(study)))
             }
         }
     }

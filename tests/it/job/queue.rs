@@ -9,8 +9,9 @@ use seamster::config::Limits;
 use seamster::fault::{Fault, Faults};
 use seamster::fit::{Garment, Outcome};
 use seamster::job::{
-    Done, Event, EventKind, FileBlobs, IdempotencyKey, JobKind, JobRecord, JobStore, PageAsked,
-    Queue, QueueError, ResultFile, Runner, SqliteStore, Status, Work, WorkerPool,
+    FileBlobs, IdempotencyKey, JobEvent, JobEventKind, JobKind, JobOutcome, JobRecord, JobRequest,
+    JobStatus, JobStore, PageRequest, Queue, QueueError, ResultFile, Runner, SqliteStore,
+    WorkerPool,
 };
 use seamster::progress::{CancelToken, Progress};
 use seamster::solver::Report;
@@ -33,15 +34,15 @@ struct Script {
 impl Runner for Script {
     fn run(
         &self,
-        work: Work,
+        work: JobRequest,
         cancel: &CancelToken,
         progress: &mut dyn FnMut(Progress),
-    ) -> Result<Done, Faults> {
+    ) -> Result<JobOutcome, Faults> {
         self.begun.fetch_add(1, Ordering::SeqCst);
         let (kind, mut good, mut canceled) = (work.kind(), true, false);
         let garment = match work {
-            Work::Fit(garment) => *garment,
-            Work::Study(asked) => asked.garment,
+            JobRequest::Fit(garment) => *garment,
+            JobRequest::Study(asked) => asked.garment,
         };
         match garment.default_fabric.as_str() {
             "refuse" => return Err(Fault::new("seam/twisted", "/seams/0", "it is").into()),
@@ -58,13 +59,13 @@ impl Runner for Script {
     }
 }
 
-fn done(kind: JobKind, good: bool, canceled: bool) -> Done {
+fn done(kind: JobKind, good: bool, canceled: bool) -> JobOutcome {
     match kind {
-        JobKind::Fit => Done::Fit(Box::new(Outcome {
+        JobKind::Fit => JobOutcome::Fit(Box::new(Outcome {
             canceled,
             ..outcome(good)
         })),
-        JobKind::Study => Done::Study(Box::new(study(good, canceled))),
+        JobKind::Study => JobOutcome::Study(Box::new(study(good, canceled))),
     }
 }
 
@@ -125,10 +126,10 @@ fn garment(does: &str) -> Garment {
     serde_json::from_value(garment).unwrap()
 }
 
-fn work(kind: JobKind, does: &str) -> Work {
+fn work(kind: JobKind, does: &str) -> JobRequest {
     match kind {
-        JobKind::Fit => Work::Fit(Box::new(garment(does))),
-        JobKind::Study => Work::Study(Box::new(asked(does))),
+        JobKind::Fit => JobRequest::Fit(Box::new(garment(does))),
+        JobKind::Study => JobRequest::Study(Box::new(asked(does))),
     }
 }
 
@@ -190,7 +191,7 @@ fn finished(queue: &Queue, id: Uuid) -> JobRecord {
 
 fn running(queue: &Queue, id: Uuid) -> JobRecord {
     wait_for(queue, id, |record| {
-        record.status == Status::Running && record.progress.fraction > 0.0
+        record.status == JobStatus::Running && record.progress.fraction > 0.0
     })
 }
 
@@ -199,7 +200,7 @@ fn error_code(record: &JobRecord) -> &str {
 }
 
 /// All events from after `after` to the last.
-fn events(queue: &Queue, id: Uuid, after: Option<u64>) -> Vec<Event> {
+fn events(queue: &Queue, id: Uuid, after: Option<u64>) -> Vec<JobEvent> {
     let mut events = queue
         .events(JobKind::Fit, id, after)
         .unwrap()
@@ -222,10 +223,10 @@ fn converged_fit_succeeds_and_leaves_its_files() {
     let folder = tempfile::tempdir().unwrap();
     let queue = open(folder.path());
     let id = submit(&queue, "sew");
-    assert_eq!(get(&queue, id).status, Status::Queued);
+    assert_eq!(get(&queue, id).status, JobStatus::Queued);
     let pool = start(&queue, 1);
     let record = finished(&queue, id);
-    assert_eq!((record.status, record.attempts), (Status::Succeeded, 1));
+    assert_eq!((record.status, record.attempts), (JobStatus::Succeeded, 1));
     assert!(record.created_at <= record.started_at.unwrap());
     assert!(record.started_at <= record.finished_at);
     let report = queue.file(&record, ResultFile::Report).unwrap().unwrap();
@@ -245,7 +246,7 @@ fn study_succeeds_and_leaves_its_report() {
     let id = submit_as(JobKind::Study, &queue, "sew");
     let pool = start(&queue, 1);
     let record = finished(&queue, id);
-    assert_eq!((record.status, record.attempts), (Status::Succeeded, 1));
+    assert_eq!((record.status, record.attempts), (JobStatus::Succeeded, 1));
     let report = queue.file(&record, ResultFile::Report).unwrap().unwrap();
     let report: Study = serde_json::from_slice(&report).unwrap();
     assert_eq!(report, study(true, false));
@@ -270,7 +271,10 @@ fn failed_studies_say_why_in_codes_of_their_own() {
         ("burn", "study/time_limit", true),
     ] {
         let record = finished(&queue, submit_as(JobKind::Study, &queue, does));
-        assert_eq!((record.status, error_code(&record)), (Status::Failed, code));
+        assert_eq!(
+            (record.status, error_code(&record)),
+            (JobStatus::Failed, code)
+        );
         let report = queue.file(&record, ResultFile::Report).unwrap();
         assert_eq!(report.is_some(), has_report, "{does}");
     }
@@ -288,7 +292,7 @@ fn running_study_is_canceled_within_a_second() {
     queue.cancel(JobKind::Study, id).unwrap().unwrap();
     let record = finished(&queue, id);
     assert!(asked.elapsed() < Duration::from_secs(1));
-    assert_eq!((record.status, record.result), (Status::Canceled, None));
+    assert_eq!((record.status, record.result), (JobStatus::Canceled, None));
     pool.shutdown(PATIENCE);
 }
 
@@ -307,7 +311,7 @@ fn each_kind_has_its_own_limit_of_cpu_time() {
     let fit = submit(&queue, "burn");
     running(&queue, fit);
     queue.cancel(JobKind::Fit, fit).unwrap();
-    assert_eq!(finished(&queue, fit).status, Status::Canceled);
+    assert_eq!(finished(&queue, fit).status, JobStatus::Canceled);
     pool.shutdown(PATIENCE);
 }
 
@@ -325,11 +329,11 @@ fn jobs_of_one_kind_are_not_found_as_the_other() {
         assert!(queue.events(other, id, None).unwrap().is_none());
         assert_eq!(queue.asked(other, id).unwrap(), None);
         assert_eq!(queue.cancel(other, id).unwrap(), None);
-        assert_eq!(get(&queue, id).status, Status::Queued);
+        assert_eq!(get(&queue, id).status, JobStatus::Queued);
     }
-    let page = PageAsked {
+    let page = PageRequest {
         limit: 10,
-        ..PageAsked::default()
+        ..PageRequest::default()
     };
     for kind in JobKind::ALL {
         let found = queue.jobs(kind, &page).unwrap().items;
@@ -344,7 +348,7 @@ fn fit_that_does_not_converge_fails_and_keeps_its_shape() {
     let queue = open(folder.path());
     let pool = start(&queue, 1);
     let record = finished(&queue, submit(&queue, "diverge"));
-    assert_eq!(record.status, Status::Failed);
+    assert_eq!(record.status, JobStatus::Failed);
     assert_eq!(error_code(&record), "fit/not_converged");
     assert_eq!(record.error.as_ref().unwrap().detail, "as told");
     assert!(queue.file(&record, ResultFile::Mesh).unwrap().is_some());
@@ -358,7 +362,7 @@ fn faults_of_the_garment_are_all_in_the_record() {
     let queue = open(folder.path());
     let pool = start(&queue, 1);
     let record = finished(&queue, submit(&queue, "refuse"));
-    assert_eq!(record.status, Status::Failed);
+    assert_eq!(record.status, JobStatus::Failed);
     let error = record.error.unwrap();
     assert_eq!(error.code, "fit/refused");
     assert_eq!(error.errors[0].pointer, "/seams/0");
@@ -373,9 +377,9 @@ fn panic_is_a_failed_fit_and_the_worker_lives() {
     let panics = submit(&queue, "panic");
     let next = submit(&queue, "sew");
     let record = finished(&queue, panics);
-    assert_eq!(record.status, Status::Failed);
+    assert_eq!(record.status, JobStatus::Failed);
     assert_eq!((error_code(&record), record.attempts), ("fit/panicked", 1));
-    assert_eq!(finished(&queue, next).status, Status::Succeeded);
+    assert_eq!(finished(&queue, next).status, JobStatus::Succeeded);
     pool.shutdown(PATIENCE);
 }
 
@@ -406,7 +410,7 @@ fn running_fit_is_canceled_within_a_second() {
     );
     let record = finished(&queue, id);
     assert!(asked.elapsed() < Duration::from_secs(1));
-    assert_eq!((record.status, record.result), (Status::Canceled, None));
+    assert_eq!((record.status, record.result), (JobStatus::Canceled, None));
     // Asking again changes nothing.
     assert_eq!(queue.cancel(JobKind::Fit, id).unwrap(), Some(record));
     assert_eq!(queue.cancel(JobKind::Fit, Uuid::now_v7()).unwrap(), None);
@@ -419,7 +423,7 @@ fn queued_fit_is_canceled_at_once_and_never_run() {
     let queue = open(folder.path());
     let id = submit(&queue, "sew");
     let record = queue.cancel(JobKind::Fit, id).unwrap().unwrap();
-    assert_eq!(record.status, Status::Canceled);
+    assert_eq!(record.status, JobStatus::Canceled);
     assert!(record.finished_at.is_some());
     let script = Script::default();
     let pool = WorkerPool::start(&queue, script.clone(), 1).unwrap();
@@ -435,10 +439,10 @@ fn fit_that_ends_by_itself_after_it_was_canceled_is_canceled() {
     let queue = open(folder.path());
     let pool = start(&queue, 1);
     let id = submit(&queue, "deaf");
-    wait_for(&queue, id, |record| record.status == Status::Running);
+    wait_for(&queue, id, |record| record.status == JobStatus::Running);
     queue.cancel(JobKind::Fit, id).unwrap();
     let record = finished(&queue, id);
-    assert_eq!((record.status, record.result), (Status::Canceled, None));
+    assert_eq!((record.status, record.result), (JobStatus::Canceled, None));
     pool.shutdown(PATIENCE);
 }
 
@@ -448,7 +452,7 @@ fn cpu_time_limit_stops_the_fit_and_keeps_its_shape() {
     let queue = open(folder.path());
     let pool = start(&queue, 1);
     let record = finished(&queue, submit(&queue, "burn"));
-    assert_eq!(record.status, Status::Failed);
+    assert_eq!(record.status, JobStatus::Failed);
     assert_eq!(error_code(&record), "fit/time_limit");
     assert!(queue.file(&record, ResultFile::Mesh).unwrap().is_some());
     pool.shutdown(PATIENCE);
@@ -468,7 +472,7 @@ fn shutdown_gives_running_fits_back_and_does_not_count_it() {
         running(&queue, id);
         pool.shutdown(PATIENCE);
         let record = get(&queue, id);
-        assert_eq!(record.status, Status::Queued);
+        assert_eq!(record.status, JobStatus::Queued);
         assert_eq!((record.attempts, record.released), (attempts, attempts));
         assert_eq!(record.started_at, None);
     }
@@ -490,7 +494,7 @@ fn die_while_running(kind: JobKind, folder: &Path, does: &str) -> Uuid {
 fn begin_and_die(store: &SqliteStore, id: Uuid) {
     store.claim().unwrap().expect("it waits");
     let mut record = store.job(id).unwrap().expect("it was submitted");
-    record.status = Status::Running;
+    record.status = JobStatus::Running;
     record.attempts += 1;
     store
         .replace(&record)
@@ -506,7 +510,7 @@ fn job_of_a_process_that_died_runs_again() {
         let queue = open(folder.path());
         let pool = start(&queue, 1);
         let record = finished(&queue, id);
-        assert_eq!((record.status, record.attempts), (Status::Succeeded, 2));
+        assert_eq!((record.status, record.attempts), (JobStatus::Succeeded, 2));
         assert_eq!(record.result, Some(2));
         pool.shutdown(PATIENCE);
     }
@@ -524,7 +528,7 @@ fn job_that_keeps_killing_its_process_is_given_up() {
         let queue = open(folder.path());
         let pool = start(&queue, 1);
         let record = finished(&queue, id);
-        assert_eq!((record.status, record.attempts), (Status::Failed, 4));
+        assert_eq!((record.status, record.attempts), (JobStatus::Failed, 4));
         let code = format!("{}/abandoned", kind.as_str());
         assert_eq!(error_code(&record), code);
         pool.shutdown(PATIENCE);
@@ -542,7 +546,7 @@ fn fit_canceled_before_its_process_died_is_canceled_at_the_next_start() {
     drop(store);
     let queue = open(folder.path());
     let pool = start(&queue, 1);
-    assert_eq!(finished(&queue, id).status, Status::Canceled);
+    assert_eq!(finished(&queue, id).status, JobStatus::Canceled);
     pool.shutdown(PATIENCE);
 }
 
@@ -573,7 +577,7 @@ fn workers_run_as_many_fits_at_once_as_there_are() {
     let fits: Vec<Uuid> = (0..3).map(|_| submit(&queue, "wait")).collect();
     running(&queue, fits[0]);
     running(&queue, fits[1]);
-    assert_eq!(get(&queue, fits[2]).status, Status::Queued);
+    assert_eq!(get(&queue, fits[2]).status, JobStatus::Queued);
     queue.cancel(JobKind::Fit, fits[0]).unwrap();
     running(&queue, fits[2]);
     pool.shutdown(PATIENCE);
@@ -604,22 +608,22 @@ fn events_are_numbered_and_end_with_the_final_status() {
     let pool = start(&queue, 1);
     let all = follower.join().unwrap();
     assert!(all.windows(2).all(|pair| pair[0].id < pair[1].id));
-    let mut statuses: Vec<Status> = all
+    let mut statuses: Vec<JobStatus> = all
         .iter()
         .filter_map(|event| match &event.kind {
-            EventKind::Status(record) => Some(record.status),
-            EventKind::Progress(_) => None,
+            JobEventKind::Status(record) => Some(record.status),
+            JobEventKind::Progress(_) => None,
         })
         .collect();
     // Who begins to follow while the news of the submission is still on its way is told `queued` by both.
     statuses.dedup();
     assert_eq!(
         statuses,
-        [Status::Queued, Status::Running, Status::Succeeded]
+        [JobStatus::Queued, JobStatus::Running, JobStatus::Succeeded]
     );
     assert!(
         all.iter()
-            .any(|event| matches!(event.kind, EventKind::Progress(_)))
+            .any(|event| matches!(event.kind, JobEventKind::Progress(_)))
     );
     // Who comes later gets the end, once.
     let late = events(&queue, id, Some(all[0].id));
@@ -666,7 +670,7 @@ fn closing_the_queue_ends_all_events() {
     sleep(Duration::from_millis(100));
     queue.close();
     let seen = follower.join().unwrap();
-    assert!(!seen.iter().any(Event::is_last));
+    assert!(!seen.iter().any(JobEvent::is_last));
 }
 
 #[test]
@@ -719,9 +723,9 @@ fn list_is_newest_first_with_the_latest_progress() {
     let pool = start(&queue, 1);
     let (runs, waits) = (submit(&queue, "wait"), submit(&queue, "sew"));
     running(&queue, runs);
-    let page = PageAsked {
+    let page = PageRequest {
         limit: 10,
-        ..PageAsked::default()
+        ..PageRequest::default()
     };
     let found = queue.jobs(JobKind::Fit, &page).unwrap().items;
     assert_eq!([found[0].id, found[1].id], [waits, runs]);
@@ -738,17 +742,17 @@ struct Stalled {
 impl Runner for Stalled {
     fn run(
         &self,
-        _work: Work,
+        _work: JobRequest,
         _cancel: &CancelToken,
         _progress: &mut dyn FnMut(Progress),
-    ) -> Result<Done, Faults> {
+    ) -> Result<JobOutcome, Faults> {
         let is_first = !std::mem::replace(&mut *self.stalled.lock().unwrap(), true);
         if is_first {
             sleep(Duration::from_millis(1_500));
         }
         let mut outcome = outcome(true);
         outcome.report.why = format!("the first: {is_first}");
-        Ok(Done::Fit(Box::new(outcome)))
+        Ok(JobOutcome::Fit(Box::new(outcome)))
     }
 }
 
@@ -761,14 +765,14 @@ fn attempt_that_lost_its_lease_has_no_effect() {
     let queue = Queue::new(store.clone(), store.clone(), blobs, Limits::default()).unwrap();
     let pool = WorkerPool::start(&queue, Stalled::default(), 2).unwrap();
     let id = submit(&queue, "sew");
-    let first = wait_for(&queue, id, |record| record.status == Status::Running);
+    let first = wait_for(&queue, id, |record| record.status == JobStatus::Running);
     // What another worker does that was given the fit meanwhile.
     let mut second = store.job(id).unwrap().unwrap();
     second.attempts += 1;
     store.replace(&second).unwrap().expect("nobody is faster");
     // The first attempt ends and finds that; a third one is then free to win.
     let record = finished(&queue, id);
-    assert_eq!((record.status, record.attempts), (Status::Succeeded, 3));
+    assert_eq!((record.status, record.attempts), (JobStatus::Succeeded, 3));
     assert_eq!(record.result, Some(3));
     let report = queue.file(&record, ResultFile::Report).unwrap().unwrap();
     let report: Report = serde_json::from_slice(&report).unwrap();

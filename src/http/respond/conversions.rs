@@ -1,0 +1,101 @@
+//! Errors of other modules as problems: the only place that gives them a status.
+
+use super::problem::Problem;
+use crate::fault::{Fault, Faults};
+use crate::fit::Misshapen;
+use crate::job::{JobFailure, QueueError, StoreError};
+use axum::extract::multipart::{MultipartError, MultipartRejection};
+use axum::extract::rejection::PathRejection;
+use axum::http::StatusCode;
+
+impl From<Faults> for Problem {
+    fn from(faults: Faults) -> Self {
+        let detail = match faults.0.as_slice() {
+            [one] => one.detail.clone(),
+            many => format!(
+                "The request has {} faults; `errors` lists them all.",
+                many.len()
+            ),
+        };
+        Self::new(
+            StatusCode::UNPROCESSABLE_ENTITY,
+            "invalid",
+            "Invalid request",
+            detail,
+        )
+        .with_faults(faults)
+    }
+}
+
+impl From<Fault> for Problem {
+    fn from(fault: Fault) -> Self {
+        Faults::from(fault).into()
+    }
+}
+
+impl From<StoreError> for Problem {
+    fn from(error: StoreError) -> Self {
+        Self::internal(error)
+    }
+}
+
+impl From<QueueError> for Problem {
+    fn from(error: QueueError) -> Self {
+        match error {
+            QueueError::Full(_) => Self::queue_full(error.to_string()),
+            QueueError::KeyReused(kind) => {
+                let code = format!("{}/key_reused", kind.as_str());
+                Fault::new(&code, "/Idempotency-Key", error.to_string())
+                    .fix("send a new key with a new request")
+                    .into()
+            }
+            QueueError::Store(error) => error.into(),
+        }
+    }
+}
+
+/// The failure of a job as the answer that it would have been.
+impl From<JobFailure> for Problem {
+    fn from(failure: JobFailure) -> Self {
+        let (what, why) = failure.code.split_once('/').unwrap_or(("fit", ""));
+        let status = match why {
+            "panicked" | "storage" | "abandoned" => StatusCode::INTERNAL_SERVER_ERROR,
+            _ => StatusCode::UNPROCESSABLE_ENTITY,
+        };
+        let title = format!("The {what} failed");
+        let kind = failure.code.replace(['/', '_'], "-");
+        let faults = if failure.errors.is_empty() {
+            Fault::new(&failure.code, "", failure.detail.clone()).into()
+        } else {
+            Faults(failure.errors)
+        };
+        Self::new(status, &kind, &title, failure.detail).with_faults(faults)
+    }
+}
+
+impl From<Misshapen> for Problem {
+    fn from(misshapen: Misshapen) -> Self {
+        match misshapen {
+            Misshapen::Syntax(fault) => Self::unreadable(fault),
+            Misshapen::Shape(faults) => faults.into(),
+        }
+    }
+}
+
+impl From<PathRejection> for Problem {
+    fn from(rejection: PathRejection) -> Self {
+        Self::not_found(format!("No such thing: {}.", rejection.body_text()))
+    }
+}
+
+impl From<MultipartRejection> for Problem {
+    fn from(rejection: MultipartRejection) -> Self {
+        Self::unreadable_body(rejection.body_text())
+    }
+}
+
+impl From<MultipartError> for Problem {
+    fn from(error: MultipartError) -> Self {
+        Self::unreadable_body(error.body_text())
+    }
+}

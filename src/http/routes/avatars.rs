@@ -1,0 +1,173 @@
+//! `/v1/avatars`: bodies to drape on.
+
+use crate::export;
+use crate::http::extract::{ListQuery, PathId, ValidatedJson, ValidatedQuery};
+use crate::http::respond::{Problem, Representation};
+use crate::http::state::AppState;
+use crate::job::{AvatarRecord, DocumentKind, Stored};
+use crate::scene::{Avatar, DressForm};
+use axum::Json;
+use axum::extract::State;
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use jiff::Timestamp;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use utoipa::ToSchema;
+use uuid::Uuid;
+
+/// A stored avatar.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub(super) struct AvatarItem {
+    /// Its id.
+    pub id: Uuid,
+    /// Name for a person.
+    pub name: Option<String>,
+    /// Time at which it was stored.
+    #[schema(value_type = String, format = DateTime)]
+    pub created_at: Timestamp,
+    /// The measurements it was made from.
+    pub form: DressForm,
+    /// Named points of the body \[m\]; not in lists.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub landmarks: Option<BTreeMap<String, [f64; 3]>>,
+}
+
+impl AvatarItem {
+    fn from_record(stored: Stored<AvatarRecord>) -> Self {
+        Self {
+            id: stored.id,
+            name: stored.value.name,
+            created_at: stored.created_at,
+            form: stored.value.form,
+            landmarks: None,
+        }
+    }
+
+    fn with_landmarks(mut self, avatar: &Avatar) -> Self {
+        let points = avatar.landmarks.iter();
+        let points = points.map(|(name, at)| (name.clone(), [at.x, at.y, at.z]));
+        self.landmarks = Some(points.collect());
+        self
+    }
+}
+
+/// Avatars, newest first.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub(super) struct AvatarList {
+    /// The avatars.
+    pub avatars: Vec<AvatarItem>,
+    /// `cursor` of the next page, if there is one.
+    pub next_cursor: Option<Uuid>,
+}
+
+/// Make a dress form from measurements and keep it
+#[utoipa::path(post, path = "/v1/avatars", tag = "avatars", request_body = AvatarRecord, responses(
+    (status = 201, description = "It is kept", body = AvatarItem, headers(("Location", description = "The avatar"))),
+    (status = 422, description = "Every measurement that no person has", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn create(
+    State(state): State<AppState>,
+    ValidatedJson(record): ValidatedJson<AvatarRecord>,
+) -> Result<impl IntoResponse, Problem> {
+    let item = state.run_compute(move |app| {
+        let avatar = app.dress_forms.build(&record.form);
+        let avatar = avatar.map_err(|faults| faults.under("/form"))?;
+        let stored = app.catalogue().add_avatar(record)?;
+        Ok::<_, Problem>(AvatarItem::from_record(stored).with_landmarks(&avatar))
+    });
+    let item = item.await??;
+    let location = format!("/v1/avatars/{}", item.id);
+    Ok((
+        StatusCode::CREATED,
+        [(header::LOCATION, location)],
+        Json(item),
+    ))
+}
+
+/// The avatars that are kept, newest first
+#[utoipa::path(get, path = "/v1/avatars", tag = "avatars", params(ListQuery), responses(
+    (status = 200, description = "A part of the list", body = AvatarList)))]
+pub(super) async fn list(
+    State(state): State<AppState>,
+    ValidatedQuery(query): ValidatedQuery<ListQuery>,
+) -> Result<Json<AvatarList>, Problem> {
+    let page = query.page()?;
+    let page = state
+        .run_blocking(move |app| app.catalogue().avatars(&page))
+        .await??;
+    Ok(Json(AvatarList {
+        avatars: page
+            .items
+            .into_iter()
+            .map(AvatarItem::from_record)
+            .collect(),
+        next_cursor: page.next,
+    }))
+}
+
+/// One avatar
+#[utoipa::path(get, path = "/v1/avatars/{id}", tag = "avatars", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The avatar", body = AvatarItem),
+    (status = 404, description = "There is none", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn show(
+    State(state): State<AppState>,
+    PathId(id): PathId,
+) -> Result<Json<AvatarItem>, Problem> {
+    let (stored, avatar) = find_and_build(&state, id).await?;
+    Ok(Json(
+        AvatarItem::from_record(stored).with_landmarks(&avatar),
+    ))
+}
+
+/// Remove an avatar; fits keep their own copy
+#[utoipa::path(delete, path = "/v1/avatars/{id}", tag = "avatars", params(("id" = Uuid, Path)), responses(
+    (status = 204, description = "It is gone"),
+    (status = 404, description = "There is none", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn remove(
+    State(state): State<AppState>,
+    PathId(id): PathId,
+) -> Result<StatusCode, Problem> {
+    let removed = state
+        .run_blocking(move |app| app.catalogue().remove(DocumentKind::Avatar, id))
+        .await??;
+    removed
+        .then_some(StatusCode::NO_CONTENT)
+        .ok_or_else(|| unknown(id))
+}
+
+/// The body as binary glTF 2.0
+#[utoipa::path(get, path = "/v1/avatars/{id}/mesh", tag = "avatars", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The mesh", content_type = "model/gltf-binary", body = Vec<u8>),
+    (status = 404, description = "There is no such avatar", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn mesh(
+    State(state): State<AppState>,
+    PathId(id): PathId,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let (_, avatar) = find_and_build(&state, id).await?;
+    let glb = state
+        .run_compute(move |_| export::avatar_glb(&avatar.surface))
+        .await?;
+    Representation::new(glb, "model/gltf-binary").respond(&headers)
+}
+
+/// Finds a stored avatar and makes its body.
+async fn find_and_build(
+    state: &AppState,
+    id: Uuid,
+) -> Result<(Stored<AvatarRecord>, Arc<Avatar>), Problem> {
+    let found = state
+        .run_blocking(move |app| app.catalogue().find_avatar(id))
+        .await??;
+    let stored = found.ok_or_else(|| unknown(id))?;
+    let form = stored.value.form;
+    let avatar = state
+        .run_compute(move |app| app.dress_forms.build(&form))
+        .await?;
+    Ok((stored, avatar.map_err(Problem::internal)?))
+}
+
+fn unknown(id: Uuid) -> Problem {
+    Problem::unknown_id("avatar", id)
+}

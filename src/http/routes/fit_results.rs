@@ -1,0 +1,174 @@
+//! `/v1/fits/{id}/...`: the results of a fit: mesh, report, scene, and its garment.
+
+use super::jobs;
+use crate::export::{self, GarmentMesh};
+use crate::fit;
+use crate::http::extract::{PathId, preferred_type};
+use crate::http::respond::{Problem, Representation};
+use crate::http::state::{App, AppState};
+use crate::job::{JobKind, ResultFile, StoreError};
+use crate::progress::CancelToken;
+use crate::solver::Context;
+use axum::extract::State;
+use axum::http::{HeaderMap, HeaderValue, header};
+use axum::response::Response;
+use uuid::Uuid;
+
+const GLB: &str = "model/gltf-binary";
+const OBJ: &str = "model/obj";
+const JSON: &str = "application/json";
+
+/// The shape, in the format that `Accept` names; GLB if none
+#[utoipa::path(get, path = "/v1/fits/{id}/mesh", tag = "results", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The mesh", content((Vec<u8> = "model/gltf-binary"), (String = "model/obj"), (GarmentMesh = "application/json"))),
+    (status = 206, description = "The part of it in `Range`"),
+    (status = 304, description = "It is the one in `If-None-Match`"),
+    (status = 404, description = "There is no such fit, or it left none", body = Problem, content_type = "application/problem+json"),
+    (status = 406, description = "No such format", body = Problem, content_type = "application/problem+json"),
+    (status = 409, description = "The fit has not ended yet", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn mesh(
+    State(state): State<AppState>,
+    PathId(id): PathId,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let offered = [GLB, OBJ, JSON];
+    let format = preferred_type(&headers, &offered);
+    let format = format.ok_or_else(|| Problem::not_acceptable(&offered.join(", ")))?;
+    let mut response = mesh_as(&state, id, format, &headers).await?;
+    response
+        .headers_mut()
+        .insert(header::VARY, HeaderValue::from_static("accept"));
+    Ok(response)
+}
+
+/// The shape as binary glTF 2.0: one node per panel, UV are pattern coordinates
+#[utoipa::path(get, path = "/v1/fits/{id}/mesh.glb", tag = "results", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The mesh", content_type = "model/gltf-binary", body = Vec<u8>)))]
+pub(super) async fn mesh_glb(
+    State(state): State<AppState>,
+    PathId(id): PathId,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    mesh_as(&state, id, GLB, &headers).await
+}
+
+/// The shape as Wavefront OBJ: one group per panel
+#[utoipa::path(get, path = "/v1/fits/{id}/mesh.obj", tag = "results", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The mesh", content_type = "model/obj", body = String)))]
+pub(super) async fn mesh_obj(
+    State(state): State<AppState>,
+    PathId(id): PathId,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    mesh_as(&state, id, OBJ, &headers).await
+}
+
+/// The shape as JSON
+#[utoipa::path(get, path = "/v1/fits/{id}/mesh.json", tag = "results", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The mesh", body = GarmentMesh)))]
+pub(super) async fn mesh_json(
+    State(state): State<AppState>,
+    PathId(id): PathId,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    mesh_as(&state, id, JSON, &headers).await
+}
+
+async fn mesh_as(
+    state: &AppState,
+    id: Uuid,
+    format: &'static str,
+    headers: &HeaderMap,
+) -> Result<Response, Problem> {
+    let representation = state
+        .run_compute(move |app| {
+            let json = jobs::result_file(app, JobKind::Fit, id, ResultFile::Mesh)?;
+            Ok::<_, Problem>(Representation::new(convert_mesh(json, format)?, format))
+        })
+        .await??;
+    representation.respond(headers)
+}
+
+fn convert_mesh(json: Vec<u8>, format: &str) -> Result<Vec<u8>, Problem> {
+    if format == JSON {
+        return Ok(json);
+    }
+    let mesh: GarmentMesh =
+        serde_json::from_slice(&json).map_err(|cause| StoreError::new("reading a mesh", cause))?;
+    Ok(if format == GLB {
+        export::glb(&mesh)
+    } else {
+        export::obj(&mesh).into_bytes()
+    })
+}
+
+/// Report of a fit: how far to trust the shape
+#[utoipa::path(get, path = "/v1/fits/{id}/report", tag = "results", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The report", body = crate::solver::Report),
+    (status = 404, description = "There is no such fit, or it left none", body = Problem, content_type = "application/problem+json"),
+    (status = 409, description = "The fit has not ended yet", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn report(
+    State(state): State<AppState>,
+    PathId(id): PathId,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let json = state
+        .run_blocking(move |app| jobs::result_file(app, JobKind::Fit, id, ResultFile::Report))
+        .await??;
+    Representation::new(json, JSON).respond(&headers)
+}
+
+/// The assembled scene in neutral JSON, for other simulators; made when it is asked for, whatever has become of the fit
+#[utoipa::path(get, path = "/v1/fits/{id}/scene", tag = "results", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The scene", body = Object),
+    (status = 404, description = "There is no such fit", body = Problem, content_type = "application/problem+json"),
+    (status = 422, description = "What keeps it from being assembled", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn scene(
+    State(state): State<AppState>,
+    PathId(id): PathId,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let guard = CancelOnDrop(CancelToken::new());
+    let cancel = guard.0.clone();
+    let json = state
+        .run_compute(move |app| assemble_scene(app, id, &cancel))
+        .await??;
+    Representation::new(json, JSON).respond(&headers)
+}
+
+/// Cancels the work for a request when the request is given up: meshing may take longer than a client waits.
+struct CancelOnDrop(CancelToken);
+
+impl Drop for CancelOnDrop {
+    fn drop(&mut self) {
+        self.0.cancel();
+    }
+}
+
+/// Assembles the scene of a stored garment as the worker does.
+fn assemble_scene(app: &App, id: Uuid, cancel: &CancelToken) -> Result<Vec<u8>, Problem> {
+    let garment = jobs::request(app, JobKind::Fit, id)?;
+    let garment = serde_json::from_slice(&garment)
+        .map_err(|cause| StoreError::new("reading a garment", cause))?;
+    let prepared = fit::prepare(garment, app.catalogue(), app.limits())?;
+    let context = Context {
+        cpu_s: &|| 0.0,
+        cancel,
+        progress: &mut |_| {},
+        limits: app.limits(),
+    };
+    Ok(fit::scene_json(&prepared, &context)?)
+}
+
+/// The saved garment file, complete in itself
+#[utoipa::path(get, path = "/v1/fits/{id}/garment", tag = "results", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The garment", body = crate::fit::Garment),
+    (status = 404, description = "There is no such fit", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn garment(
+    State(state): State<AppState>,
+    PathId(id): PathId,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let json = state.run_blocking(move |app| jobs::request(app, JobKind::Fit, id));
+    Representation::new(json.await??, JSON).respond(&headers)
+}

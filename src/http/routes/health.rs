@@ -1,0 +1,51 @@
+//! Probes: the process lives, the process can serve.
+
+use crate::http::respond::Problem;
+use crate::http::state::AppState;
+use crate::job::JobKind;
+use axum::Json;
+use axum::extract::State;
+use serde::{Deserialize, Serialize};
+use utoipa::ToSchema;
+
+/// Health of the service.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+pub(super) struct Health {
+    /// `ok`.
+    pub status: String,
+    /// Version of the program.
+    pub version: String,
+}
+
+impl Health {
+    fn ok() -> Json<Self> {
+        Json(Self {
+            status: "ok".to_owned(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+        })
+    }
+}
+
+/// Liveness: the process answers
+#[utoipa::path(get, path = "/health/live", tag = "service", security(()), responses(
+    (status = 200, description = "It does", body = Health)
+))]
+pub(super) async fn live() -> Json<Health> {
+    Health::ok()
+}
+
+/// Readiness: the service can be sent requests, since its store answers
+#[utoipa::path(get, path = "/health/ready", tag = "service", security(()), responses(
+    (status = 200, description = "It can", body = Health),
+    (status = 503, description = "It cannot now", body = Problem, content_type = "application/problem+json")
+))]
+pub(super) async fn ready(State(state): State<AppState>) -> Result<Json<Health>, Problem> {
+    let counts = state
+        .run_blocking(|app| app.queue.counts(JobKind::Fit))
+        .await?;
+    counts.map_err(|error| {
+        tracing::error!(%error, "the store does not answer");
+        Problem::store_unavailable()
+    })?;
+    Ok(Health::ok())
+}

@@ -1,0 +1,116 @@
+//! Rows of the tables `jobs` and `keys`: read, written, counted.
+
+use crate::job::kind::JobKind;
+use crate::job::record::JobRecord;
+use crate::job::status::JobStatus;
+use crate::job::store::{IdempotencyKey, NewJob, Submitted};
+use rusqlite::{Connection, OptionalExtension, Row, params};
+use uuid::Uuid;
+
+/// Reads a record from the columns `record` and `revision`.
+pub(super) fn job_record(row: &Row<'_>) -> rusqlite::Result<JobRecord> {
+    let text: String = row.get(0)?;
+    let mut record: JobRecord = serde_json::from_str(&text).map_err(unreadable)?;
+    record.revision = row.get::<_, i64>(1)?.cast_unsigned();
+    Ok(record)
+}
+
+/// Returns the records of all jobs of a status.
+pub(super) fn jobs_of_status(
+    connection: &Connection,
+    status: JobStatus,
+) -> rusqlite::Result<Vec<JobRecord>> {
+    connection
+        .prepare("SELECT record, revision FROM jobs WHERE status = ?1")?
+        .query_map([status.as_str()], job_record)?
+        .collect()
+}
+
+/// Writes a record if its revision is still the stored one, and returns the next revision.
+pub(super) fn update_job(
+    connection: &Connection,
+    record: &JobRecord,
+) -> rusqlite::Result<Option<u64>> {
+    let changed = connection
+        .prepare_cached(
+            "UPDATE jobs SET status = ?2, record = ?3, revision = revision + 1
+             WHERE id = ?1 AND revision = ?4",
+        )?
+        .execute(params![
+            record.id.as_bytes(),
+            record.status.as_str(),
+            record_json(record)?,
+            record.revision.cast_signed(),
+        ])?;
+    Ok((changed == 1).then_some(record.revision + 1))
+}
+
+/// Inserts a job, and the idempotency key that it was submitted with.
+pub(super) fn insert_job(connection: &Connection, job: &NewJob<'_>) -> rusqlite::Result<()> {
+    let record = job.record;
+    connection.execute(
+        "INSERT INTO jobs (id, kind, status, revision, record) VALUES (?1, ?2, ?3, 0, ?4)",
+        params![
+            record.id.as_bytes(),
+            record.kind.as_str(),
+            record.status.as_str(),
+            record_json(record)?
+        ],
+    )?;
+    if let Some(key) = job.key {
+        connection.execute(
+            "INSERT INTO keys (key, digest, job) VALUES (?1, ?2, ?3)",
+            params![key.key, key.digest, record.id.as_bytes()],
+        )?;
+    }
+    Ok(())
+}
+
+/// Returns the job that an idempotency key stands for, or that the key was used for another request.
+pub(super) fn job_of_key(
+    connection: &Connection,
+    key: &IdempotencyKey,
+) -> rusqlite::Result<Option<Submitted>> {
+    let found = connection
+        .prepare_cached("SELECT digest, job FROM keys WHERE key = ?1")?
+        .query_row([&key.key], |row| {
+            Ok((row.get::<_, [u8; 32]>(0)?, Uuid::from_bytes(row.get(1)?)))
+        })
+        .optional()?;
+    Ok(found.map(|(digest, job)| {
+        if digest == key.digest {
+            Submitted::Same(job)
+        } else {
+            Submitted::KeyReused
+        }
+    }))
+}
+
+/// Counts the jobs of all kinds that wait.
+pub(super) fn count_queued(connection: &Connection) -> rusqlite::Result<u64> {
+    JobKind::ALL.iter().try_fold(0, |sum, kind| {
+        Ok(sum + count_jobs(connection, *kind, JobStatus::Queued)?)
+    })
+}
+
+/// Counts the jobs of a kind and a status.
+pub(super) fn count_jobs(
+    connection: &Connection,
+    kind: JobKind,
+    status: JobStatus,
+) -> rusqlite::Result<u64> {
+    let count: i64 = connection
+        .prepare_cached("SELECT count(*) FROM jobs WHERE kind = ?1 AND status = ?2")?
+        .query_row([kind.as_str(), status.as_str()], |row| row.get(0))?;
+    Ok(count.unsigned_abs())
+}
+
+fn record_json(record: &JobRecord) -> rusqlite::Result<String> {
+    serde_json::to_string(record)
+        .map_err(|cause| rusqlite::Error::ToSqlConversionFailure(Box::new(cause)))
+}
+
+/// The error of a row that holds a record this program does not know.
+fn unreadable(cause: serde_json::Error) -> rusqlite::Error {
+    rusqlite::Error::FromSqlConversionFailure(0, rusqlite::types::Type::Text, Box::new(cause))
+}

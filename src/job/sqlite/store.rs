@@ -1,0 +1,117 @@
+//! The `SQLite` file, its lock, and how it is read and written.
+
+use super::leases::Leases;
+use super::{rows, schema};
+use crate::job::status::JobStatus;
+use crate::job::store::{JobNotice, StoreError};
+use rusqlite::{Connection, Params, Row, Transaction, TransactionBehavior};
+use std::fs::{File, TryLockError};
+use std::path::Path;
+use std::sync::mpsc::Sender;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// Duration of a lease that is not renewed: far above any stall of a busy machine.
+const LEASE: Duration = Duration::from_secs(30);
+
+/// Records, queue and documents in one `SQLite` file, for one process.
+///
+/// Leases live in memory: whatever the file says is running when it is opened was left behind by a process that died, and
+/// goes back to the queue. A lock on the folder keeps a second process out.
+pub struct SqliteStore {
+    connection: Mutex<Connection>,
+    pub(super) leases: Leases,
+    pub(super) listeners: Mutex<Vec<Sender<JobNotice>>>,
+    _lock: File,
+}
+
+impl SqliteStore {
+    /// Opens `seamster.db` in a folder, which is made if it is not there.
+    ///
+    /// # Errors
+    /// If it cannot be used, or another process uses it.
+    pub fn open(folder: &Path) -> Result<Self, StoreError> {
+        Self::open_with_lease(folder, LEASE)
+    }
+
+    /// Opens the store as [`SqliteStore::open`] does, with leases of the given duration.
+    ///
+    /// # Errors
+    /// If it cannot be used, or another process uses it.
+    pub fn open_with_lease(folder: &Path, lease: Duration) -> Result<Self, StoreError> {
+        let failed = |cause| StoreError::new(format!("opening {}", folder.display()), cause);
+        let lock = lock_folder(folder).map_err(failed)?;
+        let file = folder.join("seamster.db");
+        let connection = schema::open_database(&file).map_err(failed)?;
+        let store = Self {
+            connection: Mutex::new(connection),
+            leases: Leases::with_duration(lease),
+            listeners: Mutex::default(),
+            _lock: lock,
+        };
+        store.requeue_running()?;
+        Ok(store)
+    }
+
+    /// Locks the connection.
+    pub(super) fn connection(&self) -> MutexGuard<'_, Connection> {
+        // A panic while it was held rolled its transaction back: the connection is sound.
+        self.connection
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Runs `work` in a transaction that is written whole or not at all.
+    pub(super) fn write<T>(
+        &self,
+        doing: &str,
+        work: impl FnOnce(&Transaction<'_>) -> rusqlite::Result<T>,
+    ) -> Result<T, StoreError> {
+        let mut connection = self.connection();
+        let written = connection
+            .transaction_with_behavior(TransactionBehavior::Immediate)
+            .and_then(|transaction| {
+                let value = work(&transaction)?;
+                transaction.commit()?;
+                Ok(value)
+            });
+        written.map_err(|cause| StoreError::new(doing, cause))
+    }
+
+    /// Returns the rows that a query finds.
+    pub(super) fn read<T>(
+        &self,
+        doing: &str,
+        (query, params): (&str, impl Params),
+        row: impl FnMut(&Row<'_>) -> rusqlite::Result<T>,
+    ) -> Result<Vec<T>, StoreError> {
+        let connection = self.connection();
+        let found = connection
+            .prepare_cached(query)
+            .and_then(|mut statement| statement.query_map(params, row)?.collect());
+        found.map_err(|cause| StoreError::new(doing, cause))
+    }
+
+    /// Puts the jobs that a process was running when it died back on the queue.
+    fn requeue_running(&self) -> Result<(), StoreError> {
+        self.write("requeueing jobs", |transaction| {
+            for mut record in rows::jobs_of_status(transaction, JobStatus::Running)? {
+                record.status = JobStatus::Queued;
+                record.started_at = None;
+                rows::update_job(transaction, &record)?;
+            }
+            Ok(())
+        })
+    }
+}
+
+/// Takes the lock that keeps a second process out; the system drops it when this process ends, however it ends.
+fn lock_folder(folder: &Path) -> Result<File, Box<dyn std::error::Error + Send + Sync>> {
+    std::fs::create_dir_all(folder)?;
+    let lock = File::create(folder.join("lock"))?;
+    match lock.try_lock() {
+        Ok(()) => Ok(lock),
+        Err(TryLockError::WouldBlock) => Err("another process uses this folder".into()),
+        Err(TryLockError::Error(cause)) => Err(cause.into()),
+    }
+}

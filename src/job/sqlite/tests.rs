@@ -1,0 +1,129 @@
+//! Tests of the `SQLite` store: the contracts, the lock, old files, durability.
+
+use super::SqliteStore;
+use crate::job::contract::{documents_contract, store_contract};
+use crate::job::kind::JobKind;
+use crate::job::status::JobStatus;
+use crate::job::store::{
+    DocumentKind, Documents, IdempotencyKey, JobStore, PageRequest, Submitted,
+};
+use rusqlite::Connection;
+use std::sync::Arc;
+use uuid::Uuid;
+
+#[test]
+fn contract_is_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    store_contract(|space, lease| {
+        Arc::new(SqliteStore::open_with_lease(&folder.path().join(space), lease).unwrap())
+    });
+    documents_contract(&SqliteStore::open(folder.path()).unwrap());
+}
+
+#[test]
+fn second_process_is_kept_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = SqliteStore::open(folder.path()).unwrap();
+    let error = SqliteStore::open(folder.path())
+        .err()
+        .expect("it is in use");
+    assert!(error.to_string().contains("another process"), "{error}");
+    drop(first);
+    SqliteStore::open(folder.path()).unwrap();
+}
+
+#[test]
+fn tables_of_another_version_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    drop(SqliteStore::open(folder.path()).unwrap());
+    let connection = Connection::open(folder.path().join("seamster.db")).unwrap();
+    connection.pragma_update(None, "user_version", 99).unwrap();
+    drop(connection);
+    assert!(SqliteStore::open(folder.path()).is_err());
+}
+
+/// The tables as version 1 made them, with a fit that ran, one that had ended, and the key of the first.
+const VERSION_1: &str = "
+    CREATE TABLE fits (
+        id BLOB PRIMARY KEY,
+        status TEXT NOT NULL,
+        revision INTEGER NOT NULL,
+        record TEXT NOT NULL
+    ) WITHOUT ROWID;
+    CREATE INDEX fits_by_status ON fits (status, id);
+    CREATE TABLE keys (
+        key TEXT PRIMARY KEY,
+        digest BLOB NOT NULL,
+        fit BLOB NOT NULL
+    ) WITHOUT ROWID;
+    CREATE TABLE documents (
+        kind TEXT NOT NULL,
+        id BLOB NOT NULL,
+        body BLOB NOT NULL,
+        PRIMARY KEY (kind, id)
+    );
+    INSERT INTO fits VALUES (x'019a0000000070008000000000000001', 'running', 1, '{
+        \"id\": \"019a0000-0000-7000-8000-000000000001\", \"status\": \"running\",
+        \"created_at\": \"2026-01-01T00:00:00Z\", \"started_at\": \"2026-01-01T00:00:01Z\", \"finished_at\": null,
+        \"attempts\": 1, \"released\": 0, \"error\": null, \"result\": null, \"cancel_requested\": false,
+        \"progress\": {\"stage\": \"sew\", \"fraction\": 0.1, \"level\": 0, \"residual\": null, \"seam_gap_m\": null, \"cpu_s\": 1.0}
+    }');
+    INSERT INTO fits VALUES (x'019a0000000070008000000000000002', 'succeeded', 2, '{
+        \"id\": \"019a0000-0000-7000-8000-000000000002\", \"status\": \"succeeded\",
+        \"created_at\": \"2026-01-01T00:00:00Z\", \"started_at\": \"2026-01-01T00:00:01Z\",
+        \"finished_at\": \"2026-01-01T00:00:02Z\", \"attempts\": 1, \"released\": 0, \"error\": null, \"result\": 1,
+        \"cancel_requested\": false,
+        \"progress\": {\"stage\": \"export\", \"fraction\": 1.0, \"level\": 0, \"residual\": null, \"seam_gap_m\": null, \"cpu_s\": 1.0}
+    }');
+    INSERT INTO keys VALUES ('monday', zeroblob(32), x'019a0000000070008000000000000001');
+    INSERT INTO documents VALUES ('fabric', x'019a0000000070008000000000000003', x'7B7D');
+    PRAGMA user_version = 1;
+";
+
+#[test]
+fn a_folder_of_before_there_were_studies_opens() {
+    let folder = tempfile::tempdir().unwrap();
+    let connection = Connection::open(folder.path().join("seamster.db")).unwrap();
+    connection.execute_batch(VERSION_1).unwrap();
+    drop(connection);
+    // A second time finds the tables as the first left them.
+    for _ in 0..2 {
+        let store = SqliteStore::open(folder.path()).unwrap();
+        let page = PageRequest {
+            limit: 9,
+            ..PageRequest::default()
+        };
+        let fits = store.jobs(JobKind::Fit, &page).unwrap().items;
+        let found: Vec<_> = fits.iter().map(|fit| (fit.kind, fit.status)).collect();
+        // What ran when the process ended waits again.
+        let expected = [JobStatus::Succeeded, JobStatus::Queued].map(|one| (JobKind::Fit, one));
+        assert_eq!(found, expected);
+        assert_eq!(store.jobs(JobKind::Study, &page).unwrap().items, []);
+        let key = IdempotencyKey {
+            key: "monday".to_owned(),
+            digest: [0; 32],
+        };
+        let same = Submitted::Same(fits[1].id);
+        assert_eq!(store.submitted(&key).unwrap(), Some(same));
+        assert_eq!(
+            store.claim().unwrap().map(|lease| lease.job),
+            Some(fits[1].id)
+        );
+        let fabric = Uuid::from_u128(0x019a_0000_0000_7000_8000_0000_0000_0003);
+        assert!(store.get(DocumentKind::Fabric, fabric).unwrap().is_some());
+    }
+}
+
+#[test]
+fn accepted_jobs_survive_a_power_cut() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = SqliteStore::open(folder.path()).unwrap();
+    let pragma = |name| {
+        let connection = store.connection();
+        let value = connection
+            .pragma_query_value(None, name, |row| row.get::<_, rusqlite::types::Value>(0));
+        value.unwrap()
+    };
+    assert_eq!(pragma("synchronous"), rusqlite::types::Value::Integer(2));
+    assert_eq!(pragma("journal_mode"), "wal".to_owned().into());
+}
