@@ -39,7 +39,7 @@ pub(super) fn print_faults(file: &Path, faults: &Faults) {
 /// Prints every warning about a file to stderr.
 pub(super) fn print_warnings(file: &Path, warnings: &[Warning]) {
     for warning in warnings {
-        let fault = Fault::new(&warning.code, &warning.pointer, &warning.detail);
+        let fault = Fault::new(warning.code.clone(), &warning.pointer, &warning.detail);
         eprintln!("warning: {}", fault_line(file, &fault));
     }
 }
@@ -64,10 +64,11 @@ pub(super) fn print_suggested(file: &Path, seams: &[SuggestedSeam]) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use seamster::fault::SeamCode;
 
     #[test]
     fn fault_is_one_line_with_all_that_is_known() {
-        let fault = Fault::new("seam/twisted", "/seams/0", "a\nb\u{1b}[31m").fix("turn it");
+        let fault = Fault::new(SeamCode::Twisted, "/seams/0", "a\nb\u{1b}[31m").fix("turn it");
         let text = fault_line(Path::new("g.json"), &fault);
         assert_eq!(
             text,

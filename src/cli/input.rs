@@ -3,7 +3,7 @@
 use super::faults;
 use clap::Args;
 use seamster::config::Limits;
-use seamster::fault::{Fault, Faults};
+use seamster::fault::{Fault, Faults, FileCode, FitCode};
 use seamster::fit::{self, Garment, PatternAsked};
 use seamster::pattern::{self, ImportOptions, Pattern, RotationOrder, Units};
 use serde::de::DeserializeOwned;
@@ -56,7 +56,7 @@ impl Input {
         if let Some(pattern_file) = self.pattern_file() {
             if garment.pattern.is_some() {
                 let detail = "the pattern is given as a file and in the garment too";
-                let fault = Fault::new("fit/two_patterns", "/pattern", detail);
+                let fault = Fault::new(FitCode::TwoPatterns, "/pattern", detail);
                 return Err((file, fault.fix("leave it out of the garment").into()));
             }
             let pattern = self
@@ -89,7 +89,7 @@ fn read_garment(file: &Path, limits: &Limits) -> Result<Garment, Faults> {
 
 /// Reads a file of at most `limit` bytes.
 fn read_file(file: &Path, limit: usize) -> Result<Vec<u8>, Faults> {
-    let fault = |detail: String| Faults::from(Fault::new("file/unreadable", "", detail));
+    let fault = |detail: String| Faults::from(Fault::new(FileCode::Unreadable, "", detail));
     let mut bytes = Vec::new();
     File::open(file)
         .and_then(|file| file.take(limit as u64 + 1).read_to_end(&mut bytes))

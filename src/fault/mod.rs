@@ -1,38 +1,50 @@
 //! Faults and warnings: what is wrong with an input, where, and how to mend it.
 
+mod codes;
 mod nearest;
+mod pointer;
 
+pub use codes::{
+    AvatarCode, FabricCode, FaultCode, FileCode, FitCode, GarmentCode, MeshCode, PatternCode,
+    PlacementCode, RequestCode, SceneCode, SeamCode, StudyCode, codes_markdown,
+};
 pub(crate) use nearest::nearest;
+pub(crate) use pointer::pointer_token;
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-/// One thing that is wrong with an input and keeps it from being used.
+/// A defect of an input that keeps it from being used.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 pub struct Fault {
-    /// What kind of fault, `area/kind`, for a client to act on: `seam/twisted`.
-    pub code: String,
-    /// Where: a JSON Pointer into the request, or `line N` of a DXF.
+    /// Kind of the fault, `area/kind`, for a client to act on: `seam/twisted`.
+    #[schema(value_type = String)]
+    pub code: FaultCode,
+    /// Place of the fault: a JSON Pointer into the request, or `line N` of a DXF.
     pub pointer: String,
-    /// What is wrong, in a sentence for a person, naming the offending thing.
+    /// Sentence for a person, naming the offending thing.
     pub detail: String,
-    /// What to do about it.
+    /// Way to mend it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fix: Option<String>,
 }
 
 impl Fault {
-    /// A fault without a suggested fix.
-    pub fn new(code: &str, pointer: impl Into<String>, detail: impl Into<String>) -> Self {
+    /// Creates a fault without a suggested fix.
+    pub fn new(
+        code: impl Into<FaultCode>,
+        pointer: impl Into<String>,
+        detail: impl Into<String>,
+    ) -> Self {
         Self {
-            code: code.to_owned(),
+            code: code.into(),
             pointer: pointer.into(),
             detail: detail.into(),
             fix: None,
         }
     }
 
-    /// The same fault with what to do about it.
+    /// Adds the way to mend it.
     #[must_use]
     pub fn fix(mut self, fix: impl Into<String>) -> Self {
         self.fix = Some(fix.into());
@@ -52,7 +64,7 @@ impl From<Fault> for Faults {
 }
 
 impl Faults {
-    /// `Ok(value)` if nothing was found, else the faults.
+    /// Returns `value` if there is no fault.
     ///
     /// # Errors
     /// The faults, if there is at least one.
@@ -64,7 +76,7 @@ impl Faults {
         }
     }
 
-    /// The same faults with `prefix` put before each JSON pointer (`line N` pointers stay as they are).
+    /// Puts `prefix` before each JSON pointer (`line N` pointers stay as they are).
     #[must_use]
     pub fn under(mut self, prefix: &str) -> Self {
         for fault in &mut self.0 {
@@ -76,23 +88,28 @@ impl Faults {
     }
 }
 
-/// Something a user should know about an input that was accepted all the same.
+/// A remark on an input that was accepted all the same.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Warning {
-    /// What kind of warning, `area/kind`.
-    pub code: String,
-    /// What was noticed, in a sentence for a person.
+    /// Kind of the warning, `area/kind`.
+    #[schema(value_type = String)]
+    pub code: FaultCode,
+    /// Sentence for a person on what was noticed.
     pub detail: String,
-    /// Where: a JSON Pointer, or `line N` of a DXF.
+    /// Place of the warning: a JSON Pointer, or `line N` of a DXF.
     pub pointer: String,
 }
 
 impl Warning {
-    /// A warning with its three parts.
-    pub fn new(code: &str, pointer: impl Into<String>, detail: impl Into<String>) -> Self {
+    /// Creates a warning.
+    pub fn new(
+        code: impl Into<FaultCode>,
+        pointer: impl Into<String>,
+        detail: impl Into<String>,
+    ) -> Self {
         Self {
-            code: code.to_owned(),
+            code: code.into(),
             detail: detail.into(),
             pointer: pointer.into(),
         }

@@ -296,7 +296,10 @@ mod tests {
 
     fn faults(value: &Value) -> Vec<(String, String)> {
         let Faults(faults) = Shape::of::<Garment>().faults(value);
-        faults.into_iter().map(|f| (f.code, f.pointer)).collect()
+        faults
+            .into_iter()
+            .map(|f| (f.code.to_string(), f.pointer))
+            .collect()
     }
 
     fn seam(from: Value) -> Value {

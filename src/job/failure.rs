@@ -1,7 +1,7 @@
 //! The reason why a job failed, in a code and a sentence.
 
 use super::kind::JobKind;
-use crate::fault::{Fault, Faults};
+use crate::fault::{Fault, FaultCode, Faults, FitCode, StudyCode};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
@@ -11,7 +11,8 @@ use utoipa::ToSchema;
 pub struct JobFailure {
     /// For a client to act on, of a fit: `fit/not_converged`, `fit/refused`, `fit/time_limit`, `fit/panicked`,
     /// `fit/abandoned` or `fit/storage`; of a study: `study/nothing_ran` and, but for the first, the same with `study`.
-    pub code: String,
+    #[schema(value_type = String)]
+    pub code: FaultCode,
     /// Sentence for a person on what happened.
     pub detail: String,
     /// Every fault, where faults of the input were the reason.
@@ -20,31 +21,45 @@ pub struct JobFailure {
 }
 
 impl JobFailure {
-    fn new(kind: JobKind, reason: &str, detail: impl Into<String>) -> Self {
+    fn new(code: impl Into<FaultCode>, detail: impl Into<String>) -> Self {
         Self {
-            code: format!("{}/{reason}", kind.as_str()),
+            code: code.into(),
             detail: detail.into(),
             errors: Vec::new(),
         }
     }
 
+    /// Creates the failure of a job by the code that belongs to its kind.
+    fn of_kind(
+        kind: JobKind,
+        (fit, study): (FitCode, StudyCode),
+        detail: impl Into<String>,
+    ) -> Self {
+        match kind {
+            JobKind::Fit => Self::new(fit, detail),
+            JobKind::Study => Self::new(study, detail),
+        }
+    }
+
     /// Returns the failure of a job whose input has faults.
     pub(super) fn refused(kind: JobKind, faults: Faults) -> Self {
+        let codes = (FitCode::Refused, StudyCode::Refused);
+        let failure = Self::of_kind(kind, codes, faults.to_string());
         Self {
-            errors: faults.0.clone(),
-            ..Self::new(kind, "refused", faults.to_string())
+            errors: faults.0,
+            ..failure
         }
     }
 
     /// Returns the failure of a fit that did not converge, for the reason that its report gives.
     pub(super) fn not_converged(reason: &str) -> Self {
-        Self::new(JobKind::Fit, "not_converged", reason)
+        Self::new(FitCode::NotConverged, reason)
     }
 
     /// Returns the failure of a study without a run, for the reason why the first was left out.
     pub(super) fn nothing_ran(reason: Option<&str>) -> Self {
         let detail = reason.unwrap_or("no run was made");
-        Self::new(JobKind::Study, "nothing_ran", detail)
+        Self::new(StudyCode::NothingRan, detail)
     }
 
     /// Returns the failure of a job that used its CPU time.
@@ -53,23 +68,34 @@ impl JobFailure {
         let detail = format!(
             "it used all the CPU time that one {word} may use; a coarser mesh or a larger tolerance takes less"
         );
-        Self::new(kind, "time_limit", detail)
+        Self::of_kind(kind, (FitCode::TimeLimit, StudyCode::TimeLimit), detail)
     }
 
     /// Returns the failure of a job whose request or result could not be read or written.
     pub(super) fn storage(kind: JobKind, detail: impl Into<String>) -> Self {
-        Self::new(kind, "storage", detail)
+        Self::of_kind(kind, (FitCode::Storage, StudyCode::Storage), detail)
     }
 
     /// Returns the failure of a job whose processes died `deaths` times.
     pub(super) fn abandoned(kind: JobKind, deaths: u32) -> Self {
         let detail = format!("the process that ran it died {deaths} times; it is not begun again");
-        Self::new(kind, "abandoned", detail)
+        Self::of_kind(kind, (FitCode::Abandoned, StudyCode::Abandoned), detail)
     }
 
     /// Returns the failure of a job that panicked.
     pub(super) fn panicked(kind: JobKind) -> Self {
         let detail = "the program has a defect that this garment brings out; its log says where";
-        Self::new(kind, "panicked", detail)
+        Self::of_kind(kind, (FitCode::Panicked, StudyCode::Panicked), detail)
+    }
+
+    /// Returns true if the service is at fault, not the input.
+    pub fn is_internal(&self) -> bool {
+        let fit = [FitCode::Panicked, FitCode::Storage, FitCode::Abandoned];
+        let study = [
+            StudyCode::Panicked,
+            StudyCode::Storage,
+            StudyCode::Abandoned,
+        ];
+        fit.iter().any(|code| self.code == *code) || study.iter().any(|code| self.code == *code)
     }
 }

@@ -207,7 +207,12 @@ impl Finder<'_> {
             _ => format!("`{id}` has {plural} 0 to {}{of}", count - 1),
         };
         let detail = format!("panel `{id}` has no {what} {index}{of}");
-        Fault::new(&format!("seam/unknown_{what}"), self.pointer, detail).fix(fix)
+        Fault::new(
+            format!("seam/unknown_{what}").as_str(),
+            self.pointer,
+            detail,
+        )
+        .fix(fix)
     }
 }
 

@@ -1,9 +1,9 @@
 //! Errors of other modules as problems: the only place that gives them a status.
 
 use super::problem::Problem;
-use crate::fault::{Fault, Faults};
+use crate::fault::{Fault, FaultCode, Faults, FitCode, StudyCode};
 use crate::fit::Misshapen;
-use crate::job::{JobFailure, QueueError, StoreError};
+use crate::job::{JobFailure, JobKind, QueueError, StoreError};
 use axum::extract::multipart::{MultipartError, MultipartRejection};
 use axum::extract::rejection::PathRejection;
 use axum::http::StatusCode;
@@ -44,8 +44,11 @@ impl From<QueueError> for Problem {
         match error {
             QueueError::Full(_) => Self::queue_full(error.to_string()),
             QueueError::KeyReused(kind) => {
-                let code = format!("{}/key_reused", kind.as_str());
-                Fault::new(&code, "/Idempotency-Key", error.to_string())
+                let code = match kind {
+                    JobKind::Fit => FaultCode::from(FitCode::KeyReused),
+                    JobKind::Study => StudyCode::KeyReused.into(),
+                };
+                Fault::new(code, "/Idempotency-Key", error.to_string())
                     .fix("send a new key with a new request")
                     .into()
             }
@@ -57,15 +60,17 @@ impl From<QueueError> for Problem {
 /// The failure of a job as the answer that it would have been.
 impl From<JobFailure> for Problem {
     fn from(failure: JobFailure) -> Self {
-        let (what, why) = failure.code.split_once('/').unwrap_or(("fit", ""));
-        let status = match why {
-            "panicked" | "storage" | "abandoned" => StatusCode::INTERNAL_SERVER_ERROR,
-            _ => StatusCode::UNPROCESSABLE_ENTITY,
+        let status = if failure.is_internal() {
+            StatusCode::INTERNAL_SERVER_ERROR
+        } else {
+            StatusCode::UNPROCESSABLE_ENTITY
         };
-        let title = format!("The {what} failed");
-        let kind = failure.code.replace(['/', '_'], "-");
+        let code = failure.code.as_str();
+        let job = code.split_once('/').map_or("fit", |(job, _)| job);
+        let title = format!("The {job} failed");
+        let kind = code.replace(['/', '_'], "-");
         let faults = if failure.errors.is_empty() {
-            Fault::new(&failure.code, "", failure.detail.clone()).into()
+            Fault::new(failure.code, "", failure.detail.clone()).into()
         } else {
             Faults(failure.errors)
         };

@@ -1,6 +1,6 @@
 //! Problems as RFC 9457 `application/problem+json`: each kind with its status, title and sentence.
 
-use crate::fault::{Fault, Faults};
+use crate::fault::{Fault, Faults, RequestCode};
 use crate::job::JobRecord;
 use axum::Json;
 use axum::http::{HeaderName, HeaderValue, StatusCode, header};
@@ -79,7 +79,7 @@ impl Problem {
 
     /// Returns the problem of a body that breaks off, or of a form that cannot be read.
     pub(in crate::http) fn unreadable_body(reason: impl Display) -> Self {
-        Self::unreadable(Fault::new("request/body", "", reason.to_string()))
+        Self::unreadable(Fault::new(RequestCode::Body, "", reason.to_string()))
     }
 
     /// Returns the problem of a request without a token of this service.

@@ -1,6 +1,6 @@
 //! `/v1/fabrics`: the library, and fabrics of one's own.
 
-use crate::fault::{Fault, Faults};
+use crate::fault::{FabricCode, Fault, Faults};
 use crate::http::extract::ValidatedJson;
 use crate::http::respond::Problem;
 use crate::http::state::AppState;
@@ -88,7 +88,7 @@ fn check(fabric: &Fabric, name_chars: usize) -> Result<(), Faults> {
     let mut faults = fabric.check("");
     if fabric.name.chars().count() > name_chars {
         let detail = format!("the name is longer than {name_chars} characters");
-        faults.push(Fault::new("fabric/name_too_long", "/name", detail));
+        faults.push(Fault::new(FabricCode::NameTooLong, "/name", detail));
     }
     Faults(faults).or(())
 }

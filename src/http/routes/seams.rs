@@ -1,7 +1,7 @@
 //! `/v1/patterns/{id}/seams`: checks a set of seams, and suggests one.
 
 use super::patterns;
-use crate::fault::{Fault, Faults};
+use crate::fault::{Fault, Faults, RequestCode, SeamCode};
 use crate::fit::{self, Garment, Misshapen, SeamsAsked, Shape};
 use crate::http::extract::{JsonBody, OptionalJson, PathId, ValidatedJson};
 use crate::http::respond::Problem;
@@ -85,7 +85,7 @@ fn pairs(garment: &Garment) -> Result<&[SeamPair], Fault> {
         SeamsAsked::Pairs(pairs) => Ok(pairs),
         SeamsAsked::Word(_) => {
             let detail = "suggested seams have nothing to check";
-            Err(Fault::new("seam/nothing_to_check", "/seams", detail)
+            Err(Fault::new(SeamCode::NothingToCheck, "/seams", detail)
                 .fix("give the list of seams; POST seams/suggest finds one"))
         }
     }
@@ -99,7 +99,7 @@ fn edge_length(app: &App, garment: &Garment) -> Result<f64, Fault> {
     }
     let detail = format!("the edge length is {asked} m; it must be from {low} to {high} m");
     Err(Fault::new(
-        "request/out_of_range",
+        RequestCode::OutOfRange,
         "/simulate/edge_length_m",
         detail,
     ))

@@ -93,7 +93,7 @@ fn of(surface: TriangleMesh) -> Avatar {
 
 fn codes(surface: TriangleMesh) -> Vec<String> {
     let faults = Avatar::from_surface("test", surface, BTreeMap::new()).expect_err("refused");
-    faults.0.into_iter().map(|f| f.code).collect()
+    faults.0.into_iter().map(|f| f.code.to_string()).collect()
 }
 
 /// Facets of edge e lie within e²/(6 R) of a sphere (circumradius of a facet squared over 2 R, R0² <= e²/3).

@@ -26,7 +26,7 @@ fn warnings(garment: Garment) -> Vec<(String, String)> {
     let prepared = fit::prepare(garment, &Shipped, &Limits::default()).expect("it can be sewn");
     let warnings = prepared.warnings().iter();
     warnings
-        .map(|w| (w.code.clone(), w.pointer.clone()))
+        .map(|w| (w.code.to_string(), w.pointer.clone()))
         .collect()
 }
 

@@ -1097,11 +1097,15 @@ fn lists_begin_empty() {
 fn the_documents_of_the_interface_are_current() {
     let root = env!("CARGO_MANIFEST_DIR");
     let documents = [
-        ("openapi.json", seamster::http::openapi_json()),
-        ("garment.schema.json", seamster::fit::garment_schema_json()),
+        ("api/openapi.json", seamster::http::openapi_json()),
+        (
+            "api/garment.schema.json",
+            seamster::fit::garment_schema_json(),
+        ),
+        ("docs/faults.md", seamster::fault::codes_markdown()),
     ];
     for (name, made) in documents {
-        let path = format!("{root}/api/{name}");
+        let path = format!("{root}/{name}");
         if std::env::var_os("SEAMSTER_BLESS").is_some() {
             std::fs::write(&path, &made).unwrap();
         }

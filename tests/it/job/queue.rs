@@ -196,7 +196,10 @@ fn running(queue: &Queue, id: Uuid) -> JobRecord {
 }
 
 fn error_code(record: &JobRecord) -> &str {
-    record.error.as_ref().map_or("", |error| &error.code)
+    record
+        .error
+        .as_ref()
+        .map_or("", |error| error.code.as_str())
 }
 
 /// All events from after `after` to the last.

@@ -31,7 +31,7 @@ fn draped(scene: &Scene, ask: &Simulate) -> Drape {
 fn faults(value: &Value) -> Vec<(String, String)> {
     let raw: RawScene = serde_json::from_value(value.clone()).unwrap();
     let faults = raw.into_scene(&Limits::default()).unwrap_err();
-    let pair = |f: seamster::fault::Fault| (f.code, f.pointer);
+    let pair = |f: seamster::fault::Fault| (f.code.to_string(), f.pointer);
     faults.0.into_iter().map(pair).collect()
 }
 

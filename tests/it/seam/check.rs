@@ -730,7 +730,7 @@ fn ease_codes(ease: f64, gather: bool) -> (Vec<String>, Vec<String>) {
     };
     (
         finding.warnings.iter().map(|w| much(&w.detail)).collect(),
-        finding.errors.iter().map(|e| e.code.clone()).collect(),
+        finding.errors.iter().map(|e| e.code.to_string()).collect(),
     )
 }
 
@@ -775,7 +775,12 @@ fn faults_that_leave_no_doubt_come_with_the_corrected_seam() {
     };
     run.direction = Some(Direction::Ccw);
     let (check, result) = checked(&tube(), &[wrong, other]);
-    let codes: Vec<_> = result.unwrap_err().0.into_iter().map(|f| f.code).collect();
+    let codes: Vec<_> = result
+        .unwrap_err()
+        .0
+        .into_iter()
+        .map(|f| f.code.to_string())
+        .collect();
     assert_eq!(codes, ["seam/unknown_panel", "seam/direction_contradicts"]);
     assert_eq!(check.corrected, std::slice::from_ref(&right));
     // Not where a second fault is left that nothing can be guessed for.

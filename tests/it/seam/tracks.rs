@@ -23,7 +23,10 @@ fn sewn(pattern: &Pattern, pairs: &[SeamPair]) -> SeamSet {
 
 fn codes(pattern: &Pattern, pairs: &[SeamPair]) -> Vec<(String, String)> {
     let faults = checked(pattern, pairs).1.expect_err("a seam is wrong").0;
-    faults.into_iter().map(|f| (f.code, f.pointer)).collect()
+    faults
+        .into_iter()
+        .map(|f| (f.code.to_string(), f.pointer))
+        .collect()
 }
 
 fn mesh(pattern: &Pattern, set: &SeamSet) -> Result<ClothMesh, Faults> {

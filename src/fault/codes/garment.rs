@@ -1,0 +1,39 @@
+//! The codes of garments.
+
+use super::table::fault_codes;
+
+fault_codes! {
+    /// The codes of garments.
+    GarmentCode in "garment" {
+        AvatarUnknown = "avatar_unknown":
+            "No stored avatar has this id.",
+            "Make it first: `POST /v1/avatars`.";
+        CornerUnknown = "corner_unknown":
+            "A panel has no corner of this number.",
+            "Give one of its corners, counted from 0.";
+        FabricUnknown = "fabric_unknown":
+            "No fabric has this id.",
+            "See `GET /v1/fabrics`, or add it under `fabrics`.";
+        Field = "field":
+            "A field does not go with the chosen method.",
+            "Leave it out, or choose a method that uses it.";
+        NotAvailable = "not_available":
+            "A wish of the garment is not available in this version.",
+            "Leave the field out.";
+        Number = "number":
+            "A number is outside its range.",
+            "Give a number within the range that the fault names.";
+        PanelUnknown = "panel_unknown":
+            "The pattern has no panel of this id.",
+            "Give the id of a panel of the pattern.";
+        PatternMissing = "pattern_missing":
+            "The garment has no pattern.",
+            "Give the id of a stored pattern, a whole pattern, or the DXF beside the garment.";
+        PatternUnknown = "pattern_unknown":
+            "No stored pattern has this id.",
+            "Upload it first: `POST /v1/patterns`.";
+        Schema = "schema":
+            "The garment is of a format that this service does not read.",
+            "Give the format that the fault names.";
+    }
+}
