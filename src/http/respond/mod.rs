@@ -6,4 +6,4 @@ mod problem;
 mod representation;
 
 pub use problem::Problem;
-pub(super) use representation::Representation;
+pub(super) use representation::{Representation, respond_computed, respond_stored};

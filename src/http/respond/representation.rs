@@ -2,6 +2,7 @@
 
 use super::byte_range::RequestedRange;
 use super::problem::Problem;
+use crate::http::state::{App, AppState};
 use axum::body::{Body, Bytes};
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
@@ -19,13 +20,23 @@ pub(in crate::http) struct Representation {
 }
 
 impl Representation {
-    /// Creates a representation, and hashes its bytes for the entity tag.
+    /// Creates a representation, and hashes its bytes for the entity tag: to be called on a thread that may block.
     pub(in crate::http) fn new(bytes: impl Into<Bytes>, content_type: impl Into<String>) -> Self {
         let bytes = bytes.into();
+        let digest = Sha256::digest(&bytes).into();
+        Self::with_digest(bytes, content_type, digest)
+    }
+
+    /// Creates a representation of bytes whose SHA-256 is known.
+    pub(in crate::http) fn with_digest(
+        bytes: impl Into<Bytes>,
+        content_type: impl Into<String>,
+        digest: [u8; 32],
+    ) -> Self {
         Self {
-            etag: entity_tag(&bytes),
-            bytes,
+            bytes: bytes.into(),
             content_type: content_type.into(),
+            etag: entity_tag(&digest),
         }
     }
 
@@ -79,9 +90,30 @@ impl Representation {
     }
 }
 
-/// Returns a strong entity tag: equal bytes have equal tags.
-fn entity_tag(bytes: &[u8]) -> ETag {
-    let digest = Sha256::digest(bytes);
+/// Makes a representation in the compute pool, its hash included, and answers with what the headers ask for.
+pub(in crate::http) async fn respond_computed<B: Into<Bytes>>(
+    state: &AppState,
+    request: &HeaderMap,
+    content_type: &'static str,
+    make: impl FnOnce(&App) -> Result<B, Problem> + Send + 'static,
+) -> Result<Response, Problem> {
+    let make = move |app: &App| Ok::<_, Problem>(Representation::new(make(app)?, content_type));
+    state.run_compute(make).await??.respond(request)
+}
+
+/// Reads a representation from the store, hashes it there, and answers with what the headers ask for.
+pub(in crate::http) async fn respond_stored(
+    state: &AppState,
+    request: &HeaderMap,
+    content_type: &'static str,
+    read: impl FnOnce(&App) -> Result<Vec<u8>, Problem> + Send + 'static,
+) -> Result<Response, Problem> {
+    let read = move |app: &App| Ok::<_, Problem>(Representation::new(read(app)?, content_type));
+    state.run_blocking(read).await??.respond(request)
+}
+
+/// Returns a strong entity tag of the first half of a digest: equal bytes have equal tags.
+fn entity_tag(digest: &[u8; 32]) -> ETag {
     let hex = digest.iter().take(16).fold(String::new(), |mut hex, byte| {
         write!(hex, "{byte:02x}").expect("a string takes all");
         hex
@@ -96,7 +128,8 @@ mod tests {
 
     #[test]
     fn equal_bytes_have_equal_tags() {
-        assert_eq!(entity_tag(b"a"), entity_tag(b"a"));
-        assert_ne!(entity_tag(b"a"), entity_tag(b"b"));
+        let tag = |text: &'static str| Representation::new(text, "text/plain").etag;
+        assert_eq!(tag("a"), tag("a"));
+        assert_ne!(tag("a"), tag("b"));
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::export;
 use crate::http::extract::{ListQuery, PathId, ValidatedJson, ValidatedQuery};
-use crate::http::respond::{Problem, Representation};
-use crate::http::state::AppState;
+use crate::http::respond::{Problem, respond_computed};
+use crate::http::state::{App, AppState};
 use crate::job::{AvatarRecord, DocumentKind, Stored};
 use crate::scene::{Avatar, DressForm};
 use axum::Json;
@@ -146,10 +146,8 @@ pub(super) async fn mesh(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let (_, avatar) = find_and_build(&state, id).await?;
-    let glb = state
-        .run_compute(move |_| export::avatar_glb(&avatar.surface))
-        .await?;
-    Representation::new(glb, "model/gltf-binary").respond(&headers)
+    let make = move |_: &App| Ok(export::avatar_glb(&avatar.surface));
+    respond_computed(&state, &headers, "model/gltf-binary", make).await
 }
 
 /// Finds a stored avatar and makes its body.

@@ -4,7 +4,7 @@ use super::jobs;
 use crate::export::{self, GarmentMesh};
 use crate::fit;
 use crate::http::extract::{PathId, preferred_type};
-use crate::http::respond::{Problem, Representation};
+use crate::http::respond::{Problem, respond_computed, respond_stored};
 use crate::http::state::{App, AppState};
 use crate::job::{JobKind, ResultFile, StoreError};
 use crate::progress::CancelToken;
@@ -80,13 +80,11 @@ async fn mesh_as(
     format: &'static str,
     headers: &HeaderMap,
 ) -> Result<Response, Problem> {
-    let representation = state
-        .run_compute(move |app| {
-            let json = jobs::result_file(app, JobKind::Fit, id, ResultFile::Mesh)?;
-            Ok::<_, Problem>(Representation::new(convert_mesh(json, format)?, format))
-        })
-        .await??;
-    representation.respond(headers)
+    let make = move |app: &App| {
+        let json = jobs::result_file(app, JobKind::Fit, id, ResultFile::Mesh)?;
+        convert_mesh(json, format)
+    };
+    respond_computed(state, headers, format, make).await
 }
 
 fn convert_mesh(json: Vec<u8>, format: &str) -> Result<Vec<u8>, Problem> {
@@ -112,10 +110,8 @@ pub(super) async fn report(
     PathId(id): PathId,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let json = state
-        .run_blocking(move |app| jobs::result_file(app, JobKind::Fit, id, ResultFile::Report))
-        .await??;
-    Representation::new(json, JSON).respond(&headers)
+    let read = move |app: &App| jobs::result_file(app, JobKind::Fit, id, ResultFile::Report);
+    respond_stored(&state, &headers, JSON, read).await
 }
 
 /// The assembled scene in neutral JSON, for other simulators; made when it is asked for, whatever has become of the fit
@@ -130,10 +126,8 @@ pub(super) async fn scene(
 ) -> Result<Response, Problem> {
     let guard = CancelOnDrop(CancelToken::new());
     let cancel = guard.0.clone();
-    let json = state
-        .run_compute(move |app| assemble_scene(app, id, &cancel))
-        .await??;
-    Representation::new(json, JSON).respond(&headers)
+    let make = move |app: &App| assemble_scene(app, id, &cancel);
+    respond_computed(&state, &headers, JSON, make).await
 }
 
 /// Cancels the work for a request when the request is given up: meshing may take longer than a client waits.
@@ -169,6 +163,6 @@ pub(super) async fn garment(
     PathId(id): PathId,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let json = state.run_blocking(move |app| jobs::request(app, JobKind::Fit, id));
-    Representation::new(json.await??, JSON).respond(&headers)
+    let read = move |app: &App| jobs::request(app, JobKind::Fit, id);
+    respond_stored(&state, &headers, JSON, read).await
 }

@@ -16,6 +16,7 @@ pub(in crate::http) fn router() -> Router<AppState> {
 
 async fn document(headers: HeaderMap) -> Result<Response, Problem> {
     // Made of the code alone, once.
-    static JSON: LazyLock<String> = LazyLock::new(openapi_json);
-    Representation::new(JSON.as_bytes(), "application/json").respond(&headers)
+    static DOCUMENT: LazyLock<Representation> =
+        LazyLock::new(|| Representation::new(openapi_json(), "application/json"));
+    DOCUMENT.clone().respond(&headers)
 }

@@ -72,11 +72,11 @@ pub(in crate::http) async fn file(
     if method != Method::GET && method != Method::HEAD {
         return Err(Problem::method_not_allowed(method.as_str(), uri.path()));
     }
-    let mut response = Representation::new(
-        file.data.clone().into_owned(),
-        content_type(path, file.metadata.mimetype()),
-    )
-    .to(&headers)?;
+    let content_type = content_type(path, file.metadata.mimetype());
+    let digest = file.metadata.sha256_hash();
+    let bytes = file.data.clone().into_owned();
+    let mut response =
+        Representation::with_digest(bytes, content_type, digest).respond(&headers)?;
     if path.ends_with(".html") {
         let policy = page_policy(&String::from_utf8_lossy(&file.data));
         response

@@ -2,8 +2,8 @@
 
 use crate::export::drawing_svg;
 use crate::http::extract::{ListQuery, PathId, Upload, ValidatedQuery};
-use crate::http::respond::{Problem, Representation};
-use crate::http::state::AppState;
+use crate::http::respond::{Problem, respond_computed};
+use crate::http::state::{App, AppState};
 use crate::job::{DocumentKind, Stored};
 use crate::pattern::{self, Format, ImportOptions, Pattern, RotationOrder, Units};
 use axum::Json;
@@ -164,8 +164,8 @@ pub(super) async fn drawing(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     let pattern = find(&state, id).await?;
-    let svg = state.run_compute(move |_| drawing_svg(&pattern)).await?;
-    Representation::new(svg, "image/svg+xml").respond(&headers)
+    let make = move |_: &App| Ok(drawing_svg(&pattern));
+    respond_computed(&state, &headers, "image/svg+xml", make).await
 }
 
 /// Remove a pattern; fits keep their own copy

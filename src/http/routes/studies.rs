@@ -2,7 +2,7 @@
 
 use super::jobs::{self, Submission};
 use crate::http::extract::{JobListQuery, JsonWithDigest, PathId, ValidatedQuery};
-use crate::http::respond::{Problem, Representation};
+use crate::http::respond::{Problem, respond_computed, respond_stored};
 use crate::http::state::{App, AppState};
 use crate::job::{JobKind, JobRecord, JobRequest, JobStatus, ResultFile, StoreError};
 use crate::progress::Progress;
@@ -198,8 +198,8 @@ pub(super) async fn plot(
     PathId(id): PathId,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let svg = state.run_compute(move |app| draw_plot(app, id)).await??;
-    Representation::new(svg, "image/svg+xml").respond(&headers)
+    let make = move |app: &App| draw_plot(app, id);
+    respond_computed(&state, &headers, "image/svg+xml", make).await
 }
 
 fn draw_plot(app: &App, id: Uuid) -> Result<String, Problem> {
@@ -218,6 +218,6 @@ pub(super) async fn request(
     PathId(id): PathId,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let json = state.run_blocking(move |app| jobs::request(app, JobKind::Study, id));
-    Representation::new(json.await??, "application/json").respond(&headers)
+    let read = move |app: &App| jobs::request(app, JobKind::Study, id);
+    respond_stored(&state, &headers, "application/json", read).await
 }
