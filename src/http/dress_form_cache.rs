@@ -11,7 +11,7 @@ const CAPACITY: usize = 4;
 /// A cache of the dress forms made lately, newest last.
 #[derive(Default)]
 pub(super) struct DressFormCache {
-    // A std mutex: held to look and to put in, not while a form is made.
+    // A std mutex: held for a lookup or an insertion, not while a form is made.
     made: Mutex<VecDeque<(DressForm, Arc<Avatar>)>>,
 }
 

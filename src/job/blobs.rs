@@ -68,7 +68,7 @@ impl FileBlobs {
             .and_then(|()| file.sync_all())
             .and_then(|()| fs::rename(&temporary, path));
         if written.is_err() {
-            // The first error is the one to tell; what is left in tmp harms nobody.
+            // The first error is the one to report; what is left in tmp harms nobody.
             let _ = fs::remove_file(&temporary);
         }
         written?;

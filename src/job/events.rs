@@ -57,7 +57,7 @@ impl JobEvent {
     }
 }
 
-/// The events of one job, from the one asked for to the last.
+/// The events of one job, from a requested one to the last.
 #[derive(Debug)]
 pub struct JobEvents {
     past: VecDeque<JobEvent>,
@@ -76,7 +76,7 @@ impl JobEvents {
         }
     }
 
-    /// Adds the current state as the first event if none is kept and all were asked for.
+    /// Adds the current state as the first event if none is kept and all are requested.
     pub(super) fn or_current(mut self, record: JobRecord, after: Option<u64>) -> Self {
         if self.past.is_empty() && after.is_none() {
             self.past.push_front(JobEvent::current(record));
@@ -255,15 +255,15 @@ mod tests {
         for record in [waits, runs, ends] {
             feeds.publish(JobNotice::Status(Box::new(record)));
         }
-        let mut told = Vec::new();
+        let mut received = Vec::new();
         let runtime = tokio::runtime::Builder::new_current_thread().build();
         runtime.unwrap().block_on(async {
             while let Some(event) = events.next().await {
-                told.push(event);
+                received.push(event);
             }
         });
-        assert!(told.windows(2).all(|pair| pair[0].id < pair[1].id));
-        assert!(told.last().is_some_and(JobEvent::is_last), "{told:?}");
-        assert_eq!(told.len(), 3);
+        assert!(received.windows(2).all(|pair| pair[0].id < pair[1].id));
+        assert!(received.last().is_some_and(JobEvent::is_last), "{received:?}");
+        assert_eq!(received.len(), 3);
     }
 }

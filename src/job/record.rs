@@ -34,7 +34,7 @@ pub struct JobRecord {
     pub error: Option<JobFailure>,
     /// The attempt whose files are the result; `None` while there are none.
     pub result: Option<u32>,
-    /// True if somebody asked to stop it.
+    /// True if it was canceled, though it may still run.
     pub cancel_requested: bool,
     /// Count of the changes of this record; set by the store.
     #[serde(skip)]

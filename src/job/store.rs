@@ -10,7 +10,7 @@ use std::sync::mpsc::Receiver;
 use std::time::Duration;
 use uuid::Uuid;
 
-/// A store that could not do what it was asked: the disk is full, the server is gone.
+/// A failed operation of a store: the disk is full, the server is gone.
 #[derive(Debug, thiserror::Error)]
 #[error("{doing}: {cause}")]
 pub struct StoreError {
@@ -72,7 +72,7 @@ pub enum Submitted {
 pub struct Lease {
     /// The job.
     pub job: Uuid,
-    /// Token that tells this lease from any other of the same job.
+    /// Token that distinguishes this lease from any other of the same job.
     pub token: Uuid,
 }
 
@@ -81,7 +81,7 @@ pub struct Lease {
 pub enum JobNotice {
     /// A job can be claimed.
     Queued,
-    /// Somebody asked to stop this job.
+    /// This job was canceled.
     Cancel(Uuid),
     /// The status of this job has changed.
     Status(Box<JobRecord>),
@@ -183,13 +183,13 @@ pub trait JobStore: Send + Sync {
     /// Extends a lease. Returns false if it has run out: the run must stop.
     ///
     /// # Errors
-    /// If the store could not be asked; the lease may still be live.
+    /// If the store does not answer; the lease may still be live.
     fn renew(&self, lease: &Lease) -> Result<bool, StoreError>;
 
     /// Ends a lease. If the job is not final by now it is handed out again at once, and [`JobNotice::Queued`] is sent.
     ///
     /// # Errors
-    /// If the store could not be told; the lease runs out by itself.
+    /// If the store does not answer; the lease runs out by itself.
     fn end(&self, lease: &Lease) -> Result<(), StoreError>;
 
     /// Listens to notices from now on, those of this process included.

@@ -41,7 +41,7 @@ impl FromRequest<AppState> for FitRequest {
     }
 }
 
-/// Reads both parts of a form and tells the faults of both at once.
+/// Reads both parts of a form, and returns the faults of both at once.
 fn read_parts(app: &App, file: Upload, json: &Upload) -> Result<FitRequest, Problem> {
     let digest = Sha256::new()
         .chain_update(Sha256::digest(&file.bytes))

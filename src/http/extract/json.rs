@@ -110,7 +110,7 @@ impl<T: JsonBody + Default> FromRequest<AppState> for OptionalJson<T> {
     }
 }
 
-/// Refuses a body that is not said to be JSON.
+/// Refuses a body whose type is not JSON.
 fn require_json(headers: &HeaderMap) -> Result<(), Problem> {
     let essence = content_type(headers);
     if essence == "application/json" || essence.ends_with("+json") {

@@ -74,7 +74,7 @@ fn check_garment(app: &App, pattern: &Pattern, garment: &Garment) -> Result<Seam
     let pattern = fit::without_allowances(garment, whole)?;
     let (check, set) = fit::check_seams(garment, &pattern, pairs, (edge_length, app.limits()));
     match set {
-        // Faults that no finding tells of concern the request as a whole.
+        // Faults that are in no finding concern the request as a whole.
         Err(faults) if check.seams.iter().all(|seam| seam.errors.is_empty()) => Err(faults),
         _ => Ok(check),
     }
@@ -93,11 +93,11 @@ fn pairs(garment: &Garment) -> Result<&[SeamPair], Fault> {
 
 fn edge_length(app: &App, garment: &Garment) -> Result<f64, Fault> {
     let [low, high] = app.limits().edge_length_m;
-    let asked = garment.simulate.edge_length_m;
-    if (low..=high).contains(&asked) {
-        return Ok(asked);
+    let length = garment.simulate.edge_length_m;
+    if (low..=high).contains(&length) {
+        return Ok(length);
     }
-    let detail = format!("the edge length is {asked} m; it must be from {low} to {high} m");
+    let detail = format!("the edge length is {length} m; it must be from {low} to {high} m");
     Err(Fault::new(
         RequestCode::OutOfRange,
         "/simulate/edge_length_m",

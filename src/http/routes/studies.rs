@@ -55,7 +55,8 @@ pub(super) struct StudyLinks {
     /// Its events, as they happen.
     pub events: String,
     /// The study as requested, complete in itself.
-    pub asked: String,
+    #[serde(rename = "asked")]
+    pub request: String,
     /// `DELETE` this to stop it.
     pub cancel: String,
 }
@@ -76,7 +77,7 @@ impl From<JobRecord> for StudyJob {
             links: StudyLinks {
                 plot: format!("{own}/plot.svg"),
                 events: format!("{own}/events"),
-                asked: format!("{own}/asked"),
+                request: format!("{own}/asked"),
                 cancel: own,
             },
         }

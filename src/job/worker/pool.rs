@@ -12,7 +12,7 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// Time after which an idle worker looks at the queue unasked: notices may get lost, and leases run out without one.
+/// Time after which an idle worker looks at the queue without a notice: notices may get lost, and leases run out without one.
 const POLL_INTERVAL: Duration = Duration::from_secs(5);
 /// Renewals in the time of one lease.
 const RENEWALS: u32 = 5;
