@@ -47,14 +47,10 @@ impl FileBlobs {
     }
 
     fn path(&self, key: &str) -> PathBuf {
-        let is_plain = |part: &str| {
-            !part.is_empty()
-                && !part.starts_with('.')
-                && part
-                    .bytes()
-                    .all(|byte| byte.is_ascii_alphanumeric() || b"-._".contains(&byte))
-        };
-        assert!(key.split('/').all(is_plain), "keys are made by the service");
+        assert!(
+            key.split('/').all(is_plain_name),
+            "keys are made by the service"
+        );
         self.root.join(key)
     }
 
@@ -78,6 +74,15 @@ impl FileBlobs {
         }
         Ok(())
     }
+}
+
+/// Returns true if a part of a key is a plain file name.
+fn is_plain_name(part: &str) -> bool {
+    !part.is_empty()
+        && !part.starts_with('.')
+        && part
+            .bytes()
+            .all(|byte| byte.is_ascii_alphanumeric() || b"-._".contains(&byte))
 }
 
 impl Blobs for FileBlobs {

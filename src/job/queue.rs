@@ -220,7 +220,7 @@ impl Queue {
         let events = self.feeds.follow(id, after);
         Ok(self.stored(kind, id)?.map(|record| {
             if !record.status.is_final() {
-                return events.or_now(record, after);
+                return events.or_current(record, after);
             }
             let last = JobEvent::last(record);
             JobEvents::of((after < Some(last.id)).then_some(last))

@@ -14,8 +14,6 @@ mod patterns;
 mod seams;
 mod studies;
 
-pub(super) use openapi::router as openapi_router;
-
 use super::state::AppState;
 use utoipa_axum::router::OpenApiRouter;
 use utoipa_axum::routes;
