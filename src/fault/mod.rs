@@ -2,14 +2,12 @@
 
 mod codes;
 mod nearest;
-mod pointer;
 
 pub use codes::{
     AvatarCode, FabricCode, FaultCode, FileCode, FitCode, GarmentCode, MeshCode, PatternCode,
     PlacementCode, RequestCode, SceneCode, SeamCode, StudyCode, codes_markdown,
 };
 pub(crate) use nearest::nearest;
-pub(crate) use pointer::pointer_token;
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;

@@ -19,7 +19,7 @@ fault_codes! {
             "Turn every triangle round: `[a, b, c]` to `[a, c, b]`.";
         Measurement = "measurement":
             "A measurement is not that of a person.",
-            "Give metres, within the range that the fault names.";
+            "Give meters, within the range that the fault names.";
         NotManifold = "not_manifold":
             "An edge of the body is run along in the same direction by more than one triangle.",
             "Give all triangles the same sense and let two meet at each edge.";
@@ -31,6 +31,6 @@ fault_codes! {
             "Simplify the surface.";
         Vertex = "vertex":
             "A vertex of the body is not a finite point near the origin.",
-            "Correct it; positions are in metres.";
+            "Correct it; positions are in meters.";
     }
 }

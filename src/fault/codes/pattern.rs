@@ -24,7 +24,7 @@ fault_codes! {
             "Draw the arc anew.";
         Corner = "corner":
             "A corner of a panel is misnumbered or has impossible coordinates.",
-            "Number corners from 0 and give metres.";
+            "Number corners from 0 and give meters.";
         DanglingLine = "dangling_line":
             "A group code stands at the end of the file without its value.",
             "Export the file again if something is missing.";
@@ -177,7 +177,7 @@ fault_codes! {
             "The file ends inside a section: it was cut off.",
             "Export or upload it again.";
         UnitsAssumed = "units_assumed":
-            "The file does not say its units; millimetres or centimetres were taken.",
+            "The file does not say its units; millimeters or centimeters were taken.",
             "State them with `units`.";
         UnitsConflict = "units_conflict":
             "The file states two different units; one was taken.",

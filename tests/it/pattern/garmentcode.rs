@@ -22,7 +22,7 @@ fn imported(spec: &Value) -> Pattern {
 
 fn faults(spec: &Value) -> Vec<(String, String)> {
     let faults = read(spec, &ImportOptions::default()).expect_err("something is wrong");
-    let pair = |fault: seamster::fault::Fault| (fault.code, fault.pointer);
+    let pair = |fault: seamster::fault::Fault| (fault.code.to_string(), fault.pointer);
     faults.0.into_iter().map(pair).collect()
 }
 
