@@ -263,7 +263,10 @@ mod tests {
             }
         });
         assert!(received.windows(2).all(|pair| pair[0].id < pair[1].id));
-        assert!(received.last().is_some_and(JobEvent::is_last), "{received:?}");
+        assert!(
+            received.last().is_some_and(JobEvent::is_last),
+            "{received:?}"
+        );
         assert_eq!(received.len(), 3);
     }
 }
