@@ -237,7 +237,7 @@ fn converged_fit_succeeds_and_leaves_its_files() {
     assert_eq!(report, outcome(true).report);
     assert!(queue.file(&record, ResultFile::Mesh).unwrap().is_some());
     let kept: Garment =
-        serde_json::from_slice(&queue.asked(JobKind::Fit, id).unwrap().unwrap()).unwrap();
+        serde_json::from_slice(&queue.request(JobKind::Fit, id).unwrap().unwrap()).unwrap();
     assert_eq!(kept, garment("sew"));
     pool.shutdown(PATIENCE);
 }
@@ -254,7 +254,7 @@ fn study_succeeds_and_leaves_its_report() {
     let report: Study = serde_json::from_slice(&report).unwrap();
     assert_eq!(report, study(true, false));
     assert_eq!(queue.file(&record, ResultFile::Mesh).unwrap(), None);
-    let kept = queue.asked(JobKind::Study, id).unwrap().unwrap();
+    let kept = queue.request(JobKind::Study, id).unwrap().unwrap();
     assert_eq!(
         serde_json::from_slice::<StudyAsked>(&kept).unwrap(),
         asked("sew")
@@ -330,7 +330,7 @@ fn jobs_of_one_kind_are_not_found_as_the_other() {
         assert!(queue.job(own, id).unwrap().is_some());
         assert_eq!(queue.job(other, id).unwrap(), None);
         assert!(queue.events(other, id, None).unwrap().is_none());
-        assert_eq!(queue.asked(other, id).unwrap(), None);
+        assert_eq!(queue.request(other, id).unwrap(), None);
         assert_eq!(queue.cancel(other, id).unwrap(), None);
         assert_eq!(get(&queue, id).status, JobStatus::Queued);
     }
