@@ -211,7 +211,10 @@ fn fault_codes(panels: Vec<Panel>, edge_length: f64, limits: &Limits) -> Vec<Str
     let seams = seam_set(&pattern, vec![]);
     let result = triangulate(&pattern, &seams, edge_length, limits, &CancelToken::new());
     let faults = result.expect_err("the panel is not sound").0;
-    faults.into_iter().map(|fault| fault.code).collect()
+    faults
+        .into_iter()
+        .map(|fault| fault.code.to_string())
+        .collect()
 }
 
 fn distance(a: Point, b: Point) -> f64 {

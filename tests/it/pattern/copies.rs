@@ -187,7 +187,9 @@ fn a_copy_that_is_no_mirror_image_is_refused() {
         let faults = checked(wrong, &Limits::default())
             .expect_err("it is wrong")
             .0;
-        let pairs = faults.into_iter().map(|fault| (fault.code, fault.pointer));
+        let pairs = faults
+            .into_iter()
+            .map(|fault| (fault.code.to_string(), fault.pointer));
         pairs.collect::<Vec<_>>()
     };
     let one = |code: &str, pointer: &str| vec![(code.to_owned(), pointer.to_owned())];

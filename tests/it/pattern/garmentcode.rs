@@ -385,7 +385,7 @@ fn limits_hold() {
         found
             .0
             .into_iter()
-            .map(|fault| (fault.code, fault.pointer))
+            .map(|fault| (fault.code.to_string(), fault.pointer))
             .collect::<Vec<_>>()
     };
     let limits = Limits::default;

@@ -42,7 +42,7 @@ fn faults(pattern: &Pattern, pairs: &[SeamPair]) -> Vec<(String, String)> {
     faults
         .0
         .into_iter()
-        .map(|fault| (fault.code, fault.pointer))
+        .map(|fault| (fault.code.to_string(), fault.pointer))
         .collect()
 }
 
