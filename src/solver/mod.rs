@@ -1,45 +1,26 @@
 //! From a [`crate::scene::Scene`] to a [`Drape`]: sews and drapes, and says how far to trust the shape.
 
-mod ask;
-mod assemble;
-mod cascade;
-mod cholesky;
-mod closing;
-mod collapsed;
-mod contact;
-mod dissection;
 mod drape;
 mod forces;
+mod integrate;
 #[cfg(test)]
 mod left_out;
-mod level;
-mod measure;
-mod motion;
-mod newton;
-mod plan;
+mod linalg;
+mod model;
+mod optimize;
+mod options;
 mod report;
-mod settling;
-mod skew;
-mod softer;
-mod sparsity;
-mod stage;
-mod summary;
-mod system;
-mod topology;
-mod trace;
-mod unfinished;
-mod way;
 
-pub use ask::{Membrane, Method, SeamClose, Simulate, Want};
-pub use assemble::{kept_distance, springs};
-pub use contact::{Anchors, contact_force, contact_pressure};
-pub use drape::{drape, drape_on};
-pub use measure::rms_distance;
-pub use motion::{
+pub use crate::solver::drape::multilevel::{drape, drape_on};
+pub use crate::solver::forces::contact::{Anchors, contact_force, contact_pressure};
+pub use crate::solver::integrate::{
     Frame, MotionEnergy, MotionReport, StableStep, Start, Trajectory, allowed_step, stable_step,
     trajectory,
 };
-pub use report::{
+pub use crate::solver::model::build::{kept_distance, springs};
+pub use crate::solver::options::{Membrane, Method, SeamClose, Simulate, Want};
+pub use crate::solver::report::measure::rms_distance;
+pub use crate::solver::report::schema::{
     Advice, CpuSeconds, Energy, ErrorPoint, LeftOut, LevelReport, Plan, Report, Term, Worn,
 };
 

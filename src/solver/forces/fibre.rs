@@ -1,8 +1,8 @@
 //! Springs between points of a triangle: what a net of springs is on a coarser mesh.
 
-use super::Force;
 use crate::scene::Fibre;
-use crate::solver::sparsity::{BlockMatrix, Slot, Sparsity};
+use crate::solver::forces::Force;
+use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
 /// Fibres, with energy k/2 (|d| - rest)², d = sum of weights times positions.

@@ -1,7 +1,7 @@
 //! Weight.
 
-use super::{Force, Stencil};
-use crate::solver::sparsity::{BlockMatrix, Sparsity};
+use crate::solver::forces::{Force, Stencil};
+use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use nalgebra::Vector3;
 
 /// Energy -m g·(x - x0): zero at the start, so that little is lost to rounding.

@@ -1,24 +1,25 @@
 //! The force terms, one file each: an energy, its force and its second derivative on particle positions.
 
-mod bend;
-mod continuum;
-mod fibre;
-mod gravity;
-mod sewing;
-mod spring;
-mod stencil;
-mod wind;
+pub(crate) mod bending;
+pub(crate) mod contact;
+pub(crate) mod fibre;
+pub(crate) mod gravity;
+pub(crate) mod membrane;
+pub(crate) mod pair;
+pub(crate) mod sewing;
+pub(crate) mod spring;
+pub(crate) mod wind;
 
-pub(crate) use bend::{BendForce, BendPatch};
-pub(crate) use continuum::{ContinuumForce, Membrane};
-pub(crate) use fibre::FibreForce;
-pub(crate) use gravity::Gravity;
-pub(crate) use sewing::SewingForce;
-pub(crate) use spring::{Spring, SpringForce};
-pub(crate) use stencil::{Link, Stencil};
-pub(crate) use wind::WindForce;
+pub(crate) use crate::solver::forces::bending::{BendForce, BendPatch};
+pub(crate) use crate::solver::forces::fibre::FibreForce;
+pub(crate) use crate::solver::forces::gravity::Gravity;
+pub(crate) use crate::solver::forces::membrane::{ContinuumForce, Membrane};
+pub(crate) use crate::solver::forces::pair::{Link, Stencil};
+pub(crate) use crate::solver::forces::sewing::SewingForce;
+pub(crate) use crate::solver::forces::spring::{Spring, SpringForce};
+pub(crate) use crate::solver::forces::wind::WindForce;
 
-use super::sparsity::{BlockMatrix, Sparsity};
+use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use nalgebra::Vector3;
 
 /// One term of the energy of a garment.

@@ -1,7 +1,7 @@
 //! The seam force F = -k l of the paper (P8): springs of rest length zero between the two points of each stitch.
 
-use super::{Force, Link, Stencil};
-use crate::solver::sparsity::{BlockMatrix, Slot, Sparsity};
+use crate::solver::forces::{Force, Link, Stencil};
+use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
 /// Springs of rest length zero, all of one stiffness \[N/m\].

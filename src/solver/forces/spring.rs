@@ -1,7 +1,7 @@
 //! Linear springs on mesh edges: the membrane of the paper (P8).
 
-use super::{Force, Link, Stencil};
-use crate::solver::sparsity::{BlockMatrix, Slot, Sparsity};
+use crate::solver::forces::{Force, Link, Stencil};
+use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
 /// A linear spring: energy k/2 (|xa - xb| - rest)².

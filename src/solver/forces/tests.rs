@@ -1,8 +1,8 @@
 //! Every force against the differences of its energy, every second derivative against those of its force, and closed forms.
 
-use super::*;
 use crate::scene::{Body, DressForm, Fibre};
-use crate::solver::contact::{BodyContact, Friction};
+use crate::solver::forces::contact::{BodyContact, Friction};
+use crate::solver::forces::*;
 use nalgebra::{DMatrix, Matrix3};
 use std::sync::Arc;
 

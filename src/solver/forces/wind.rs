@@ -15,9 +15,9 @@
 //! exactly and its second derivative the symmetric part of -df/dx, so that Newton's steps, which start there, find the shape where
 //! the true forces balance. The skew part, which is as large where cloth streams in the wind, goes into the step by `skew.rs`.
 
-use super::Force;
 use crate::scene::Wind;
-use crate::solver::sparsity::{BlockMatrix, Slot, Sparsity};
+use crate::solver::forces::Force;
+use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
 /// Density of air at 20 °C and 101 325 Pa \[kg/m³\].

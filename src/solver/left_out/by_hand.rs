@@ -2,16 +2,16 @@
 
 use crate::scene::Scene;
 use crate::solver::forces::{ContinuumForce, Force, Gravity, Membrane};
-use crate::solver::system::{System, TimedForce};
+use crate::solver::model::system::{System, TimedForce};
 use nalgebra::Vector3;
 
 /// A clock that stands still.
-pub(super) fn no_clock() -> f64 {
+pub(crate) fn no_clock() -> f64 {
     0.0
 }
 
 /// Stretch alone, or with weight, of a scene whose cloth is cut along its warp.
-pub(super) fn system(scene: &Scene, weight: bool) -> System<'static> {
+pub(crate) fn system(scene: &Scene, weight: bool) -> System<'static> {
     let mut forces: Vec<Box<dyn Force>> = vec![Box::new(ContinuumForce::new(membranes(scene)))];
     if weight {
         forces.push(Box::new(Gravity {
@@ -57,7 +57,7 @@ fn membranes(scene: &Scene) -> Vec<Membrane> {
 }
 
 /// Bytes \[B\] of the arrays of [`system`] that has as many particles and triangles, counted from what they hold.
-pub(super) fn bytes_of_arrays(scene: &Scene, weight: bool) -> usize {
+pub(crate) fn bytes_of_arrays(scene: &Scene, weight: bool) -> usize {
     let vectors = if weight { 2 } else { 0 };
     let of_particle = size_of::<f64>() + size_of::<bool>() + vectors * size_of::<Vector3<f64>>();
     scene.mass.len() * of_particle + scene.mesh.triangles.len() * size_of::<Membrane>()

@@ -1,10 +1,10 @@
 //! What a scene lacks has no arrays: a system takes the memory of its terms.
 
-use super::by_hand::{self, no_clock};
-use super::scenes::{Has, scene};
 use crate::scene::Scene;
-use crate::solver::assemble::{Stage, assemble};
-use crate::solver::topology::Particles;
+use crate::solver::left_out::by_hand::{self, no_clock};
+use crate::solver::left_out::scenes::{Has, scene};
+use crate::solver::model::build::{Stage, assemble};
+use crate::solver::model::dof_map::Particles;
 use crate::solver::{Anchors, Simulate};
 use allocation_counter::{AllocationInfo, measure};
 

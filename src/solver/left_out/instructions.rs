@@ -3,15 +3,16 @@
 //! Each program is a test of its own that is run alone, in a process under callgrind. What the report takes is left out of the
 //! comparison (see [`REPORT`]); `make instructions` tells what that is of a whole fit.
 
-use super::by_hand::{self, no_clock};
-use super::scenes::{Has, scene};
 use crate::config::Limits;
 use crate::progress::CancelToken;
 use crate::scene::Scene;
-use crate::solver::motion::{self, Motion};
-use crate::solver::newton::{FIRST_GAMMA, Iteration, Newton, Stop, Verdict};
-use crate::solver::settling::{DRAG, SADDLE, SPEED_LIMIT};
-use crate::solver::{Context, Drape, Method, Simulate, drape};
+use crate::solver::drape;
+use crate::solver::drape::relax::{DRAG, SADDLE, SPEED_LIMIT};
+use crate::solver::integrate::{self, Motion};
+use crate::solver::left_out::by_hand::{self, no_clock};
+use crate::solver::left_out::scenes::{Has, scene};
+use crate::solver::optimize::newton::{FIRST_GAMMA, Iteration, Newton, Stop, Verdict};
+use crate::solver::{Context, Drape, Method, Simulate};
 use nalgebra::Vector3;
 use seamster_fixtures::callgrind::{self, Profile, REPORT};
 
@@ -88,7 +89,7 @@ fn bare(scene: &Scene, ask: &Simulate) -> Vec<Vector3<f64>> {
             step: None,
             tolerance: ask.tolerance,
         };
-        let moved = motion::run(&mut system, &mut x, motion, STEPS, &mut judge);
+        let moved = integrate::run(&mut system, &mut x, motion, STEPS, &mut judge);
         assert!(moved.is_ok(), "{moved:?}");
     }
     x

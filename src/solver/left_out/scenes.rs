@@ -9,18 +9,18 @@ const SIDE: f64 = 0.4;
 
 /// What a scene has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Has {
-    pub(super) body: bool,
-    pub(super) friction: bool,
-    pub(super) wind: bool,
-    pub(super) bending: bool,
-    pub(super) seams: bool,
-    pub(super) gravity: bool,
+pub(crate) struct Has {
+    pub(crate) body: bool,
+    pub(crate) friction: bool,
+    pub(crate) wind: bool,
+    pub(crate) bending: bool,
+    pub(crate) seams: bool,
+    pub(crate) gravity: bool,
 }
 
 impl Has {
     /// Only weight.
-    pub(super) const WEIGHT: Self = Self {
+    pub(crate) const WEIGHT: Self = Self {
         body: false,
         friction: false,
         wind: false,
@@ -29,7 +29,7 @@ impl Has {
         gravity: true,
     };
     /// Everything.
-    pub(super) const ALL: Self = Self {
+    pub(crate) const ALL: Self = Self {
         body: true,
         friction: true,
         wind: true,
@@ -39,7 +39,7 @@ impl Has {
     };
 
     /// Every combination.
-    pub(super) fn combinations() -> impl Iterator<Item = Self> {
+    pub(crate) fn combinations() -> impl Iterator<Item = Self> {
         (0_u8..64).map(|bits| Self {
             body: bits & 1 != 0,
             friction: bits & 2 != 0,
@@ -52,7 +52,7 @@ impl Has {
 }
 
 /// Two sheets side by side of `cells` x `cells` squares each, hung by their upper edges, a ball behind them.
-pub(super) fn scene(has: Has, cells: usize) -> Scene {
+pub(crate) fn scene(has: Has, cells: usize) -> Scene {
     let mut fabric: Fabric = library()["cotton-poplin"].clone();
     if !has.bending {
         fabric.bending_warp_n_m = 0.0;

@@ -1,11 +1,12 @@
 //! Every combination of what a scene may have or lack gives the terms that it needs, and the report names the others.
 
-use super::scenes::{Has, scene};
 use crate::config::Limits;
 use crate::progress::CancelToken;
-use crate::solver::assemble::{Stage, assemble};
-use crate::solver::topology::Particles;
-use crate::solver::{Anchors, Context, Report, SeamClose, Simulate, drape};
+use crate::solver::drape;
+use crate::solver::left_out::scenes::{Has, scene};
+use crate::solver::model::build::{Stage, assemble};
+use crate::solver::model::dof_map::Particles;
+use crate::solver::{Anchors, Context, Report, SeamClose, Simulate};
 
 /// Cells along a sheet: few, since what is assembled counts, not what comes of it.
 const CELLS: usize = 2;

@@ -1,0 +1,280 @@
+//! Cloth kept off the body by a stiff layer on its skin, with Coulomb friction that sticks and slips.
+//!
+//! A particle nearer to the body than `offset` is pressed out as `layer.rs` says, over the cloth area of the particle. A
+//! particle in contact is tied to an anchor on the body by a tangential spring that gives way
+//! at μ N (P. A. Cundall, O. D. L. Strack, "A discrete numerical model for granular assemblies", Géotechnique 29(1), 1979):
+//! energy k/2 |u|² up to the slip s = μ N / k, μ N (|u| - s/2) beyond. N and the anchors are those of the last accepted step
+//! (lagged), so that within a step friction has an energy.
+
+use crate::scene::{Body, BodySample};
+use crate::solver::forces::Force;
+use crate::solver::forces::contact::layer;
+use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
+use nalgebra::{Matrix3, Vector3};
+
+/// Slip of one step that is more than rounding \[m\].
+const SLIP_FELT: f64 = 1e-7;
+
+/// Friction of the particles in contact.
+#[derive(Clone, Debug)]
+pub(crate) struct Friction {
+    coefficient: f64,
+    anchors: Vec<Option<Anchor>>,
+}
+
+/// Where friction holds the particles of a shape; empty where there is none. A drape that goes on from the shape needs it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Anchors(Vec<Option<Anchor>>);
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Anchor {
+    point: Vector3<f64>,
+    normal: Vector3<f64>,
+    /// Largest tangential force: μ N \[N\].
+    limit: f64,
+    /// Whether the last step slipped: then the next is taken to slip on, or it would creep by the spring's give at a time.
+    slipping: bool,
+}
+
+impl Friction {
+    pub(crate) fn new(coefficient: f64, particle_count: usize) -> Self {
+        Self {
+            coefficient,
+            anchors: vec![None; particle_count],
+        }
+    }
+
+    /// The same friction that holds on where it held; with anchors of another number of particles it begins anew.
+    pub(crate) fn with_anchors(mut self, held: &Anchors) -> Self {
+        if held.0.len() == self.anchors.len() {
+            self.anchors.clone_from(&held.0);
+        }
+        self
+    }
+}
+
+/// A remembered sample of the body: good for positions within `reuse` of where it was taken.
+#[derive(Clone, Copy, Debug)]
+struct Memory {
+    at: Vector3<f64>,
+    sample: Option<BodySample>,
+    /// How far a particle may move before the sample says nothing of it any more \[m\].
+    reach: f64,
+}
+
+/// Contact of all particles with the body.
+pub(crate) struct BodyContact {
+    body: Body,
+    /// Distance that is kept from the body \[m\].
+    offset: f64,
+    /// Cloth area of each particle \[m²\].
+    area: Vec<f64>,
+    memory: Vec<Memory>,
+    /// How far a sample is carried on by its second-order expansion \[m\]; 0 takes a new one each time.
+    reuse: f64,
+    friction: Option<Friction>,
+    diagonals: Vec<usize>,
+}
+
+impl BodyContact {
+    /// Contact that keeps particles of cloth area `area` \[m²\] at `offset` \[m\] from the body.
+    pub(crate) fn new(body: Body, offset: f64, area: &[f64]) -> Self {
+        let never = Memory {
+            at: Vector3::repeat(f64::INFINITY),
+            sample: None,
+            reach: 0.0,
+        };
+        Self {
+            body,
+            offset,
+            area: area.to_vec(),
+            memory: vec![never; area.len()],
+            reuse: 0.0,
+            friction: None,
+            diagonals: Vec::new(),
+        }
+    }
+
+    /// The same contact with friction.
+    pub(crate) fn with_friction(mut self, friction: Option<Friction>) -> Self {
+        self.friction = friction;
+        self
+    }
+
+    /// The same contact that carries each sample on for `reuse` \[m\]: for explicit steps, which are many and small.
+    pub(crate) fn with_reuse(mut self, reuse: f64) -> Self {
+        self.reuse = reuse;
+        self
+    }
+
+    /// The sample of particle `i` if it is in the layer, its distance being that at `x`.
+    fn touch(&mut self, i: usize, x: &Vector3<f64>) -> Option<BodySample> {
+        let memory = &mut self.memory[i];
+        let moved = x - memory.at;
+        // A particle that was never looked at is infinitely far from where it was.
+        if moved.norm() > memory.reach {
+            let sample = self.body.sample(x);
+            // Outside the layer nothing is felt until the particle has come nearer by the distance that is left.
+            let free = sample.map_or(self.offset, |s| s.distance - self.offset);
+            let touching = sample.filter(|s| s.distance < self.offset + self.reuse);
+            *memory = Memory {
+                at: *x,
+                sample: touching,
+                reach: if touching.is_some() {
+                    self.reuse
+                } else {
+                    0.5 * free.max(0.0)
+                },
+            };
+            return touching.filter(|s| s.distance < self.offset);
+        }
+        let mut sample = memory.sample?;
+        let bent = sample.curvature * moved;
+        sample.distance += sample.normal.dot(&moved) + 0.5 * moved.dot(&bent);
+        sample.normal += bent;
+        (sample.distance < self.offset).then_some(sample)
+    }
+
+    /// Takes the state at an accepted step: new normal forces, and anchors dragged along by what slipped. Whether any did.
+    pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
+        let mut slipped = false;
+        let Some(mut friction) = self.friction.take() else {
+            return slipped;
+        };
+        for (i, position) in x.iter().enumerate() {
+            let Some(sample) = self.touch(i, position) else {
+                friction.anchors[i] = None;
+                continue;
+            };
+            let stiffness = self.area[i] * layer::TANGENTIAL;
+            let normal = sample.normal.normalize();
+            let limit = friction.coefficient
+                * self.area[i]
+                * layer::pressure(self.offset - sample.distance);
+            let mut point = friction.anchors[i].map_or(*position, |a| a.point);
+            let u = tangential(&(position - point), &normal);
+            let slip = limit / stiffness;
+            let slipping = u.norm() > slip;
+            slipped |= u.norm() > slip + SLIP_FELT;
+            point = position - if slipping { u * (slip / u.norm()) } else { u };
+            friction.anchors[i] = Some(Anchor {
+                point,
+                normal,
+                limit,
+                slipping,
+            });
+        }
+        self.friction = Some(friction);
+        slipped
+    }
+
+    /// Where friction holds the particles.
+    pub(crate) fn anchors(&self) -> Anchors {
+        let anchors = self.friction.as_ref().map(|f| f.anchors.clone());
+        Anchors(anchors.unwrap_or_default())
+    }
+
+    /// Particles in contact at `x`.
+    pub(crate) fn touching(&mut self, x: &[Vector3<f64>]) -> Vec<bool> {
+        (0..x.len())
+            .map(|i| self.touch(i, &x[i]).is_some())
+            .collect()
+    }
+
+    fn anchor(&self, i: usize) -> Option<Anchor> {
+        self.friction.as_ref()?.anchors[i]
+    }
+}
+
+fn tangential(v: &Vector3<f64>, normal: &Vector3<f64>) -> Vector3<f64> {
+    v - normal * normal.dot(v)
+}
+
+impl Force for BodyContact {
+    fn name(&self) -> &'static str {
+        "contact"
+    }
+
+    fn couple(&self, _pairs: &mut Vec<(usize, usize)>) {}
+
+    fn bind(&mut self, sparsity: &Sparsity) {
+        self.diagonals = (0..sparsity.particle_count())
+            .map(|i| sparsity.diagonal(i))
+            .collect();
+    }
+
+    fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
+        let mut sum = 0.0;
+        for (i, position) in x.iter().enumerate() {
+            let k = self.area[i] * layer::TANGENTIAL;
+            if let Some(sample) = self.touch(i, position) {
+                sum += self.area[i] * layer::energy(self.offset - sample.distance);
+            }
+            if let Some(anchor) = self.anchor(i) {
+                let u = tangential(&(position - anchor.point), &anchor.normal).norm();
+                let slip = anchor.limit / k;
+                sum += if u <= slip {
+                    0.5 * k * u * u
+                } else {
+                    anchor.limit * (u - 0.5 * slip)
+                };
+            }
+        }
+        sum
+    }
+
+    fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
+        for (i, position) in x.iter().enumerate() {
+            let k = self.area[i] * layer::TANGENTIAL;
+            if let Some(sample) = self.touch(i, position) {
+                force[i] +=
+                    sample.normal * (self.area[i] * layer::pressure(self.offset - sample.distance));
+            }
+            if let Some(anchor) = self.anchor(i) {
+                let u = tangential(&(position - anchor.point), &anchor.normal);
+                let length = u.norm();
+                force[i] -= u * if k * length <= anchor.limit {
+                    k
+                } else {
+                    anchor.limit / length
+                };
+            }
+        }
+    }
+
+    fn add_hessian(&mut self, x: &[Vector3<f64>], convexity: f64, hessian: &mut BlockMatrix) {
+        for (i, position) in x.iter().enumerate() {
+            let k = self.area[i] * layer::TANGENTIAL;
+            if let Some(sample) = self.touch(i, position) {
+                let depth = self.offset - sample.distance;
+                let mut block = sample.normal * sample.normal.transpose() * layer::slope(depth);
+                block -= sample.curvature * ((1.0 - convexity) * layer::pressure(depth));
+                block *= self.area[i];
+                hessian.add_diagonal(self.diagonals[i], &block);
+            }
+            if let Some(anchor) = self.anchor(i) {
+                let u = tangential(&(position - anchor.point), &anchor.normal);
+                let length = u.norm();
+                let mut block = Matrix3::identity() - anchor.normal * anchor.normal.transpose();
+                if length == 0.0 || (k * length <= anchor.limit && !anchor.slipping) {
+                    block *= k;
+                } else {
+                    let along = u / length;
+                    block = (block - along * along.transpose()) * (anchor.limit / length);
+                }
+                hessian.add_diagonal(self.diagonals[i], &block);
+            }
+        }
+    }
+
+    fn add_stiffness(&self, stiffness: &mut [f64]) {
+        let sticking = if self.friction.is_some() {
+            layer::TANGENTIAL
+        } else {
+            0.0
+        };
+        for (sum, area) in stiffness.iter_mut().zip(&self.area) {
+            *sum += area * (layer::slope(layer::DEEP) + sticking);
+        }
+    }
+}

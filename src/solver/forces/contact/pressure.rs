@@ -1,0 +1,47 @@
+//! What the body does to each vertex of a drape across its skin: force \[N\] and pressure \[Pa\], friction left out.
+//!
+//! Both follow from the shape alone: the layer on the skin (see `body.rs`) presses harder the deeper a vertex lies in it.
+
+use crate::scene::Scene;
+use crate::solver::forces::contact::layer;
+use crate::solver::model::build::{kept_distance, vertex_areas};
+use nalgebra::Vector3;
+
+/// Normal force of the body on each vertex \[N\], zero where they do not touch; `#V` for `positions` \[m\] of `#V`.
+///
+/// The forces on the vertices of one particle, where a seam is closed, add up to the force on the particle.
+pub fn contact_force(scene: &Scene, positions: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
+    let Some(body) = &scene.body else {
+        return vec![Vector3::zeros(); positions.len()];
+    };
+    let offset = kept_distance(scene);
+    let press = |(p, area): (&Vector3<f64>, f64)| match body.sample(p) {
+        Some(near) if near.distance < offset => {
+            near.normal * (area * layer::pressure(offset - near.distance))
+        }
+        _ => Vector3::zeros(),
+    };
+    positions
+        .iter()
+        .zip(vertex_areas(scene))
+        .map(press)
+        .collect()
+}
+
+/// Pressure of the body on the cloth at each vertex \[Pa\]: the normal force over the area that the cloth has there as it lies,
+/// a third of each triangle; `#V` for `positions` \[m\] of `#V`.
+pub fn contact_pressure(scene: &Scene, positions: &[Vector3<f64>]) -> Vec<f64> {
+    let mut area = vec![0.0; positions.len()];
+    for triangle in &scene.mesh.triangles {
+        let [p, q, r] = triangle.map(|v| positions[v]);
+        let third = (q - p).cross(&(r - p)).norm() / 6.0;
+        for &v in triangle {
+            area[v] += third;
+        }
+    }
+    contact_force(scene, positions)
+        .iter()
+        .zip(area)
+        .map(|(force, area)| if area > 0.0 { force.norm() / area } else { 0.0 })
+        .collect()
+}

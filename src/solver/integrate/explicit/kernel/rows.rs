@@ -1,0 +1,63 @@
+//! The links of each particle in one row, and an order in which particles next to each other have about as many.
+
+use crate::solver::forces::Link;
+
+/// Particles among which those of like counts are put together; few enough to stay neighbours in memory.
+const WINDOW: usize = 256;
+
+/// The links of each particle, from its own end: springs first.
+pub(crate) struct Rows {
+    start: Vec<[usize; 2]>,
+    ends: Vec<Link>,
+}
+
+impl Rows {
+    pub(crate) fn new(links: &[Link], particle_count: usize) -> Self {
+        let mut ends: Vec<Link> = links
+            .iter()
+            .flat_map(|&link| {
+                [
+                    link,
+                    Link {
+                        a: link.b,
+                        b: link.a,
+                        ..link
+                    },
+                ]
+            })
+            .collect();
+        ends.sort_by_key(|end| (end.a, end.bent == 0.0, end.b));
+        let mut start = Vec::with_capacity(particle_count + 1);
+        let mut k = 0;
+        for p in 0..particle_count {
+            let first = k;
+            while k < ends.len() && ends[k].a == p && ends[k].bent != 0.0 {
+                k += 1;
+            }
+            start.push([first, k]);
+            while k < ends.len() && ends[k].a == p {
+                k += 1;
+            }
+        }
+        start.push([k, k]);
+        Self { start, ends }
+    }
+
+    /// The springs (`kind` 0) or the links without a root (1) of particle `p`.
+    pub(crate) fn of(&self, p: usize, kind: usize) -> &[Link] {
+        let [springs, straight] = self.start[p];
+        match kind {
+            0 => &self.ends[springs..straight],
+            _ => &self.ends[straight..self.start[p + 1][0]],
+        }
+    }
+
+    /// Particles in their own order, but those of like counts together within each window.
+    pub(crate) fn order(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.start.len() - 1).collect();
+        for window in order.chunks_mut(WINDOW) {
+            window.sort_by_key(|&p| (self.of(p, 0).len(), self.of(p, 1).len()));
+        }
+        order
+    }
+}

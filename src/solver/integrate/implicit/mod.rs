@@ -1,0 +1,5 @@
+//! Implicit time integration.
+
+pub(crate) mod bdf2;
+pub(crate) mod euler;
+pub(crate) mod incremental;

@@ -1,0 +1,164 @@
+//! The shape at rest by motion: steps with drag until nothing moves any more.
+
+use crate::solver::integrate::energy_monitor::Balance;
+use crate::solver::integrate::integrator::{State, Trouble};
+use crate::solver::integrate::needs::LONGEST_EXPLICIT;
+use crate::solver::integrate::{SAFETY, Settings, stepper};
+use crate::solver::model::system::System;
+use crate::solver::optimize::newton::{Iteration, Stop, Verdict};
+use crate::solver::options::Method;
+use nalgebra::Vector3;
+
+/// Implicit step at the start, and the longest one \[s\]: a garment sways at about 4 rad/s, which such steps damp but follow.
+const FIRST_IMPLICIT: f64 = 0.01;
+const LONGEST_IMPLICIT: f64 = 0.05;
+/// Shortest implicit step \[s\]; where that has no solution, none has.
+const SHORTEST_IMPLICIT: f64 = 1e-7;
+/// How much longer an implicit step may be than the one before it.
+const GROWTH: f64 = 1.5;
+/// Residual to which implicit steps are solved, against the one that is to be reached.
+const SOLVED: f64 = 0.1;
+/// Least share of the stable step that is gone down to where steps drive the cloth, and where forces became infinite.
+const LEAST_DRIVEN: f64 = 0.05;
+const LEAST_SHARE: f64 = 1e-3;
+/// Blocks of steps after which the stability limit is looked at again, since cloth stiffens as it stretches.
+const BLOCKS_A_LIMIT: usize = 40;
+
+/// How a motion to rest is damped and bounded.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Motion {
+    /// A method that steps.
+    pub(crate) method: Method,
+    /// Drag per mass `C_d / m` \[1/s\].
+    pub(crate) drag: f64,
+    /// Greatest speed of explicit steps \[m/s\]: at the steps in question far less than the layer on the skin, so that nothing
+    /// passes through.
+    pub(crate) speed_limit: f64,
+    /// The step asked for \[s\]; the method's own if absent.
+    pub(crate) step: Option<f64>,
+    /// The residual to be reached.
+    pub(crate) tolerance: f64,
+}
+
+/// How a motion ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Moved {
+    pub(crate) stop: Stop,
+    /// Whether steps were made shorter than stability of small motions asks for.
+    pub(crate) shorter: bool,
+}
+
+/// Steps from `x` at rest until `judge` says so, at most `limit` steps.
+///
+/// # Errors
+/// The largest stable step, if the one asked for is above it.
+pub(crate) fn run(
+    system: &mut System<'_>,
+    x: &mut [Vector3<f64>],
+    motion: Motion,
+    limit: u64,
+    judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
+) -> Result<Moved, f64> {
+    let mut shorter = false;
+    let stop = steps(system, x, motion, limit, (judge, &mut shorter))?;
+    Ok(Moved { stop, shorter })
+}
+
+fn steps(
+    system: &mut System<'_>,
+    x: &mut [Vector3<f64>],
+    motion: Motion,
+    limit: u64,
+    (judge, shorter): (&mut dyn FnMut(Iteration<'_>) -> Verdict, &mut bool),
+) -> Result<Stop, f64> {
+    let settings = Settings {
+        drag: motion.drag,
+        speed_limit: motion.speed_limit,
+        residual: SOLVED * motion.tolerance,
+    };
+    let mut stepper = match stepper(system, motion.method, &settings) {
+        Ok(Some(stepper)) => stepper,
+        Ok(None) => return Ok(Stop::Stalled),
+        Err(_) => return Ok(Stop::OutOfMemory),
+    };
+    let stable = stepper.stable_step(system, x);
+    let explicit = stable.is_finite() || stepper.block() > 1;
+    let chosen = explicit && motion.step.is_none();
+    let mut share = SAFETY;
+    let longest = |stable: f64, share: f64| match motion.step {
+        Some(asked) => asked,
+        None if explicit => share * stable.min(LONGEST_EXPLICIT),
+        None => LONGEST_IMPLICIT,
+    };
+    if motion.step.is_some_and(|asked| asked > stable) {
+        return Err(stable);
+    }
+    let mut most = longest(stable, share);
+    let mut h = if explicit {
+        most
+    } else {
+        most.min(FIRST_IMPLICIT)
+    };
+    let mut state = State::at_rest(x);
+    let mut before = state.clone();
+    let mut balance = (chosen && !system.is_skew()).then(|| Balance::new(motion.drag));
+    let mut force = vec![Vector3::zeros(); x.len()];
+    let (mut number, mut steps) = (0, 0);
+    while steps < limit {
+        crate::solver::integrate::integrator::accept(system, &state);
+        system.net_force(&state.x, &mut force);
+        let residual = system.residual(&force);
+        if !(residual.is_finite() && state.is_finite()) {
+            return Ok(Stop::NotFinite);
+        }
+        x.copy_from_slice(&state.x);
+        let verdict = judge(Iteration {
+            number,
+            residual,
+            positions: x,
+            convex: true,
+            estimate_before: None,
+        });
+        match verdict {
+            Verdict::Continue => {}
+            Verdict::Reached => return Ok(Stop::Reached),
+            Verdict::Interrupt => return Ok(Stop::Interrupted),
+        }
+        number += 1;
+        let driven = balance.as_mut().is_some_and(|balance| {
+            let time = h * stepper.block() as f64;
+            number > 1 && share > LEAST_DRIVEN && balance.is_driven(system, &state, time)
+        });
+        if driven {
+            share *= 0.5;
+            *shorter = true;
+        }
+        if chosen && (driven || number.is_multiple_of(BLOCKS_A_LIMIT)) {
+            most = longest(stepper.stable_step(system, &state.x), share);
+            h = most;
+        }
+        before.copy_from(&state);
+        match stepper.advance(system, &mut state, h, stepper.block()) {
+            Ok(_) => {
+                stepper.accept(&before, h);
+                steps += stepper.block();
+                h = (h * GROWTH).min(most);
+            }
+            Err(Trouble::NotSolved) if h > SHORTEST_IMPLICIT => {
+                state.copy_from(&before);
+                h *= 0.25;
+            }
+            Err(Trouble::NotSolved) => return Ok(Stop::Stalled),
+            // What stretched faster than the limit was looked at is gone back on, at rest.
+            Err(Trouble::NotFinite) if chosen && share > LEAST_SHARE => {
+                state = State::at_rest(&before.x);
+                share *= 0.25;
+                *shorter = true;
+                most = longest(stepper.stable_step(system, &state.x), share);
+                h = most;
+            }
+            Err(Trouble::NotFinite) => return Ok(Stop::NotFinite),
+        }
+    }
+    Ok(Stop::Iterations)
+}

@@ -1,0 +1,250 @@
+//! The steps of a motion, from frame to frame.
+//!
+//! Steps end on the times of frames, so no frame is interpolated: the time between two frames is divided evenly by the longest
+//! step that may be taken. A step that is not given is chosen by [`crate::solver::integrate::step_control`], for explicit methods below the stability
+//! limit too.
+
+use crate::progress::Progress;
+use crate::solver::Context;
+use crate::solver::integrate::choose::{Motive, choose};
+use crate::solver::integrate::integrator::{State, Stepper, Trouble};
+use crate::solver::integrate::needs::too_many;
+use crate::solver::integrate::report::{Frame, MotionEnergy, MotionReport};
+use crate::solver::integrate::step_control::Control;
+use crate::solver::integrate::{SAFETY, Settings, stepper};
+use crate::solver::model::dof_map::Particles;
+use crate::solver::model::system::System;
+use crate::solver::options::{Method, Simulate};
+use crate::solver::report::describe::energies;
+
+/// Simulated time if none is asked for \[s\].
+const DURATION: f64 = 1.0;
+/// Frames per simulated second if none are asked for.
+const FRAME_RATE: f64 = 30.0;
+/// Residual to which implicit steps are solved, over the tolerance \[s/m\]: a net force of r times the weight moves a particle
+/// by g r / 2 in a second, which then is 1 % of the tolerance.
+const SOLVED: f64 = 2e-3;
+/// Step that implicit methods begin with where it is chosen \[s\].
+const FIRST_IMPLICIT: f64 = 1e-3;
+/// Shortest step \[s\]; what a step cannot follow then is no motion of cloth.
+const SHORTEST: f64 = 1e-8;
+/// Blocks of steps after which the stability limit is looked at again, since cloth stiffens as it stretches.
+const BLOCKS_A_LIMIT: u64 = 40;
+
+pub(crate) struct Run<'r, 'c, 'w> {
+    pub(crate) ask: &'r Simulate,
+    pub(crate) began: f64,
+    pub(crate) particles: &'r Particles,
+    pub(crate) frames: Vec<Frame>,
+    pub(crate) report: MotionReport,
+    pub(crate) canceled: bool,
+    pub(crate) context: &'c mut Context<'w>,
+}
+
+impl Run<'_, '_, '_> {
+    /// Steps from frame to frame; why it ended, if not at the end.
+    pub(crate) fn go(
+        &mut self,
+        system: &mut System<'_>,
+        state: &mut State,
+        swing: f64,
+    ) -> Result<(), String> {
+        let duration = self.ask.duration_s.unwrap_or(DURATION);
+        let rate = self.ask.frame_rate_hz.unwrap_or(FRAME_RATE);
+        let count = self.frame_count(duration, rate)?;
+        self.keep(system, state);
+        let (mut stepper, mut control) = self.set_up(system, state, swing)?;
+        for frame in 1..=count {
+            let end = (frame as f64 / rate).min(duration);
+            self.to(system, state, end, (stepper.as_mut(), &mut control))?;
+            state.time = end;
+            self.report.simulated_s = end;
+            self.report.newton_iterations = stepper.newton_iterations();
+            self.keep(system, state);
+        }
+        self.report.complete = true;
+        Ok(())
+    }
+
+    /// Frames after the first.
+    fn frame_count(&self, duration: f64, rate: f64) -> Result<u64, String> {
+        let plausible = |v: f64| v.is_finite() && v > 0.0;
+        if !(plausible(duration) && plausible(rate)) {
+            return Err("duration_s and frame_rate_hz must be above 0".to_owned());
+        }
+        // A share of 1e-9 is rounding, not another frame.
+        let count = (duration * rate - 1e-9).ceil().max(1.0);
+        let most = self.context.limits.trajectory_positions;
+        if (count + 1.0) * self.particles.of_vertex.len() as f64 > most as f64 {
+            return Err(format!(
+                "{count} frames of this mesh are more than the {most} positions allowed: ask for fewer frames"
+            ));
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "positive, and bounded by the limit above"
+        )]
+        let count = count as u64;
+        Ok(count)
+    }
+
+    fn set_up(
+        &mut self,
+        system: &mut System<'_>,
+        state: &State,
+        swing: f64,
+    ) -> Result<(Box<dyn Stepper>, Control), String> {
+        let settings = Settings {
+            drag: self.report.drag_1_s,
+            speed_limit: f64::INFINITY,
+            residual: SOLVED * self.ask.tolerance,
+        };
+        let mut method = self.ask.method;
+        if method == Method::Auto {
+            let motive = Motive {
+                step: self.ask.step_s,
+                tolerance: self.ask.tolerance,
+                swing,
+            };
+            let chosen = choose(system, &state.x, &settings, &motive);
+            method = chosen.0;
+            self.report.method_because = Some(chosen.1);
+        }
+        let mut stepper = stepper(system, method, &settings)
+            .map_err(|_| "there is no memory for the matrix factor: ask for longer mesh edges")?
+            .ok_or("newton finds the shape at rest only: ask for another method, or a drape")?;
+        method.name().clone_into(&mut self.report.method);
+        self.report.step_bytes = stepper.step_bytes();
+        let stable = stepper.stable_step(system, &state.x);
+        self.report.stability_limit_s = stable.is_finite().then_some(stable);
+        let first = match self.ask.step_s {
+            Some(asked) if asked > stable => {
+                return Err(format!(
+                    "step_s is above the stability limit of {stable:.2e} s: give a shorter one or leave it out"
+                ));
+            }
+            Some(asked) => asked,
+            None => (SAFETY * stable).min(FIRST_IMPLICIT),
+        };
+        // What may be the longest step later on: chosen implicit steps have no such bound.
+        let longest = self.ask.step_s.unwrap_or(SAFETY * stable);
+        let duration = self.ask.duration_s.unwrap_or(DURATION);
+        if let Some(why) = too_many(duration, longest, self.context.limits.steps) {
+            return Err(format!(
+                "{why}: ask for bdf2 or implicit_euler, for less time, longer mesh edges or softer cloth"
+            ));
+        }
+        let tolerance = self.ask.step_s.is_none().then_some(self.ask.tolerance);
+        let mut control = Control::new(tolerance, stepper.order(), first);
+        control.limit(SAFETY * stable);
+        Ok((stepper, control))
+    }
+
+    /// Steps to the time `end`.
+    fn to(
+        &mut self,
+        system: &mut System<'_>,
+        state: &mut State,
+        end: f64,
+        (stepper, control): (&mut dyn Stepper, &mut Control),
+    ) -> Result<(), String> {
+        let mut before = state.clone();
+        let mut blocks = 0;
+        // What is left is counted in steps, so that rounding of times adds no step.
+        let mut remaining = end - state.time;
+        while remaining > 0.0 {
+            self.watch(state)?;
+            let (h, parts) = control.next(remaining);
+            let count = parts.min(stepper.block());
+            before.copy_from(state);
+            let error = match stepper.advance(system, state, h, count) {
+                Ok(error) if state.is_finite() => error,
+                Ok(_) | Err(Trouble::NotFinite) if self.ask.step_s.is_some() => {
+                    state.copy_from(&before);
+                    return Err(format!(
+                        "forces became infinite in steps of {h:.1e} s: give a shorter one or leave it out"
+                    ));
+                }
+                Ok(_) | Err(_) => f64::INFINITY,
+            };
+            let solved = error.is_finite();
+            let accepted = solved && control.accepts(h, error);
+            if !accepted {
+                state.copy_from(&before);
+                self.report.rejected += count;
+                if !solved {
+                    control.shorten(h);
+                }
+                if h < SHORTEST {
+                    return Err(format!("steps of {h:.0e} s are still too long"));
+                }
+                continue;
+            }
+            stepper.accept(&before, h);
+            self.count(h, count, error);
+            remaining = if count == parts {
+                0.0
+            } else {
+                remaining - h * count as f64
+            };
+            blocks += 1;
+            if stepper.block() > 1 && u64::is_multiple_of(blocks, BLOCKS_A_LIMIT) {
+                let stable = stepper.stable_step(system, &state.x);
+                self.report.within_limits &= h <= stable;
+                control.limit(SAFETY * stable);
+            }
+        }
+        Ok(())
+    }
+
+    fn count(&mut self, h: f64, count: u64, error: f64) {
+        let report = &mut self.report;
+        report.steps += count;
+        report.step_min_s = report.step_min_s.min(h);
+        report.step_max_s = report.step_max_s.max(h);
+        report.local_errors_m += error * h * count as f64;
+    }
+
+    /// Tells how far it is; why to stop, if there is a reason.
+    fn watch(&mut self, state: &State) -> Result<(), String> {
+        let cpu_s = (self.context.cpu_s)() - self.began;
+        let duration = self.ask.duration_s.unwrap_or(DURATION);
+        (self.context.progress)(Progress {
+            stage: "motion".to_owned(),
+            fraction: (state.time / duration).clamp(0.0, 1.0),
+            cpu_s,
+            ..Progress::default()
+        });
+        self.canceled = self.context.cancel.is_canceled();
+        let limits = self.context.limits;
+        let allowed = self.ask.time_limit_s.unwrap_or(f64::INFINITY);
+        if self.canceled {
+            Err(format!("canceled at {:.4} s", state.time))
+        } else if cpu_s > allowed.min(limits.fit_cpu_s) {
+            Err(format!("the time allowed was up at {:.4} s", state.time))
+        } else if self.report.steps + self.report.rejected >= limits.steps {
+            Err(format!(
+                "the limit of steps was reached at {:.4} s",
+                state.time
+            ))
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Keeps a frame.
+    fn keep(&mut self, system: &mut System<'_>, state: &State) {
+        let moving = state.v.iter().zip(&system.mass);
+        let kinetic = 0.5 * moving.map(|(v, m)| m * v.norm_squared()).sum::<f64>();
+        self.frames.push(Frame {
+            time_s: state.time,
+            positions: self.particles.spread(&state.x),
+            velocities: self.particles.spread(&state.v),
+            energy: MotionEnergy {
+                kinetic,
+                potential: energies(system, &state.x),
+            },
+        });
+    }
+}

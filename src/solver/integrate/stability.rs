@@ -1,0 +1,351 @@
+//! The longest stable step of a method as it shows when steps are taken, beside what theory says.
+//!
+//! A rest shape is disturbed by far less than anything that could make it move otherwise, and steps of one length are taken from
+//! there. Above the limit the disturbance of the stiffest mode grows by a factor a step (symplectic Euler at 1 % above: 1.3), so
+//! a few hundred steps tell. The longest step with which it stays is found by bisection of the logarithm of the step.
+
+use crate::scene::Scene;
+use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
+use crate::solver::forces::contact::Anchors;
+use crate::solver::integrate::damping;
+use crate::solver::integrate::integrator::State;
+use crate::solver::integrate::limit;
+use crate::solver::integrate::{Settings, stepper};
+use crate::solver::model::build::{Stage, assemble};
+use crate::solver::model::dof_map::Particles;
+use crate::solver::options::{Method, SeamClose, Simulate};
+use crate::solver::{Context, Drape};
+use nalgebra::Vector3;
+
+/// Disturbance of a particle in each direction at most \[m\].
+const DISTURBANCE: f64 = 1e-10;
+/// Distance of any particle from the rest shape above which explicit steps count as unstable \[m\]. Below the limit a disturbance
+/// is carried on, and 1 % below it at most ten times as large; what is left of the net force at rest moves nothing so far in the
+/// time. Further off cloth that yields to pressure, or loses touch with the body, is softer, and what grows here may not grow
+/// there.
+const GROWN: f64 = 1e-7;
+/// Explicit steps taken: an instability of 0.1 % above the limit, which grows by 1.09 a step, shows after 80.
+const STEPS: u64 = 400;
+/// The bracket is narrowed to this ratio.
+const NARROW: f64 = 1.01;
+/// How often a bracket is widened, and by how much.
+const WIDENINGS: u32 = 12;
+const WIDER: f64 = 1.5;
+/// Share of the guess below which no limit is looked for.
+const LEAST_SHARE: f64 = 0.1;
+/// Steps of implicit methods that are tried \[s\], and how many of each.
+const IMPLICIT: [f64; 3] = [0.01, 0.1, 1.0];
+const IMPLICIT_STEPS: u64 = 20;
+/// Distance from the rest shape at which implicit steps are said to leave it \[m\]. The time is long: what slides freely slides.
+const LEFT: f64 = 1e-3;
+
+/// The longest stable step of one method at one rest shape.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StableStep {
+    /// By theory, from the highest frequency at that shape \[s\]; none for methods that are stable with any step, and where
+    /// nothing is stiff.
+    pub theory_s: Option<f64>,
+    /// The limit that `trajectory` keeps to: theory's with a margin for what it does not see \[s\].
+    pub kept_to_s: Option<f64>,
+    /// Longest step with which the disturbance did not grow, if with a longer one it did \[s\].
+    pub found_s: Option<f64>,
+    /// Longest step that was tried \[s\].
+    pub tried_s: f64,
+    /// Whether it was stopped, by the cancel token or its time limit.
+    pub stopped: bool,
+    /// In words.
+    pub because: String,
+}
+
+/// What came of steps of one length.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Ended {
+    /// The disturbance stayed small.
+    Stayed,
+    /// It grew.
+    Grew,
+    /// The equations of a step were not solved.
+    NotSolved,
+    /// There was no time for it.
+    Stopped,
+}
+
+/// Finds the longest stable step of the method that `ask` names, near the rest shape `rest` of `scene`, held there by its friction.
+///
+/// # Guarantees
+/// Ends within the time limit of `ask` and when canceled; says so. Numbers are finite.
+///
+/// # Limitations
+/// `rest` must be at rest to about 1e-8 of the weight, or it moves by itself. Instabilities that need more than a tiny
+/// disturbance (contact that is not touched yet, cloth that stiffens as it stretches) do not show.
+pub fn stable_step(
+    scene: &Scene,
+    ask: &Simulate,
+    rest: &Drape,
+    context: &mut Context<'_>,
+) -> StableStep {
+    let mut trial = Trial {
+        scene,
+        ask,
+        rest: &rest.positions,
+        anchors: &rest.anchors,
+        began: (context.cpu_s)(),
+        context,
+    };
+    match ask.method {
+        Method::SymplecticEuler | Method::Verlet => trial.explicit(),
+        Method::ImplicitEuler | Method::Bdf2 => trial.implicit(),
+        Method::Auto | Method::Newton => StableStep {
+            because: "the method takes no steps of time".to_owned(),
+            ..StableStep::default()
+        },
+    }
+}
+
+/// The longest step that `trajectory` allows the method of `ask` at the shape `shape` \[m; `#V`\] of `scene` \[s\]; none for methods
+/// that are stable with any step.
+pub fn allowed_step(
+    scene: &Scene,
+    ask: &Simulate,
+    shape: &[Vector3<f64>],
+    context: &mut Context<'_>,
+) -> Option<f64> {
+    if !ask.method.is_explicit() {
+        return None;
+    }
+    let trial = Trial {
+        scene,
+        ask,
+        rest: shape,
+        anchors: &Anchors::default(),
+        began: 0.0,
+        context,
+    };
+    trial.kept_to()
+}
+
+struct Trial<'a, 'c, 'w> {
+    scene: &'a Scene,
+    ask: &'a Simulate,
+    rest: &'a [Vector3<f64>],
+    anchors: &'a Anchors,
+    began: f64,
+    context: &'c mut Context<'w>,
+}
+
+impl Trial<'_, '_, '_> {
+    fn explicit(&mut self) -> StableStep {
+        let square = self.with_system(limit::highest_square_here);
+        let drag = self.drag();
+        let theory = match self.ask.method {
+            Method::Verlet => limit::verlet(square),
+            _ => limit::symplectic_euler(square, drag),
+        };
+        if !(theory.is_finite() && theory > 0.0) {
+            return StableStep {
+                because: "nothing here is stiff: any step is stable".to_owned(),
+                ..StableStep::default()
+            };
+        }
+        let mut step = StableStep {
+            theory_s: Some(theory),
+            kept_to_s: self.kept_to(),
+            ..StableStep::default()
+        };
+        self.bisect(theory, &mut step);
+        step
+    }
+
+    /// Narrows a bracket round the limit that begins about `guess` \[s\] and is widened until it holds it.
+    fn bisect(&mut self, guess: f64, step: &mut StableStep) {
+        let (mut low, mut high) = (guess / WIDER, guess * WIDER.powi(2));
+        let (mut low_known, mut high_known) = (false, false);
+        for _ in 0..2 * WIDENINGS {
+            // What moves with steps of any length is not driven by them.
+            if (low_known && high_known) || low < LEAST_SHARE * guess {
+                break;
+            }
+            let h = if low_known { high } else { low };
+            step.tried_s = step.tried_s.max(h);
+            match self.steps(h, STEPS, GROWN) {
+                Ended::Stopped => return stopped(step),
+                Ended::Stayed if low_known => (low, high) = (high, high * WIDER),
+                Ended::Stayed => low_known = true,
+                _ if low_known => high_known = true,
+                _ => {
+                    (high, low) = (low, low / WIDER);
+                    high_known = true;
+                }
+            }
+        }
+        if !low_known {
+            step.because =
+                format!("even steps of {low:.1e} s let the shape move: it is not at rest");
+            return;
+        }
+        if !high_known {
+            step.because = format!("none found up to {:.1e} s", step.tried_s);
+            return;
+        }
+        while high > NARROW * low {
+            let middle = (low * high).sqrt();
+            match self.steps(middle, STEPS, GROWN) {
+                Ended::Stopped => return stopped(step),
+                Ended::Stayed => low = middle,
+                _ => high = middle,
+            }
+        }
+        step.found_s = Some(low);
+        step.because = format!(
+            "{STEPS} steps of {low:.3e} s keep a disturbance of {DISTURBANCE:.0e} m small, steps of {high:.3e} s do not"
+        );
+    }
+
+    fn implicit(&mut self) -> StableStep {
+        let mut step = StableStep::default();
+        for h in IMPLICIT {
+            match self.steps(h, IMPLICIT_STEPS, LEFT) {
+                Ended::Stayed => step.tried_s = h,
+                Ended::Stopped => {
+                    stopped(&mut step);
+                    return step;
+                }
+                Ended::Grew => {
+                    step.because = format!(
+                        "{}with steps of {h} s the cloth left its rest shape, as it may by sliding",
+                        none_up_to(step.tried_s)
+                    );
+                    return step;
+                }
+                Ended::NotSolved => {
+                    step.because = format!(
+                        "{}the equations of steps of {h} s were not solved",
+                        none_up_to(step.tried_s)
+                    );
+                    return step;
+                }
+            }
+        }
+        step.because = format!("none found up to {} s", step.tried_s);
+        step
+    }
+
+    fn drag(&self) -> f64 {
+        self.scene.drag.unwrap_or_else(|| damping::drag(self.scene))
+    }
+
+    /// The limit that `trajectory` keeps to \[s\].
+    fn kept_to(&self) -> Option<f64> {
+        let (method, settings) = (self.ask.method, self.settings());
+        let step = self.with_system(|system, x| match stepper(system, method, &settings) {
+            Ok(Some(mut stepper)) => stepper.stable_step(system, x),
+            _ => f64::INFINITY,
+        });
+        step.is_finite().then_some(step)
+    }
+
+    fn settings(&self) -> Settings {
+        Settings {
+            drag: self.drag(),
+            speed_limit: f64::INFINITY,
+            residual: 0.0,
+        }
+    }
+
+    /// Takes `count` steps of `h` \[s\] from the disturbed rest shape, or fewer if it is further than `grown` \[m\] away before.
+    fn steps(&mut self, h: f64, count: u64, grown: f64) -> Ended {
+        let (method, settings) = (self.ask.method, self.settings());
+        let (began, allowed) = (self.began, self.ask.time_limit_s.unwrap_or(f64::INFINITY));
+        let (clock, cancel) = (self.context.cpu_s, self.context.cancel);
+        let allowed = allowed.min(self.context.limits.fit_cpu_s);
+        let is_over = move || cancel.is_canceled() || clock() - began > allowed;
+        self.with_system(|system, rest| {
+            let mut shape = rest.to_vec();
+            disturb(&mut shape);
+            let mut moved: Vec<_> = shape.iter().zip(rest).map(|(x, r)| x - r).collect();
+            system.hold_still(&mut moved);
+            for ((x, r), m) in shape.iter_mut().zip(rest).zip(&moved) {
+                *x = r + m;
+            }
+            let mut state = State::at_rest(&shape);
+            let Ok(Some(mut stepper)) = stepper(system, method, &settings) else {
+                return Ended::NotSolved;
+            };
+            let mut taken = 0;
+            while taken < count {
+                if is_over() {
+                    return Ended::Stopped;
+                }
+                let before = state.clone();
+                let block = stepper.block().min(count - taken);
+                match stepper.advance(system, &mut state, h, block) {
+                    Ok(_) if state.is_finite() => {}
+                    Err(crate::solver::integrate::integrator::Trouble::NotSolved) => {
+                        return Ended::NotSolved;
+                    }
+                    _ => return Ended::Grew,
+                }
+                stepper.accept(&before, h);
+                taken += block;
+                if furthest(&state.x, rest) > grown {
+                    return Ended::Grew;
+                }
+            }
+            Ended::Stayed
+        })
+    }
+
+    /// Calls `f` with a system that remembers nothing of other trials, and the rest shape of its particles.
+    fn with_system<T>(
+        &self,
+        f: impl FnOnce(&mut crate::solver::model::system::System<'_>, &[Vector3<f64>]) -> T,
+    ) -> T {
+        let scene = self.scene;
+        let stitches = scene.mesh.stitches.iter().map(|s| (s.a, s.b));
+        let weld = self.ask.seam_close == SeamClose::Weld;
+        let particles = if weld {
+            Particles::welded(scene.start.len(), stitches.clone())
+        } else {
+            Particles::apart(scene.start.len())
+        };
+        let stiffness = closed_stiffness(self.ask, SEAM_STIFFNESS);
+        let springs = (!weld && stitches.len() > 0).then(|| (stitches.collect(), stiffness));
+        let stage = Stage {
+            particles: &particles,
+            stitches: springs,
+            gravity: true,
+            friction: Some(self.anchors),
+            explicit: self.ask.method.is_explicit(),
+        };
+        let mut system = assemble(scene, self.ask, &stage, self.context.cpu_s);
+        f(&mut system, &particles.mean(self.rest))
+    }
+}
+
+/// What was found before a step failed for another reason.
+fn none_up_to(tried_s: f64) -> String {
+    if tried_s > 0.0 {
+        format!("none found up to {tried_s} s; ")
+    } else {
+        String::new()
+    }
+}
+
+fn stopped(step: &mut StableStep) {
+    step.stopped = true;
+    step.because = "stopped before it was found".to_owned();
+}
+
+/// Largest distance of a particle between two shapes \[m\].
+fn furthest(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
+    let apart = x.iter().zip(y).map(|(x, y)| (x - y).norm_squared());
+    apart.fold(0.0, f64::max).sqrt()
+}
+
+/// Moves every particle by at most the disturbance in each direction, the same every time.
+fn disturb(shape: &mut [Vector3<f64>]) {
+    let moves = limit::scattered(shape.len());
+    for (x, m) in shape.iter_mut().zip(moves) {
+        *x += m * (2.0 * DISTURBANCE);
+    }
+}

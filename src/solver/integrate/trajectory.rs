@@ -1,0 +1,94 @@
+//! The motion of a scene from a start: frames at even times.
+
+use crate::scene::Scene;
+use crate::solver::Context;
+use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
+use crate::solver::forces::contact::Anchors;
+use crate::solver::integrate::damping;
+use crate::solver::integrate::integrator::State;
+use crate::solver::integrate::report::{MotionReport, Trajectory};
+use crate::solver::integrate::run::Run;
+use crate::solver::model::build::{Stage, assemble};
+use crate::solver::model::dof_map::Particles;
+use crate::solver::options::{Method, SeamClose, Simulate};
+use crate::solver::report::describe::add_terms;
+use nalgebra::Vector3;
+
+/// What a motion begins with.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Start {
+    /// Position of each vertex \[m\]; `#V`. The scene's start if absent.
+    pub positions: Option<Vec<Vector3<f64>>>,
+    /// Velocity of each vertex \[m/s\]; `#V`. At rest if absent.
+    pub velocities: Option<Vec<Vector3<f64>>>,
+}
+
+/// Simulates the motion of `scene` from `from` for [`Simulate::duration_s`].
+///
+/// Seams are taken as closed: drape a garment that is not sewn first. Drag is the scene's, or that of its fabrics
+/// (`damping::drag`).
+///
+/// # Guarantees
+/// Ends within the limits of the context; frames are finite. The report says whether all of the time was simulated, and why
+/// not where it was not. Same input, same bytes.
+pub fn trajectory(
+    scene: &Scene,
+    ask: &Simulate,
+    from: Start,
+    context: &mut Context<'_>,
+) -> Trajectory {
+    let began = (context.cpu_s)();
+    let stitches = scene.mesh.stitches.iter().map(|s| (s.a, s.b));
+    let weld = ask.seam_close == SeamClose::Weld;
+    let particles = if weld {
+        Particles::welded(scene.start.len(), stitches.clone())
+    } else {
+        Particles::apart(scene.start.len())
+    };
+    let stiffness = closed_stiffness(ask, SEAM_STIFFNESS);
+    let springs = (!weld && stitches.len() > 0).then(|| (stitches.collect(), stiffness));
+    let stage = Stage {
+        particles: &particles,
+        stitches: springs,
+        gravity: true,
+        friction: Some(&Anchors::default()),
+        // Automatic methods may turn out to be explicit.
+        explicit: ask.method.is_explicit() || ask.method == Method::Auto,
+    };
+    let mut system = assemble(scene, ask, &stage, context.cpu_s);
+    let mut state =
+        State::at_rest(&particles.mean(from.positions.as_ref().unwrap_or(&scene.start)));
+    state.windy = true;
+    if let Some(velocities) = &from.velocities {
+        state.v = particles.mean(velocities);
+        system.hold_still(&mut state.v);
+    }
+    let mut run = Run {
+        ask,
+        began,
+        particles: &particles,
+        frames: Vec::new(),
+        report: MotionReport {
+            within_limits: true,
+            step_min_s: f64::INFINITY,
+            drag_1_s: scene.drag.unwrap_or_else(|| damping::drag(scene)),
+            ..MotionReport::default()
+        },
+        canceled: false,
+        context,
+    };
+    run.report.why = match run.go(&mut system, &mut state, damping::slowest_swing(scene)) {
+        Ok(()) => format!("all of {:.4} s was simulated", run.report.simulated_s),
+        Err(why) => why,
+    };
+    add_terms(&mut run.report.terms, &system);
+    run.report.cpu_s = (run.context.cpu_s)() - began;
+    if run.report.steps == 0 {
+        run.report.step_min_s = 0.0;
+    }
+    Trajectory {
+        frames: run.frames,
+        report: run.report,
+        canceled: run.canceled,
+    }
+}

@@ -1,0 +1,6 @@
+//! Sparse linear algebra on matrices of 3 x 3 blocks.
+
+pub(crate) mod block_matrix;
+pub(crate) mod cholesky;
+pub(crate) mod nonsymmetric;
+pub(crate) mod ordering;

@@ -1,0 +1,7 @@
+//! Particles and force terms of a scene.
+
+pub(crate) mod bending;
+pub(crate) mod build;
+pub(crate) mod dof_map;
+pub(crate) mod membrane;
+pub(crate) mod system;

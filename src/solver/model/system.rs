@@ -1,0 +1,200 @@
+//! The particles of a garment and the force terms that act on them: only those that the scene needs.
+
+use crate::solver::forces::Force;
+use crate::solver::forces::contact::BodyContact;
+use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
+use nalgebra::Vector3;
+
+/// Standard gravity, by which residuals are scaled \[m/s²\].
+pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;
+
+/// Particles and the terms that act on them.
+pub(crate) struct System<'a> {
+    /// \[kg\]; one per particle.
+    pub(crate) mass: Vec<f64>,
+    /// Particles that do not move.
+    pub(crate) held: Vec<bool>,
+    /// The coordinate in which no particle moves.
+    pub(crate) held_axis: Option<usize>,
+    /// The terms, with the CPU time spent in each.
+    pub(crate) terms: Vec<TimedForce>,
+    /// Contact with the body, kept apart from the other terms because it remembers what slipped.
+    pub(crate) contact: Option<BodyContact>,
+    /// CPU time in contact \[s\].
+    pub(crate) contact_cpu_s: f64,
+    /// The only clock \[CPU s\].
+    pub(crate) clock: &'a dyn Fn() -> f64,
+}
+
+/// A term and the CPU time spent in it.
+pub(crate) struct TimedForce {
+    pub(crate) force: Box<dyn Force>,
+    pub(crate) cpu_s: f64,
+}
+
+impl System<'_> {
+    /// Number of particles.
+    pub(crate) fn particle_count(&self) -> usize {
+        self.mass.len()
+    }
+
+    /// Lays out the second derivatives and tells every term its place in them.
+    pub(crate) fn bind(&mut self) -> Sparsity {
+        let mut pairs = Vec::new();
+        for term in &self.terms {
+            term.force.couple(&mut pairs);
+        }
+        let sparsity = Sparsity::from_pairs(self.particle_count(), pairs);
+        self.for_each(|force| force.bind(&sparsity));
+        sparsity
+    }
+
+    /// Whether some force has no energy.
+    pub(crate) fn is_skew(&self) -> bool {
+        self.terms.iter().any(|term| term.force.is_skew())
+    }
+
+    /// The skew part of the negative derivative of all forces at `x`, times `d`, which is zero for what is held.
+    pub(crate) fn skew(&self, x: &[Vector3<f64>], d: &[Vector3<f64>], out: &mut [Vector3<f64>]) {
+        out.fill(Vector3::zeros());
+        for term in &self.terms {
+            term.force.add_skew(x, d, out);
+        }
+        self.hold_still(out);
+    }
+
+    /// Tells the terms of an accepted shape. Whether anything slipped on the body.
+    pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
+        for term in &mut self.terms {
+            term.force.accept(x);
+        }
+        self.contact.as_mut().is_some_and(|c| c.accept(x))
+    }
+
+    /// Tells the terms how the particles move \[m/s\] at `time` \[s\]; without it they rest in the mean wind.
+    pub(crate) fn set_motion(&mut self, velocity: &[Vector3<f64>], time: f64) {
+        for term in &mut self.terms {
+            term.force.set_motion(velocity, time);
+        }
+    }
+
+    /// Energy of all terms \[J\].
+    pub(crate) fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
+        let mut sum = 0.0;
+        self.for_each(|force| sum += force.energy(x));
+        sum
+    }
+
+    /// Energy of the term `name` \[J\], 0 if there is none.
+    pub(crate) fn energy_of(&mut self, name: &str, x: &[Vector3<f64>]) -> f64 {
+        let mut sum = 0.0;
+        self.for_each(|force| {
+            if force.name() == name {
+                sum += force.energy(x);
+            }
+        });
+        sum
+    }
+
+    /// Net force on each particle, zero on those that are held \[N\].
+    pub(crate) fn net_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
+        force.fill(Vector3::zeros());
+        self.for_each(|term| term.add_force(x, force));
+        self.hold_still(force);
+    }
+
+    /// Adds the forces of contact and of all terms that are not marked in `except` \[N\].
+    pub(crate) fn add_forces_except(
+        &mut self,
+        except: &[bool],
+        x: &[Vector3<f64>],
+        force: &mut [Vector3<f64>],
+    ) {
+        let mut except = except.iter();
+        self.for_each(|term| {
+            if except.next() != Some(&true) {
+                term.add_force(x, force);
+            }
+        });
+    }
+
+    /// Makes zero what would move a particle that does not move.
+    pub(crate) fn hold_still(&self, vectors: &mut [Vector3<f64>]) {
+        for (v, _) in vectors
+            .iter_mut()
+            .zip(&self.held)
+            .filter(|(_, held)| **held)
+        {
+            *v = Vector3::zeros();
+        }
+        if let Some(axis) = self.held_axis {
+            vectors.iter_mut().for_each(|v| v[axis] = 0.0);
+        }
+    }
+
+    /// Takes what does not move out of `hessian`: its rows and columns become those of the identity.
+    pub(crate) fn hold(&self, sparsity: &Sparsity, hessian: &mut BlockMatrix) {
+        hessian.hold(sparsity, &self.held);
+        if let Some(axis) = self.held_axis {
+            hessian.hold_axis(sparsity, axis);
+        }
+    }
+
+    /// Second derivative of the energy, less the share `convexity` of what may make it indefinite.
+    pub(crate) fn hessian(
+        &mut self,
+        x: &[Vector3<f64>],
+        convexity: f64,
+        hessian: &mut BlockMatrix,
+    ) {
+        hessian.clear();
+        self.for_each(|force| force.add_hessian(x, convexity, hessian));
+    }
+
+    /// Bound on the stiffness that each particle feels in the rest shape \[N/m\].
+    pub(crate) fn stiffness(&mut self) -> Vec<f64> {
+        let mut sum = vec![0.0; self.particle_count()];
+        self.for_each(|force| force.add_stiffness(&mut sum));
+        sum
+    }
+
+    /// Mean weight of a particle under standard gravity \[N\].
+    fn mean_weight(&self) -> f64 {
+        self.mass.iter().sum::<f64>() * STANDARD_GRAVITY / self.particle_count().max(1) as f64
+    }
+
+    /// `r = sqrt(sum |f_i|² / n) / (M 9.80665 / n)`: the net force on a particle over its weight.
+    pub(crate) fn residual(&self, force: &[Vector3<f64>]) -> f64 {
+        let count = force.len() as f64;
+        let weight = self.mean_weight();
+        (force.iter().map(Vector3::norm_squared).sum::<f64>() / count).sqrt() / weight
+    }
+
+    /// The residual below which forces are rounding: k eps |x| / (m g), k the stiffness a particle feels.
+    pub(crate) fn residual_floor(&mut self, x: &[Vector3<f64>]) -> f64 {
+        let stiffness = self.stiffness();
+        let count = x.len() as f64;
+        let weight = self.mean_weight();
+        // Each of the ~10 differences that make up a force is rounded on its own, so the errors add as squares.
+        let rounding = stiffness
+            .iter()
+            .zip(x)
+            .map(|(k, x)| (k * f64::EPSILON * x.norm()).powi(2) / 10.0)
+            .sum::<f64>();
+        (rounding / count).sqrt() / weight
+    }
+
+    fn for_each(&mut self, mut run: impl FnMut(&mut dyn Force)) {
+        let mut before = (self.clock)();
+        for term in &mut self.terms {
+            run(term.force.as_mut());
+            let now = (self.clock)();
+            term.cpu_s += now - before;
+            before = now;
+        }
+        if let Some(contact) = &mut self.contact {
+            run(contact);
+            self.contact_cpu_s += (self.clock)() - before;
+        }
+    }
+}

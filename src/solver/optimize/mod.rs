@@ -1,0 +1,3 @@
+//! Minimization of the energy of a system.
+
+pub(crate) mod newton;

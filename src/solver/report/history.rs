@@ -1,0 +1,214 @@
+//! The way of a run to its final shape: shapes kept as it goes, how far each was from the last one, and what was known of that.
+
+use crate::solver::drape::relax::ESTIMATE_HOLDS;
+use crate::solver::report::measure::rms_distance;
+use crate::solver::report::schema::ErrorPoint;
+use nalgebra::Vector3;
+
+/// Shapes kept of one level at most, of the finest and of the others; when there are more, every other one is dropped.
+const OF_FINEST: usize = 48;
+const OF_COARSER: usize = 12;
+/// Positions kept of the finest level at most: bounds the memory of large meshes.
+const POSITIONS: usize = 4_000_000;
+/// Largest ratio of two successive distances that is taken for a series that ends.
+const SLOWEST: f64 = 0.9;
+
+struct Snapshot {
+    cpu_s: f64,
+    residual: f64,
+    level: usize,
+    estimate: Option<f64>,
+    positions: Vec<Vector3<f64>>,
+}
+
+/// The shapes that a run went through.
+#[derive(Default)]
+pub(crate) struct Way {
+    snapshots: Vec<Snapshot>,
+    /// Index of the first snapshot of the level that runs now.
+    first: usize,
+    level: usize,
+    most: usize,
+    stride: usize,
+    seen: usize,
+    /// Whether the last shape was kept.
+    kept: bool,
+}
+
+impl Way {
+    /// Goes on to a level of so many vertices; number 0 is the finest.
+    pub(crate) fn begin_level(&mut self, level: usize, vertices: usize) {
+        let most = if level == 0 { OF_FINEST } else { OF_COARSER };
+        *self = Self {
+            first: self.snapshots.len(),
+            snapshots: std::mem::take(&mut self.snapshots),
+            level,
+            most: most.min(POSITIONS / vertices.max(1)).max(4),
+            stride: 1,
+            seen: 0,
+            kept: false,
+        };
+    }
+
+    /// Keeps the shape of an iteration, or not.
+    pub(crate) fn pass(
+        &mut self,
+        cpu_s: f64,
+        residual: f64,
+        shape: &dyn Fn() -> Vec<Vector3<f64>>,
+    ) {
+        self.kept = self.seen.is_multiple_of(self.stride);
+        self.seen += 1;
+        if !self.kept {
+            return;
+        }
+        self.snapshots.push(Snapshot {
+            cpu_s,
+            residual,
+            level: self.level,
+            estimate: None,
+            positions: shape(),
+        });
+        if self.snapshots.len() - self.first > self.most {
+            self.thin_out();
+        }
+    }
+
+    /// Every other shape of this level goes; the first stays.
+    fn thin_out(&mut self) {
+        let (first, mut index) = (self.first, 0);
+        self.snapshots.retain(|_| {
+            index += 1;
+            index <= first || (index - first) % 2 == 1
+        });
+        self.kept = (self.seen - 1).is_multiple_of(2 * self.stride);
+        self.stride *= 2;
+    }
+
+    /// Notes an estimate of how far the last shape was from the solution \[m\].
+    pub(crate) fn estimate_last(&mut self, estimate: Option<f64>) {
+        if self.kept
+            && let Some(last) = self.snapshots.last_mut()
+        {
+            last.estimate = estimate;
+        }
+    }
+
+    /// How far the shape `now` of this level, at `cpu_s` \[s\] and with the residual r, is from rest.
+    #[inline(never)] // so that a profile tells what it takes
+    pub(crate) fn to_go(&self, cpu_s: f64, r: f64, now: &[Vector3<f64>]) -> Option<ToGo> {
+        let of_level = self.snapshots[self.first..].iter();
+        let mut shapes: Vec<_> = of_level.map(Snapshot::moment).collect();
+        shapes.push((cpu_s, now));
+        to_go(r, &shapes)
+    }
+
+    /// Distance of every kept shape from the final one on the finest mesh, to which `to_finest` carries the shapes of a level.
+    #[inline(never)] // so that a profile tells what it takes
+    pub(crate) fn points(
+        &self,
+        to_finest: &dyn Fn(usize, Vec<Vector3<f64>>) -> Vec<Vector3<f64>>,
+        last: &[Vector3<f64>],
+    ) -> Vec<ErrorPoint> {
+        let point = |(number, s): (usize, &Snapshot)| {
+            let on_finest = self.snapshots[..=number].iter().filter(|s| s.level == 0);
+            let shapes: Vec<_> = on_finest.map(Snapshot::moment).collect();
+            let told = || Some(to_go(s.residual, &shapes)?.distance_m);
+            let known = s.estimate.filter(|_| s.residual <= ESTIMATE_HOLDS);
+            let known = known.or_else(told);
+            ErrorPoint {
+                cpu_s: s.cpu_s,
+                rms_error_m: rms_distance(&to_finest(s.level, s.positions.clone()), last),
+                error_estimate_m: known.filter(|_| s.level == 0),
+                residual: s.residual,
+            }
+        };
+        self.snapshots.iter().enumerate().map(point).collect()
+    }
+}
+
+impl Snapshot {
+    fn moment(&self) -> (f64, &[Vector3<f64>]) {
+        (self.cpu_s, &self.positions)
+    }
+}
+
+/// How far it is to rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct ToGo {
+    /// RMS distance \[m\].
+    pub(crate) distance_m: f64,
+    /// CPU time in which it halves \[s\], if it gets shorter.
+    pub(crate) halving_s: Option<f64>,
+}
+
+/// How far the last of `shapes`, which are evenly spaced on the way, each with its time \[s\], is from rest, r being its residual.
+///
+/// Where folds still form, the second derivative tells nothing, and a way that slows down may quicken again. Of 244 shapes of
+/// eight garments of poplin between r = 0.01 and 1e4, 76 % were within 3 times of `0.45 mm r^(3/4) (d / mm)^(1/4)`, d being how
+/// far the shape moved in the later half of its way; of fits to r alone 69 % were, to the way alone 50 %.
+fn to_go(r: f64, shapes: &[(f64, &[Vector3<f64>])]) -> Option<ToGo> {
+    let last = shapes.len().checked_sub(1)?;
+    let between = |to: usize, from: usize| rms_distance(shapes[to].1, shapes[from].1);
+    let moved = between(last, last / 2);
+    if moved == 0.0 {
+        return None;
+    }
+    let third = last / 3;
+    let ratio = between(last, last - third) / between(last - third, last - 2 * third);
+    let took = shapes[last].0 - shapes[last - third].0;
+    Some(ToGo {
+        distance_m: 0.45e-3 * r.powf(0.75) * (moved / 1e-3).powf(0.25),
+        halving_s: (ratio < SLOWEST).then(|| took * 0.5_f64.ln() / ratio.ln()),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(x: f64) -> Vec<Vector3<f64>> {
+        vec![Vector3::new(x, 0.0, 0.0); 3]
+    }
+
+    #[test]
+    fn a_way_that_gets_shorter_halves_in_a_time() {
+        let mut way = Way::default();
+        way.begin_level(0, 3);
+        for i in 0..9 {
+            way.pass(f64::from(i), 1.0, &|| at(0.8_f64.powi(i)));
+        }
+        let now = at(0.8_f64.powi(9));
+        let told = way.to_go(9.0, 16.0, &now).expect("it moved");
+        let moved = 1e3 * (0.8_f64.powi(4) - 0.8_f64.powi(9));
+        assert!((told.distance_m / (0.45e-3 * 8.0 * moved.powf(0.25)) - 1.0).abs() < 1e-12);
+        // Each second it is 0.8 times as far.
+        let halving = told.halving_s.expect("it gets shorter");
+        assert!((0.8_f64.powf(halving) - 0.5).abs() < 1e-12);
+        let away = way.to_go(9.0, 4.0, &at(-9.0)).expect("it moved");
+        assert_eq!(away.halving_s, None);
+    }
+
+    #[test]
+    fn shapes_kept_are_evenly_spaced_and_bounded_on_each_level() {
+        let mut way = Way::default();
+        for (level, count) in [(1, 100), (0, 1000)] {
+            way.begin_level(level, 3);
+            for i in 0..count {
+                way.pass(f64::from(i), 1.0, &|| at(f64::from(i)));
+                // an estimate belongs to the shape that was passed last, or to none
+                way.estimate_last(Some(f64::from(i)));
+            }
+        }
+        let points = way.points(&|_, x| x, &at(0.0));
+        let of = |level: usize| way.snapshots.iter().filter(move |s| s.level == level);
+        assert!(of(1).count() <= OF_COARSER && of(0).count() <= OF_FINEST);
+        for level in [0, 1] {
+            let times: Vec<f64> = of(level).map(|s| s.cpu_s).collect();
+            let step = times[1] - times[0];
+            assert!(times.windows(2).all(|w| w[1] - w[0] == step), "{times:?}");
+        }
+        assert!(way.snapshots.iter().all(|s| s.estimate == Some(s.cpu_s)));
+        assert!(points.iter().all(|p| p.rms_error_m == p.cpu_s));
+    }
+}
