@@ -2,7 +2,7 @@
 
 use crate::pattern::{Pattern, Placement, SeamPair};
 use crate::scene::{DressForm, Fabric};
-use crate::seam::FaceAsked;
+use crate::seam::FaceRequest;
 use crate::solver::Simulate;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -106,7 +106,7 @@ pub struct PanelAsked {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub texture: Option<String>,
     /// Which side is out.
-    pub face: FaceAsked,
+    pub face: FaceRequest,
     /// Order from the body outwards.
     pub layer: i32,
     /// Direction of the warp, overriding the pattern's \[degrees\].

@@ -6,7 +6,7 @@ use crate::config::Limits;
 use crate::fault::Faults;
 use crate::pattern::{Panel, Pattern, SeamPair};
 use crate::scene::{self, Placed, ToPlace};
-use crate::seam::{self, Face, SeamCheck, SeamSet, ToCheck};
+use crate::seam::{self, Face, SeamCheck, SeamCheckInput, SeamSet};
 use std::cell::OnceCell;
 
 /// Checks `pairs` on the pattern as the garment sews it; `edge_length` \[m\] is within `limits`.
@@ -23,7 +23,7 @@ pub(crate) fn check_seams(
     (edge_length, limits): (f64, &Limits),
 ) -> (SeamCheck, Result<SeamSet, Faults>) {
     let starts = Starts::new(garment, pattern);
-    let to_check = ToCheck {
+    let to_check = SeamCheckInput {
         pattern,
         pairs,
         faces: &sewn::faces(garment, pattern),

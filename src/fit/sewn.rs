@@ -4,7 +4,7 @@ use super::availability::escape;
 use super::garment::{Garment, PanelAsked, SeamsAsked};
 use crate::fault::{Fault, Faults};
 use crate::pattern::{Face, Panel, Pattern};
-use crate::seam::FaceAsked;
+use crate::seam::FaceRequest;
 use std::collections::BTreeMap;
 
 /// The widest seam allowance that can be asked for \[m\].
@@ -40,7 +40,7 @@ pub(crate) fn asked(garment: &Garment, panel: &Panel) -> PanelAsked {
     PanelAsked {
         fabric: own.fabric.or(source.fabric),
         texture: own.texture.or(source.texture),
-        face: if own.face == FaceAsked::Auto {
+        face: if own.face == FaceRequest::Auto {
             source.face
         } else {
             own.face
@@ -110,10 +110,10 @@ pub(crate) fn without_allowances(garment: &Garment, pattern: Pattern) -> Result<
 }
 
 /// The faces that are stated: by the garment, else by the pattern's file.
-pub(crate) fn faces(garment: &Garment, pattern: &Pattern) -> BTreeMap<String, FaceAsked> {
+pub(crate) fn faces(garment: &Garment, pattern: &Pattern) -> BTreeMap<String, FaceRequest> {
     let face = |panel: &Panel| match (asked(garment, panel).face, panel.face) {
-        (FaceAsked::Auto, Some(Face::Up)) => FaceAsked::Up,
-        (FaceAsked::Auto, Some(Face::Down)) => FaceAsked::Down,
+        (FaceRequest::Auto, Some(Face::Up)) => FaceRequest::Up,
+        (FaceRequest::Auto, Some(Face::Down)) => FaceRequest::Down,
         (stated, _) => stated,
     };
     let panels = pattern.panels.iter();
@@ -167,7 +167,10 @@ mod tests {
         let pattern = with_copies(&garment, &pattern());
         let copy = asked(&garment, &pattern.panels[1]);
         assert_eq!(copy.fabric.as_deref(), Some("denim"));
-        assert_eq!((copy.grain_deg, copy.face), (Some(120.0), FaceAsked::Down));
+        assert_eq!(
+            (copy.grain_deg, copy.face),
+            (Some(120.0), FaceRequest::Down)
+        );
         let placement = copy.placement.expect("the image of its source's");
         assert_eq!(placement.offset_m, [-0.5, 1.0, 0.1]);
         assert_eq!(placement.rotate_deg, [0.0, -10.0, -20.0]);
@@ -225,8 +228,8 @@ mod tests {
                 .map(|p| (p.id.clone(), face))
                 .collect::<BTreeMap<_, _>>()
         };
-        assert_eq!(faces(&plain, &pattern), all(FaceAsked::Up));
+        assert_eq!(faces(&plain, &pattern), all(FaceRequest::Up));
         let turned = garment(json!({"sleeve": {"face": "down"}}));
-        assert_eq!(faces(&turned, &pattern), all(FaceAsked::Down));
+        assert_eq!(faces(&turned, &pattern), all(FaceRequest::Down));
     }
 }

@@ -1,58 +1,40 @@
 //! The check itself: each seam on its own, then all of them together.
 
-use super::colour::Painter;
-use super::correct::Request;
-use super::faces::{self, Colouring, Saying, Why};
-use super::order::{self, Judge};
-use super::runs::Resolver;
+use super::coloring::FaceColorer;
+use super::context::SeamCheckContext;
+use super::faces::{self, FaceColoring, ReversalReason, SeamRelations};
+use super::reversal::{self, ReversalDetector};
+use super::run_resolver::RunResolver;
 use super::{
-    Face, FaceAsked, Routed, Seam, SeamCheck, SeamFinding, SeamSet, Stretch, division_count, ease,
-    overlap, twist,
+    Face, FaceRequest, RoutedSeam, Seam, SeamCheck, SeamCheckInput, SeamFinding, SeamSet,
+    StartPositions, Stretch, division_count, ease, overlap, twist,
 };
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, Warning};
 use crate::pattern::{Pattern, SeamPair};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Where a point of a panel starts in space \[m\]: the panel's index, its face, pattern coordinates \[m\]; nothing where that is not known.
-pub type Starts<'a> = &'a dyn Fn(usize, Face, [f64; 2]) -> Option<[f64; 3]>;
-
-/// What is to be checked.
-#[derive(Clone, Copy, Debug)]
-pub struct ToCheck<'a> {
-    /// The panels.
-    pub pattern: &'a Pattern,
-    /// The seams as asked.
-    pub pairs: &'a [SeamPair],
-    /// What was asked for each panel, by id (absent: auto).
-    pub faces: &'a BTreeMap<String, FaceAsked>,
-    /// Mesh edge length that stitch counts are stated for \[m\].
-    pub edge_length: f64,
-    /// Bounds on what may be asked for.
-    pub limits: &'a Limits,
-}
-
 /// Checks `pairs` against `pattern`; nothing is known of where panels start.
 ///
-/// See [`check_placed`] and [`ToCheck`].
+/// See [`check_placed`] and [`SeamCheckInput`].
 ///
 /// # Errors
 /// Every fault of every seam at once, in the second part.
 pub fn check(
     pattern: &Pattern,
     pairs: &[SeamPair],
-    faces: &BTreeMap<String, FaceAsked>,
+    faces: &BTreeMap<String, FaceRequest>,
     edge_length: f64,
     limits: &Limits,
 ) -> (SeamCheck, Result<SeamSet, Faults>) {
-    let to_check = ToCheck {
+    let input = SeamCheckInput {
         pattern,
         pairs,
         faces,
         edge_length,
         limits,
     };
-    check_placed(&to_check, &|_, _, _| None)
+    check_placed(&input, &|_, _, _| None)
 }
 
 /// Checks seams against a pattern whose panels start as `starts` says.
@@ -65,16 +47,16 @@ pub fn check(
 /// # Errors
 /// Every fault of every seam at once, in the second part.
 pub fn check_placed(
-    to_check: &ToCheck<'_>,
-    starts: Starts<'_>,
+    input: &SeamCheckInput<'_>,
+    starts: StartPositions<'_>,
 ) -> (SeamCheck, Result<SeamSet, Faults>) {
-    let &ToCheck {
+    let &SeamCheckInput {
         pattern,
         pairs,
         faces,
         edge_length,
         limits,
-    } = to_check;
+    } = input;
     let mut findings: Vec<_> = pairs
         .iter()
         .map(|pair| SeamFinding::blank(&pair.id))
@@ -85,62 +67,62 @@ pub fn check_placed(
         findings[limits.seams]
             .errors
             .push(too_many(pairs.len(), limits.seams));
-        let painter = Painter {
+        let colorer = FaceColorer {
             fronts_first: &fronts_first,
-            shorter: &|_, _| None,
+            shorter_order: &|_, _| None,
         };
         let set = SeamSet {
             seams: vec![],
-            faces: painter.find(&stated, &[]).faces,
+            faces: colorer.color(&stated, &[]).faces,
         };
         return answer(pattern, findings, set, vec![]);
     }
-    find_double_ids(pairs, &mut findings);
+    find_duplicate_ids(pairs, &mut findings);
     let (seams, mut corrected) = route(pattern, pairs, &mut findings);
-    for (seam, fault) in overlap::faults(pattern, pairs, &seams) {
+    for (seam, fault) in overlap::find_faults(pattern, pairs, &seams) {
         findings[seam].errors.push(fault);
     }
-    let sayings: Vec<_> = seams
+    let relations: Vec<_> = seams
         .iter()
-        .map(|seam| Saying::new(pattern, &pairs[seam.index], seam))
+        .map(|seam| SeamRelations::new(pattern, &pairs[seam.index], seam))
         .collect();
-    let request = Request {
+    let context = SeamCheckContext {
         pattern,
         pairs,
         seams: &seams,
-        sayings: &sayings,
+        relations: &relations,
         starts,
     };
-    let judge = Judge {
-        request: &request,
+    let detector = ReversalDetector {
+        context: &context,
         stated: &stated,
         fronts_first: &fronts_first,
     };
-    let shorter = |saying: &Saying<'_>, faces: &[Vec<Face>; 2]| {
-        let seam = seams.iter().find(|seam| seam.index == saying.seam)?;
-        order::shorter(pattern, seam, faces, starts)
+    let shorter_order = |implied: &SeamRelations<'_>, faces: &[Vec<Face>; 2]| {
+        let seam = seams.iter().find(|seam| seam.index == implied.seam)?;
+        reversal::shorter_order(pattern, seam, faces, starts)
     };
-    let painter = Painter {
+    let colorer = FaceColorer {
         fronts_first: &fronts_first,
-        shorter: &shorter,
+        shorter_order: &shorter_order,
     };
-    let colouring = painter.find(&stated, &sayings);
-    for twist in twist::find(&request, &stated, &colouring) {
+    let coloring = colorer.color(&stated, &relations);
+    for twist in twist::find(&context, &stated, &coloring) {
         findings[twist.seam].errors.push(twist.fault);
         corrected.extend(twist.corrected);
     }
-    corrected.extend(judge.tell(&colouring, &mut findings));
-    tell_colouring(&colouring, &sayings, &mut findings);
+    corrected.extend(detector.warn(&coloring, &mut findings));
+    record_coloring(&coloring, &relations, &mut findings);
     let edge_length = edge_length
         .max(limits.edge_length_m[0])
         .min(limits.edge_length_m[1]);
     let sewn = seams.iter().map(|seam| {
-        let seam = colouring.ordered(seam);
+        let seam = coloring.ordered(seam);
         sew(pattern, pairs, &seam, edge_length, &mut findings)
     });
     let set = SeamSet {
         seams: sewn.collect(),
-        faces: colouring.faces.clone(),
+        faces: coloring.faces.clone(),
     };
     let (mut check, set) = answer(pattern, findings, set, corrected);
     check.warnings = loose_panels(pattern, pairs);
@@ -156,7 +138,7 @@ fn too_many(count: usize, most: usize) -> Fault {
     .fix("join seams that go on along neighbouring edges into lists of runs, or split the garment")
 }
 
-fn find_double_ids(pairs: &[SeamPair], findings: &mut [SeamFinding]) {
+fn find_duplicate_ids(pairs: &[SeamPair], findings: &mut [SeamFinding]) {
     let mut first: BTreeMap<&str, usize> = BTreeMap::new();
     for (i, pair) in pairs.iter().enumerate() {
         let earlier = *first.entry(&pair.id).or_insert(i);
@@ -179,8 +161,8 @@ fn route(
     pattern: &Pattern,
     pairs: &[SeamPair],
     findings: &mut [SeamFinding],
-) -> (Vec<Routed>, Vec<SeamPair>) {
-    let mut resolver = Resolver::new(pattern);
+) -> (Vec<RoutedSeam>, Vec<SeamPair>) {
+    let mut resolver = RunResolver::new(pattern);
     let mut seams = vec![];
     let mut corrected = vec![];
     for (index, pair) in pairs.iter().enumerate() {
@@ -189,12 +171,12 @@ fn route(
         let b = resolver.side(&pair.b, &format!("/seams/{index}/b"));
         match (a, b) {
             (Ok(a), Ok(b)) => {
-                let seam = Routed {
+                let seam = RoutedSeam {
                     index,
                     sides: [a, b],
                 };
                 [finding.length_a_m, finding.length_b_m] = seam.lengths(pattern);
-                ease::judge_ease(finding, pair, &format!("/seams/{index}"));
+                ease::record_ease(finding, pair, &format!("/seams/{index}"));
                 seams.push(seam);
             }
             (a, b) => {
@@ -216,33 +198,40 @@ fn route(
 }
 
 /// Writes into the findings which seams were reversed and why, and which twist.
-fn tell_colouring(colouring: &Colouring, sayings: &[Saying<'_>], findings: &mut [SeamFinding]) {
-    for saying in sayings {
-        let seam = saying.seam;
-        let (id, finding) = (&saying.pair.id, &mut findings[seam]);
-        if let Some(why) = colouring.reversed.get(&seam) {
+fn record_coloring(
+    coloring: &FaceColoring,
+    relations: &[SeamRelations<'_>],
+    findings: &mut [SeamFinding],
+) {
+    for implied in relations {
+        let seam = implied.seam;
+        let (id, finding) = (&implied.pair.id, &mut findings[seam]);
+        if let Some(reason) = coloring.reversed.get(&seam) {
             finding.reversed = true;
-            let why = match why {
-                Why::Twisted => "as picked the garment would be twisted",
-                Why::UpsideDown => {
+            let reason = match reason {
+                ReversalReason::Twisted => "as picked the garment would be twisted",
+                ReversalReason::UpsideDown => {
                     "as picked the upper end of one side would meet the lower end of the other"
                 }
-                Why::Notches => "as picked fewer notches would meet",
-                Why::FarApart => "as picked its two sides would start far from each other",
+                ReversalReason::Notches => "as picked fewer notches would meet",
+                ReversalReason::FarApart => {
+                    "as picked its two sides would start far from each other"
+                }
             };
-            let told = format!("side b of seam `{id}` is sewn in the other order: {why}");
+            let detail = format!("side b of seam `{id}` is sewn in the other order: {reason}");
             finding.warnings.push(Warning::new(
                 "seam/reversed",
                 format!("/seams/{seam}/b"),
-                told,
+                detail,
             ));
         }
-        if colouring.twists_allowed.contains(&seam) {
-            let told = format!("seam `{id}` makes the surface one-sided, as `allow_twist` allows");
+        if coloring.twists_allowed.contains(&seam) {
+            let detail =
+                format!("seam `{id}` makes the surface one-sided, as `allow_twist` allows");
             finding.warnings.push(Warning::new(
                 "seam/twist_allowed",
                 format!("/seams/{seam}"),
-                told,
+                detail,
             ));
         }
     }
@@ -252,15 +241,15 @@ fn tell_colouring(colouring: &Colouring, sayings: &[Saying<'_>], findings: &mut 
 fn sew(
     pattern: &Pattern,
     pairs: &[SeamPair],
-    seam: &Routed,
+    seam: &RoutedSeam,
     edge_length: f64,
     findings: &mut [SeamFinding],
 ) -> Seam {
     let (pair, finding) = (&pairs[seam.index], &mut findings[seam.index]);
     let matched = seam.matched(pattern);
     let [a, b] = &seam.sides;
-    finding.direction_a = a.first().map(|leg| leg.direction);
-    finding.direction_b = b.first().map(|leg| leg.direction);
+    finding.direction_a = a.first().map(|run| run.direction);
+    finding.direction_b = b.first().map(|run| run.direction);
     finding.notches = seam.marks(pattern);
     finding.stitch_count = stitch_count(pattern, &matched, edge_length);
     Seam {
@@ -334,8 +323,8 @@ fn loose_panels(pattern: &Pattern, pairs: &[SeamPair]) -> Vec<Warning> {
         .filter(|panel| !named.contains(panel.id.as_str()));
     loose
         .map(|panel| {
-            let told = format!("panel `{}` is sewn to nothing", panel.id);
-            Warning::new("seam/loose_panel", "/seams", told)
+            let detail = format!("panel `{}` is sewn to nothing", panel.id);
+            Warning::new("seam/loose_panel", "/seams", detail)
         })
         .collect()
 }

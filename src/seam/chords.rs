@@ -1,6 +1,6 @@
 //! How far apart the two sides of a seam start in space: what tells its order where the faces of panels cannot.
 
-use super::{Face, Routed, Starts, Stretch};
+use super::{Face, RoutedSeam, StartPositions, Stretch};
 use crate::pattern::Pattern;
 
 /// Points at which the two sides are compared.
@@ -32,9 +32,9 @@ impl Chords {
     /// The chords of `seam` in the order it has, on panels with these faces; nothing where the start of a panel is not known.
     pub(super) fn of(
         pattern: &Pattern,
-        seam: &Routed,
+        seam: &RoutedSeam,
         faces: &[Face],
-        starts: Starts<'_>,
+        starts: StartPositions<'_>,
     ) -> Option<Self> {
         let matched = seam.matched(pattern);
         let lengths: Vec<f64> = matched
@@ -74,7 +74,7 @@ impl Chords {
     ///
     /// Panels start apart from one another, and the distance that both orders share tells nothing: of each is judged
     /// what goes beyond the shorter of the two mean chords.
-    pub(super) fn left_by(&self, other: &Self) -> Option<u32> {
+    pub(super) fn remaining_permille(&self, other: &Self) -> Option<u32> {
         let shared = self.mean.min(other.mean);
         let beyond = |chords: &Self| (chords.rms * chords.rms - shared * shared).max(0.0).sqrt();
         let is_far = self.length >= SHORTEST_M

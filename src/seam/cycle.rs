@@ -1,34 +1,37 @@
 //! The smallest contradictory cycle among links: round it an odd number of them changes the face.
 
-use super::parity::Link;
+use super::parity::{FaceRelation, ParityUnionFind};
 use std::collections::VecDeque;
 
 /// A link with where it comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Tied {
+pub(super) struct FaceConstraint {
     /// What it says.
-    pub link: Link,
+    pub relation: FaceRelation,
     /// The seam that says so; `None` for a face that was stated.
     pub seam: Option<usize>,
 }
 
-/// The fewest of `ties`, in order round, that cannot all be right; `None` if all can.
+/// The fewest of `constraints`, in order round, that cannot all be right; `None` if all can.
 ///
 /// Breadth-first search from each node on the double cover (each node once for either face): the shortest way from
 /// a node to itself with the other face is a shortest contradictory cycle through it. O(nodes x ties).
-pub(super) fn smallest(nodes: usize, ties: &[Tied]) -> Option<Vec<Tied>> {
+pub(super) fn smallest(
+    nodes: usize,
+    constraints: &[FaceConstraint],
+) -> Option<Vec<FaceConstraint>> {
     let mut around: Vec<Vec<usize>> = vec![vec![]; nodes];
-    for (i, tie) in ties.iter().enumerate() {
-        let [a, b] = tie.link.ends;
+    for (i, constraint) in constraints.iter().enumerate() {
+        let [a, b] = constraint.relation.ends;
         around[a].push(i);
         if a != b {
             around[b].push(i);
         }
     }
-    let mut best: Option<Vec<Tied>> = None;
+    let mut best: Option<Vec<FaceConstraint>> = None;
     for start in 0..nodes {
         let shorter_than = best.as_ref().map_or(usize::MAX, Vec::len);
-        if let Some(found) = through(start, ties, &around, shorter_than) {
+        if let Some(found) = through(start, constraints, &around, shorter_than) {
             best = Some(found);
         }
     }
@@ -37,10 +40,10 @@ pub(super) fn smallest(nodes: usize, ties: &[Tied]) -> Option<Vec<Tied>> {
 
 fn through(
     start: usize,
-    ties: &[Tied],
+    constraints: &[FaceConstraint],
     around: &[Vec<usize>],
     shorter_than: usize,
-) -> Option<Vec<Tied>> {
+) -> Option<Vec<FaceConstraint>> {
     let (first, goal) = (2 * start, 2 * start + 1);
     let mut reached_by: Vec<Option<(usize, usize)>> = vec![None; 2 * around.len()];
     let mut queue = VecDeque::from([(first, 0)]);
@@ -49,15 +52,15 @@ fn through(
             return None;
         }
         for &i in &around[place / 2] {
-            let [a, b] = ties[i].link.ends;
+            let [a, b] = constraints[i].relation.ends;
             let other = if a == place / 2 { b } else { a };
-            let next = 2 * other + ((place % 2) ^ usize::from(!ties[i].link.same));
+            let next = 2 * other + ((place % 2) ^ usize::from(!constraints[i].relation.same));
             if next == first || reached_by[next].is_some() {
                 continue;
             }
             reached_by[next] = Some((place, i));
             if next == goal {
-                return Some(way_back(goal, &reached_by, ties));
+                return Some(path_back(goal, &reached_by, constraints));
             }
             queue.push_back((next, steps + 1));
         }
@@ -65,51 +68,77 @@ fn through(
     None
 }
 
-fn way_back(goal: usize, reached_by: &[Option<(usize, usize)>], ties: &[Tied]) -> Vec<Tied> {
-    let mut way = vec![];
+fn path_back(
+    goal: usize,
+    reached_by: &[Option<(usize, usize)>],
+    constraints: &[FaceConstraint],
+) -> Vec<FaceConstraint> {
+    let mut path = vec![];
     let mut place = goal;
-    while let Some((before, tie)) = reached_by[place] {
-        way.push(ties[tie]);
+    while let Some((before, constraint)) = reached_by[place] {
+        path.push(constraints[constraint]);
         place = before;
     }
-    way.reverse();
-    way
+    path.reverse();
+    path
+}
+
+/// How many ties contradict those before them when some are left out, and what the rest say.
+pub(super) fn contradictions_without(
+    constraints: &[FaceConstraint],
+    nodes: usize,
+    out: impl Fn(&FaceConstraint) -> bool,
+) -> (usize, ParityUnionFind) {
+    let mut parity = ParityUnionFind::new(nodes);
+    let mut contradictions = 0;
+    for constraint in constraints.iter().filter(|constraint| !out(constraint)) {
+        contradictions += usize::from(!parity.join(constraint.relation));
+    }
+    (contradictions, parity)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    fn tie(seam: usize, a: usize, b: usize, same: bool) -> Tied {
-        Tied {
-            link: Link { ends: [a, b], same },
+    fn constraint(seam: usize, a: usize, b: usize, same: bool) -> FaceConstraint {
+        FaceConstraint {
+            relation: FaceRelation { ends: [a, b], same },
             seam: Some(seam),
         }
     }
 
     #[test]
     fn agreeing_links_have_no_contradictory_cycle() {
-        let ties = [tie(0, 0, 1, false), tie(1, 1, 2, false), tie(2, 2, 0, true)];
-        assert_eq!(smallest(3, &ties), None);
+        let constraints = [
+            constraint(0, 0, 1, false),
+            constraint(1, 1, 2, false),
+            constraint(2, 2, 0, true),
+        ];
+        assert_eq!(smallest(3, &constraints), None);
     }
 
     #[test]
     fn smaller_of_two_contradictory_cycles_is_found() {
-        let ties = [
-            tie(0, 0, 1, true),
-            tie(1, 1, 2, true),
-            tie(2, 2, 3, true),
-            tie(3, 3, 0, false),
-            tie(4, 3, 4, true),
-            tie(5, 4, 3, false),
+        let constraints = [
+            constraint(0, 0, 1, true),
+            constraint(1, 1, 2, true),
+            constraint(2, 2, 3, true),
+            constraint(3, 3, 0, false),
+            constraint(4, 3, 4, true),
+            constraint(5, 4, 3, false),
         ];
-        let seams: Vec<_> = smallest(5, &ties).unwrap().iter().map(|t| t.seam).collect();
+        let seams: Vec<_> = smallest(5, &constraints)
+            .unwrap()
+            .iter()
+            .map(|t| t.seam)
+            .collect();
         assert_eq!(seams, [Some(4), Some(5)]);
     }
 
     #[test]
     fn panel_that_differs_from_itself_is_a_cycle_of_one() {
-        let ties = [tie(0, 0, 1, false), tie(1, 1, 1, false)];
-        assert_eq!(smallest(2, &ties).unwrap(), [ties[1]]);
+        let constraints = [constraint(0, 0, 1, false), constraint(1, 1, 1, false)];
+        assert_eq!(smallest(2, &constraints).unwrap(), [constraints[1]]);
     }
 }

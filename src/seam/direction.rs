@@ -1,6 +1,6 @@
 //! Which way a run goes: its places say so where there is just one way, else the client must.
 
-use super::place::{self, At, Course};
+use super::place::{self, TrackPosition, TrackTopology};
 use crate::fault::Fault;
 use crate::pattern::{Direction, Panel, Run};
 
@@ -11,31 +11,31 @@ use crate::pattern::{Direction, Panel, Run};
 pub(super) fn direction(
     panel: &Panel,
     run: &Run,
-    (course, [from, to]): (Course, [At; 2]),
+    (topology, [from, to]): (TrackTopology, [TrackPosition; 2]),
     pointer: &str,
 ) -> Result<Direction, Fault> {
-    let ways = place::ways_along_one_edge(from, to, course);
+    let directions = place::directions_along_one_edge(from, to, topology);
     // On a ring of one edge either way leads from any place to any other.
-    let one_edge = course.closed && course.edges == 1;
-    match (ways.as_slice(), run.direction) {
-        ([way], None) => Ok(*way),
-        ([way], Some(given)) if given != *way && !one_edge => {
-            Err(contradicts(panel, [*way, given], pointer))
+    let one_edge = topology.closed && topology.edges == 1;
+    match (directions.as_slice(), run.direction) {
+        ([only], None) => Ok(*only),
+        ([only], Some(given)) if given != *only && !one_edge => {
+            Err(direction_contradicts(panel, [*only, given], pointer))
         }
         (_, Some(given)) => Ok(given),
-        (_, None) if from == to && !course.closed => Ok(Direction::Cw),
-        (_, None) => Err(needed(panel, course, from == to, pointer)),
+        (_, None) if from == to && !topology.closed => Ok(Direction::Cw),
+        (_, None) => Err(direction_needed(panel, topology, from == to, pointer)),
     }
 }
 
-fn contradicts(panel: &Panel, [way, given]: [Direction; 2], pointer: &str) -> Fault {
+fn direction_contradicts(panel: &Panel, [only, given]: [Direction; 2], pointer: &str) -> Fault {
     Fault::new(
         "seam/direction_contradicts",
         format!("{pointer}/direction"),
         format!(
             "picked in this order the edge of `{}` runs {}, not {}",
             panel.id,
-            word(way),
+            word(only),
             word(given)
         ),
     )
@@ -45,13 +45,18 @@ fn contradicts(panel: &Panel, [way, given]: [Direction; 2], pointer: &str) -> Fa
     ))
 }
 
-fn needed(panel: &Panel, course: Course, same_place: bool, pointer: &str) -> Fault {
+fn direction_needed(
+    panel: &Panel,
+    topology: TrackTopology,
+    same_place: bool,
+    pointer: &str,
+) -> Fault {
     let (why, fix) = if same_place {
         (
             "begins and ends at the same place",
             "pick two different corners, or give `direction` (`cw` or `ccw`) to sew the whole outline round",
         )
-    } else if course.edges <= 2 {
+    } else if topology.edges <= 2 {
         (
             "joins two places that more than one edge joins",
             "give `direction`: `cw` for the edge that leaves `from` clockwise, `ccw` for the other one",

@@ -14,7 +14,7 @@ const EASE_MUCH: f64 = 0.15;
 const EASE_MOST: f64 = 0.30;
 
 /// Writes lengths and ease of a seam into its finding, with what is to be said about them.
-pub(super) fn judge_ease(finding: &mut SeamFinding, pair: &SeamPair, pointer: &str) {
+pub(super) fn record_ease(finding: &mut SeamFinding, pair: &SeamPair, pointer: &str) {
     let (a, b) = (finding.length_a_m, finding.length_b_m);
     let (longer, shorter) = (a.max(b), a.min(b));
     finding.ease = longer / shorter - 1.0;

@@ -1,7 +1,7 @@
 //! Faces of panels, and what seams say of them.
 
-use super::parity::{Link, Parity};
-use super::{Face, FaceAsked, Routed, routed};
+use super::parity::{FaceRelation, ParityUnionFind};
+use super::{Face, FaceRequest, RoutedSeam, routed_seam};
 use crate::pattern::{Match, Pattern, SeamPair};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -11,37 +11,37 @@ const FRONT: [&str; 4] = ["front", "frnt", "frt", "ftorso"];
 
 /// What one seam says of faces.
 #[derive(Clone, Debug)]
-pub(super) struct Saying<'a> {
+pub(super) struct SeamRelations<'a> {
     /// Position of the seam in the request.
     pub seam: usize,
     /// The seam as asked.
     pub pair: &'a SeamPair,
     /// What it says with side B as picked.
-    pub picked: Vec<Link>,
+    pub picked: Vec<FaceRelation>,
     /// What it says with side B reversed.
-    pub reversed: Vec<Link>,
+    pub reversed: Vec<FaceRelation>,
     /// Whether upper ends meet upper ends as picked, where that is plain.
     pub heights_agree: Option<bool>,
     /// How many notches meet as picked, and with side B reversed.
     pub notches: [usize; 2],
 }
 
-impl<'a> Saying<'a> {
-    pub(super) fn new(pattern: &Pattern, pair: &'a SeamPair, seam: &Routed) -> Self {
+impl<'a> SeamRelations<'a> {
+    pub(super) fn new(pattern: &Pattern, pair: &'a SeamPair, seam: &RoutedSeam) -> Self {
         let reversed = seam.reversed();
         Self {
             seam: seam.index,
             pair,
-            picked: routed::links(pattern, &seam.matched(pattern)),
-            reversed: routed::links(pattern, &reversed.matched(pattern)),
+            picked: routed_seam::face_relations(pattern, &seam.matched(pattern)),
+            reversed: routed_seam::face_relations(pattern, &reversed.matched(pattern)),
             notches: [seam, &reversed].map(|seam| seam.marks(pattern).len()),
             heights_agree: seam.heights_agree(pattern),
         }
     }
 
     /// What it says in the order in which it is sewn.
-    pub(super) fn links(&self, colouring: &Colouring) -> &[Link] {
-        if colouring.reversed.contains_key(&self.seam) {
+    pub(super) fn relations(&self, coloring: &FaceColoring) -> &[FaceRelation] {
+        if coloring.reversed.contains_key(&self.seam) {
             &self.reversed
         } else {
             &self.picked
@@ -55,7 +55,7 @@ impl<'a> Saying<'a> {
 
 /// Why the order of a side B was reversed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Why {
+pub(super) enum ReversalReason {
     /// As picked the surface would be one-sided.
     Twisted,
     /// As picked an upper end would meet a lower one.
@@ -68,18 +68,18 @@ pub(super) enum Why {
 
 /// What was found.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Colouring {
+pub(super) struct FaceColoring {
     /// The face of each panel, in the pattern's order.
     pub faces: Vec<Face>,
     /// Seams whose side B is to be reversed.
-    pub reversed: BTreeMap<usize, Why>,
+    pub reversed: BTreeMap<usize, ReversalReason>,
     /// Seams that make the surface one-sided and may.
     pub twists_allowed: Vec<usize>,
 }
 
-impl Colouring {
+impl FaceColoring {
     /// `seam` with its side B in the order it is sewn in.
-    pub(super) fn ordered<'a>(&self, seam: &'a Routed) -> Cow<'a, Routed> {
+    pub(super) fn ordered<'a>(&self, seam: &'a RoutedSeam) -> Cow<'a, RoutedSeam> {
         if self.reversed.contains_key(&seam.index) {
             Cow::Owned(seam.reversed())
         } else {
@@ -89,11 +89,14 @@ impl Colouring {
 }
 
 /// What was stated of each panel, in the pattern's order.
-pub(super) fn stated(pattern: &Pattern, asked: &BTreeMap<String, FaceAsked>) -> Vec<Option<Face>> {
+pub(super) fn stated(
+    pattern: &Pattern,
+    asked: &BTreeMap<String, FaceRequest>,
+) -> Vec<Option<Face>> {
     let of = |id| match asked.get(id) {
-        Some(FaceAsked::Up) => Some(Face::Up),
-        Some(FaceAsked::Down) => Some(Face::Down),
-        Some(FaceAsked::Auto) | None => None,
+        Some(FaceRequest::Up) => Some(Face::Up),
+        Some(FaceRequest::Down) => Some(Face::Down),
+        Some(FaceRequest::Auto) | None => None,
     };
     pattern
         .panels
@@ -103,9 +106,9 @@ pub(super) fn stated(pattern: &Pattern, asked: &BTreeMap<String, FaceAsked>) -> 
 }
 
 /// What stated faces say, as links to a node after the last panel whose face is up.
-pub(super) fn stated_links(stated: &[Option<Face>]) -> impl Iterator<Item = Link> {
+pub(super) fn stated_relations(stated: &[Option<Face>]) -> impl Iterator<Item = FaceRelation> {
     stated.iter().enumerate().filter_map(|(panel, face)| {
-        face.map(|face| Link {
+        face.map(|face| FaceRelation {
             ends: [panel, stated.len()],
             same: face == Face::Up,
         })
@@ -123,7 +126,7 @@ pub(super) fn fronts_first(pattern: &Pattern) -> Vec<usize> {
 
 /// Faces from what is known: the node after the last panel is up; a part that is not tied to it has the face of its
 /// front, or else its first panel, up.
-pub(super) fn coloured(fronts_first: &[usize], mut parity: Parity) -> Vec<Face> {
+pub(super) fn color_faces(fronts_first: &[usize], mut parity: ParityUnionFind) -> Vec<Face> {
     let count = fronts_first.len();
     let (stated_head, stated_same) = parity.find(count);
     let mut up = BTreeMap::from([(stated_head, stated_same)]);

@@ -18,7 +18,8 @@ const MOST_NOTCHES: usize = 500;
 
 /// A mark on one side of a seam.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct Mark {
+#[schema(as = Mark)]
+pub struct SeamMark {
     /// Id of the panel; where the mark is the end of a panel, of the one that follows.
     pub panel: String,
     /// Index of the notch; absent where the mark is the end of a panel.
@@ -32,13 +33,13 @@ pub struct Mark {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct MatchedMarks {
     /// The one on side A.
-    pub a: Mark,
+    pub a: SeamMark,
     /// The one on side B.
-    pub b: Mark,
+    pub b: SeamMark,
 }
 
 /// The stretches of a side with their lengths \[m\].
-pub(super) type Measured = Vec<(Stretch, f64)>;
+pub(super) type MeasuredStretches = Vec<(Stretch, f64)>;
 
 /// The marks of both sides that meet, in order; none if the sides are not marked alike.
 ///
@@ -48,14 +49,14 @@ pub(super) type Measured = Vec<(Stretch, f64)>;
 /// ease is after it) and `(s + e) / (1 + e)` (all is before it) of the longer side, as fractions: that is at most
 /// `e / (1 + e)` from `s`, and a little is added for how exactly notches are drawn. Marks farther apart than that
 /// were not made to meet.
-pub(super) fn matched(pattern: &Pattern, sides: &[Measured; 2]) -> Vec<MatchedMarks> {
+pub(super) fn match_marks(pattern: &Pattern, sides: &[MeasuredStretches; 2]) -> Vec<MatchedMarks> {
     let marks = sides.each_ref().map(|side| marks(pattern, side));
     let lengths = sides
         .each_ref()
         .map(|side| side.iter().map(|(_, length)| length).sum::<f64>());
     let shorter = lengths[0].min(lengths[1]);
     let near = 1.0 - shorter / lengths[0].max(lengths[1]) + SLACK;
-    let meet = |[a, b]: [&Mark; 2]| (a.at_m / lengths[0] - b.at_m / lengths[1]).abs() <= near;
+    let meet = |[a, b]: [&SeamMark; 2]| (a.at_m / lengths[0] - b.at_m / lengths[1]).abs() <= near;
     let notches = marks.each_ref().map(|side| {
         let notches = side.iter().filter(|mark| mark.notch.is_some());
         notches.cloned().collect::<Vec<_>>()
@@ -71,14 +72,14 @@ pub(super) fn matched(pattern: &Pattern, sides: &[Measured; 2]) -> Vec<MatchedMa
 }
 
 /// Notches and ends of panels inside a side, in order.
-fn marks(pattern: &Pattern, side: &Measured) -> Vec<Mark> {
-    let mut marks: Vec<Mark> = vec![];
+fn marks(pattern: &Pattern, side: &MeasuredStretches) -> Vec<SeamMark> {
+    let mut marks: Vec<SeamMark> = vec![];
     let mut seen = BTreeSet::new();
     let mut passed = 0.0;
     for (i, (stretch, length)) in side.iter().enumerate() {
         let panel = &pattern.panels[stretch.panel];
         if i > 0 && side[i - 1].0.panel != stretch.panel {
-            marks.push(Mark {
+            marks.push(SeamMark {
                 panel: panel.id.clone(),
                 notch: None,
                 at_m: passed,
@@ -94,7 +95,7 @@ fn marks(pattern: &Pattern, side: &Measured) -> Vec<Mark> {
             for notch in on_edge {
                 if seen.insert((stretch.panel, notch.index)) {
                     let share = (notch.at - stretch.from) / (stretch.to - stretch.from);
-                    marks.push(Mark {
+                    marks.push(SeamMark {
                         panel: panel.id.clone(),
                         notch: Some(notch.index),
                         at_m: passed + share * length,
@@ -120,7 +121,10 @@ fn marks(pattern: &Pattern, side: &Measured) -> Vec<Mark> {
 
 /// A side cut at these positions \[m\], which rise; nothing if that would leave a piece empty.
 /// A cut next to the end of a stretch is made there.
-pub(super) fn cut(side: &Measured, at: impl Iterator<Item = f64>) -> Option<Vec<Measured>> {
+pub(super) fn split_at(
+    side: &MeasuredStretches,
+    at: impl Iterator<Item = f64>,
+) -> Option<Vec<MeasuredStretches>> {
     let mut left = side.clone();
     left.reverse();
     let mut passed = 0.0;

@@ -23,19 +23,19 @@ fn merge_distance(longer: f64) -> f64 {
 /// `a` and `b` are the stretches of each side with their lengths \[m\], which must be positive. A cut is made wherever
 /// an edge ends on either side; the other side is cut at the same fraction of what is left of it, or at
 /// its own edge end where that is near. Fractions 0 and 1 at edge ends stay exact.
-pub(super) fn matched(a: &[(Stretch, f64)], b: &[(Stretch, f64)]) -> Vec<[Stretch; 2]> {
-    let (mut a, mut b) = (Tape::new(a), Tape::new(b));
+pub(super) fn match_stretches(a: &[(Stretch, f64)], b: &[(Stretch, f64)]) -> Vec<[Stretch; 2]> {
+    let (mut a, mut b) = (StretchCursor::new(a), StretchCursor::new(b));
     let merge = {
         let longer = a.length.max(b.length);
         merge_distance(longer) / longer
     };
     let mut pairs = vec![];
-    while !a.on_last() || !b.on_last() {
+    while !a.is_on_last() || !b.is_on_last() {
         let end_on_b = b.at + (a.end() - a.at) / (1.0 - a.at) * (1.0 - b.at);
         let near = (end_on_b - b.end()).abs() <= merge;
-        pairs.push(if !a.on_last() && !b.on_last() && near {
+        pairs.push(if !a.is_on_last() && !b.is_on_last() && near {
             [a.take_all(), b.take_all()]
-        } else if b.on_last() || (!a.on_last() && end_on_b < b.end()) {
+        } else if b.is_on_last() || (!a.is_on_last() && end_on_b < b.end()) {
             [a.take_all(), b.take_to(end_on_b)]
         } else {
             let end_on_a = a.at + (b.end() - b.at) / (1.0 - b.at) * (1.0 - a.at);
@@ -47,7 +47,7 @@ pub(super) fn matched(a: &[(Stretch, f64)], b: &[(Stretch, f64)]) -> Vec<[Stretc
 }
 
 /// One side, of which stretches are taken off from the front. Positions are fractions of the whole side's length.
-struct Tape<'a> {
+struct StretchCursor<'a> {
     stretches: &'a [(Stretch, f64)],
     length: f64,
     index: usize,
@@ -59,7 +59,7 @@ struct Tape<'a> {
     edge_at: f64,
 }
 
-impl<'a> Tape<'a> {
+impl<'a> StretchCursor<'a> {
     fn new(stretches: &'a [(Stretch, f64)]) -> Self {
         Self {
             stretches,
@@ -71,13 +71,13 @@ impl<'a> Tape<'a> {
         }
     }
 
-    fn on_last(&self) -> bool {
+    fn is_on_last(&self) -> bool {
         self.index + 1 == self.stretches.len()
     }
 
     /// Where the present stretch ends.
     fn end(&self) -> f64 {
-        if self.on_last() {
+        if self.is_on_last() {
             1.0
         } else {
             self.begin + self.stretches[self.index].1 / self.length
@@ -173,7 +173,7 @@ mod tests {
         ];
         for (a, b) in cases {
             let (a, b) = (side(a, false), side(b, true));
-            let pairs = matched(&a, &b);
+            let pairs = match_stretches(&a, &b);
             let ends_a = ends(&a, pairs.iter().map(|pair| pair[0]));
             let ends_b = ends(&b, pairs.iter().map(|pair| pair[1]));
             let (length_a, length_b) = (ends_a[ends_a.len() - 1], ends_b[ends_b.len() - 1]);
@@ -189,7 +189,10 @@ mod tests {
     #[test]
     fn matching_is_the_same_from_either_side() {
         let (a, b) = (side(&[0.1, 0.2, 0.3], false), side(&[0.15, 0.5], true));
-        let swapped: Vec<_> = matched(&b, &a).into_iter().map(|[b, a]| [a, b]).collect();
-        assert_eq!(matched(&a, &b), swapped);
+        let swapped: Vec<_> = match_stretches(&b, &a)
+            .into_iter()
+            .map(|[b, a]| [a, b])
+            .collect();
+        assert_eq!(match_stretches(&a, &b), swapped);
     }
 }

@@ -1,14 +1,14 @@
 //! Stretches that are sewn twice: seams that lie over one another, and seams sewn to themselves.
 
 use super::place::snap_distance;
-use super::{Routed, Stretch, Track};
+use super::{RoutedSeam, Stretch, Track};
 use crate::fault::Fault;
 use crate::pattern::{Pattern, SeamPair};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A stretch that a seam covers, whichever way it goes along it.
 #[derive(Clone, Copy)]
-struct Cover<'a> {
+struct Coverage<'a> {
     low: f64,
     high: f64,
     seam: usize,
@@ -17,30 +17,30 @@ struct Cover<'a> {
 }
 
 /// Faults by index of the seam that they are about: the later one where two lie over one another.
-pub(super) fn faults(
+pub(super) fn find_faults(
     pattern: &Pattern,
     pairs: &[SeamPair],
-    seams: &[Routed],
+    seams: &[RoutedSeam],
 ) -> Vec<(usize, Fault)> {
     let mut found = vec![];
     for seam in seams {
         let mut told = BTreeSet::new();
-        for [one, other] in overlaps(pattern, covers(seam)) {
+        for [one, other] in overlaps(pattern, coverages(seam)) {
             if told.insert((one.side, other.side)) {
-                found.push((seam.index, with_itself(pattern, pairs, one, other)));
+                found.push((seam.index, self_overlap_fault(pattern, pairs, one, other)));
             }
         }
     }
     let plain = seams.iter().filter(|seam| !pairs[seam.index].layered);
     let mut told = BTreeSet::new();
-    for [one, other] in overlaps(pattern, plain.flat_map(covers)) {
+    for [one, other] in overlaps(pattern, plain.flat_map(coverages)) {
         let (earlier, later) = if one.seam < other.seam {
             (one, other)
         } else {
             (other, one)
         };
         if earlier.seam != later.seam && told.insert((earlier.seam, later.seam)) {
-            found.push((later.seam, with_another(pairs, earlier, later)));
+            found.push((later.seam, overlap_fault(pairs, earlier, later)));
         }
     }
     found
@@ -49,13 +49,13 @@ pub(super) fn faults(
 /// Panel, track and edge.
 type EdgeKey = (usize, Track, usize);
 
-type OnEdge<'a> = (EdgeKey, Cover<'a>);
+type EdgeCoverage<'a> = (EdgeKey, Coverage<'a>);
 
-fn covers(seam: &Routed) -> impl Iterator<Item = OnEdge<'_>> {
-    seam.sides.iter().enumerate().flat_map(move |(side, legs)| {
-        legs.iter().flat_map(move |leg| {
-            let pointer = leg.pointer.as_str();
-            leg.stretches.iter().map(
+fn coverages(seam: &RoutedSeam) -> impl Iterator<Item = EdgeCoverage<'_>> {
+    seam.sides.iter().enumerate().flat_map(move |(side, runs)| {
+        runs.iter().flat_map(move |run| {
+            let pointer = run.pointer.as_str();
+            run.stretches.iter().map(
                 move |&Stretch {
                           panel,
                           track,
@@ -66,7 +66,7 @@ fn covers(seam: &Routed) -> impl Iterator<Item = OnEdge<'_>> {
                     let (low, high) = (from.min(to), from.max(to));
                     (
                         (panel, track, edge),
-                        Cover {
+                        Coverage {
                             low,
                             high,
                             seam: seam.index,
@@ -84,33 +84,38 @@ fn covers(seam: &Routed) -> impl Iterator<Item = OnEdge<'_>> {
 /// reaches farthest, so there are at most as many pairs as covers.
 fn overlaps<'a>(
     pattern: &Pattern,
-    covers: impl Iterator<Item = OnEdge<'a>>,
-) -> Vec<[Cover<'a>; 2]> {
-    let mut by_edge: BTreeMap<EdgeKey, Vec<Cover<'a>>> = BTreeMap::new();
-    for (edge, cover) in covers {
-        by_edge.entry(edge).or_default().push(cover);
+    coverages: impl Iterator<Item = EdgeCoverage<'a>>,
+) -> Vec<[Coverage<'a>; 2]> {
+    let mut by_edge: BTreeMap<EdgeKey, Vec<Coverage<'a>>> = BTreeMap::new();
+    for (edge, coverage) in coverages {
+        by_edge.entry(edge).or_default().push(coverage);
     }
     let mut found = vec![];
-    for ((panel, track, edge), mut covers) in by_edge {
-        covers.sort_by(|a, b| a.low.total_cmp(&b.low));
+    for ((panel, track, edge), mut coverages) in by_edge {
+        coverages.sort_by(|a, b| a.low.total_cmp(&b.low));
         let length = track.length(&pattern.panels[panel], edge);
         let touching = snap_distance(length) / length;
-        let mut farthest = covers[0];
-        for &cover in &covers[1..] {
-            if cover.low < farthest.high - touching {
-                found.push([farthest, cover]);
+        let mut farthest = coverages[0];
+        for &coverage in &coverages[1..] {
+            if coverage.low < farthest.high - touching {
+                found.push([farthest, coverage]);
             }
-            if cover.high > farthest.high {
-                farthest = cover;
+            if coverage.high > farthest.high {
+                farthest = coverage;
             }
         }
     }
     found
 }
 
-fn with_itself(pattern: &Pattern, pairs: &[SeamPair], one: Cover<'_>, other: Cover<'_>) -> Fault {
+fn self_overlap_fault(
+    pattern: &Pattern,
+    pairs: &[SeamPair],
+    one: Coverage<'_>,
+    other: Coverage<'_>,
+) -> Fault {
     let pair = &pairs[one.seam];
-    let name = |cover: Cover<'_>| if cover.side == 0 { "a" } else { "b" };
+    let name = |coverage: Coverage<'_>| if coverage.side == 0 { "a" } else { "b" };
     if one.side == other.side {
         return Fault::new(
             "seam/overlap",
@@ -142,7 +147,7 @@ fn pair_panel(pattern: &Pattern, pair: &SeamPair) -> String {
     )
 }
 
-fn with_another(pairs: &[SeamPair], earlier: Cover<'_>, later: Cover<'_>) -> Fault {
+fn overlap_fault(pairs: &[SeamPair], earlier: Coverage<'_>, later: Coverage<'_>) -> Fault {
     let (first, second) = (&pairs[earlier.seam].id, &pairs[later.seam].id);
     Fault::new(
         "seam/overlap",

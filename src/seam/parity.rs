@@ -2,7 +2,7 @@
 
 /// That the faces of two panels are the same (`same`) or not.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct Link {
+pub(super) struct FaceRelation {
     /// The two panels.
     pub ends: [usize; 2],
     /// Whether their faces are the same.
@@ -11,12 +11,12 @@ pub(super) struct Link {
 
 /// Sets of panels whose faces are known relative to one another.
 #[derive(Clone, Debug)]
-pub(super) struct Parity {
+pub(super) struct ParityUnionFind {
     /// Parent of each, and whether it has the same face as its parent.
     parent: Vec<(usize, bool)>,
 }
 
-impl Parity {
+impl ParityUnionFind {
     /// `count` panels of which nothing is known.
     pub(super) fn new(count: usize) -> Self {
         Self {
@@ -36,10 +36,10 @@ impl Parity {
         (head, same)
     }
 
-    /// Adds what `link` says; `false`, and nothing is added, if it contradicts what is known.
-    pub(super) fn join(&mut self, link: Link) -> bool {
-        let [(head_a, same_a), (head_b, same_b)] = link.ends.map(|end| self.find(end));
-        let heads_same = (same_a == same_b) == link.same;
+    /// Adds what `relation` says; `false`, and nothing is added, if it contradicts what is known.
+    pub(super) fn join(&mut self, relation: FaceRelation) -> bool {
+        let [(head_a, same_a), (head_b, same_b)] = relation.ends.map(|end| self.find(end));
+        let heads_same = (same_a == same_b) == relation.same;
         if head_a != head_b {
             self.parent[head_a.max(head_b)] = (head_a.min(head_b), heads_same);
             return true;
@@ -47,17 +47,17 @@ impl Parity {
         heads_same
     }
 
-    /// Adds all of `links`; `false` if any contradicts what is known. Those that do not are added all the same.
-    pub(super) fn join_all(&mut self, links: &[Link]) -> bool {
+    /// Adds all of `relations`; `false` if any contradicts what is known. Those that do not are added all the same.
+    pub(super) fn join_all(&mut self, relations: &[FaceRelation]) -> bool {
         let mut fits = true;
-        for link in links {
-            fits &= self.join(*link);
+        for relation in relations {
+            fits &= self.join(*relation);
         }
         fits
     }
 
-    /// Whether all of `links` fit what is known and each other.
-    pub(super) fn fits(&self, links: &[Link]) -> bool {
-        self.clone().join_all(links)
+    /// Whether all of `relations` fit what is known and each other.
+    pub(super) fn fits(&self, relations: &[FaceRelation]) -> bool {
+        self.clone().join_all(relations)
     }
 }

@@ -1,4 +1,4 @@
-//! From a [`Place`] as asked to a [`Spot`] on an outline, a hole or an internal line.
+//! From a [`Place`] as asked to a [`TrackPoint`] on an outline, a hole or an internal line.
 
 use super::Track;
 use crate::fault::Fault;
@@ -18,27 +18,27 @@ pub(super) fn snap_distance(edge_length: f64) -> f64 {
 
 /// A point of a panel that is known to exist.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Spot {
+pub(super) struct TrackPoint {
     pub track: Track,
-    pub at: At,
+    pub at: TrackPosition,
 }
 
 /// A point of a track. A corner is always `Corner`, so its fractions 0 and 1 are exact; the ends of an open line are
 /// its corners 0 and 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum At {
+pub(super) enum TrackPosition {
     Corner(usize),
     Inside { edge: usize, at: f64 },
 }
 
 /// How many edges a track has, and whether the last one leads back to the first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Course {
+pub(super) struct TrackTopology {
     pub edges: usize,
     pub closed: bool,
 }
 
-impl Course {
+impl TrackTopology {
     pub(super) fn of(panel: &Panel, track: Track) -> Self {
         Self {
             edges: track.edge_count(panel),
@@ -56,29 +56,37 @@ impl Course {
     }
 }
 
-impl At {
+impl TrackPosition {
     /// Each edge this lies on, with the fraction there.
-    fn incidences(self, course: Course) -> impl Iterator<Item = (usize, f64)> {
-        let ways = [Direction::Cw, Direction::Ccw].map(|way| self.leaving(way, course));
+    fn incidences(self, topology: TrackTopology) -> impl Iterator<Item = (usize, f64)> {
+        let ways = [Direction::Cw, Direction::Ccw].map(|way| self.leaving(way, topology));
         let [ahead, behind] = ways;
         ahead.into_iter().chain(behind.filter(|_| ahead != behind))
     }
 
     /// The edge and fraction from which a way in `direction` leaves; nothing at the end of an open line.
-    pub(super) fn leaving(self, direction: Direction, course: Course) -> Option<(usize, f64)> {
-        let n = course.edges;
+    pub(super) fn leaving(
+        self,
+        direction: Direction,
+        topology: TrackTopology,
+    ) -> Option<(usize, f64)> {
+        let n = topology.edges;
         match (self, direction) {
             (Self::Corner(k), Direction::Cw) if k < n => Some((k, 0.0)),
             (Self::Corner(k), Direction::Ccw) if k > 0 => Some((k - 1, 1.0)),
-            (Self::Corner(_), Direction::Ccw) if course.closed => Some((n - 1, 1.0)),
+            (Self::Corner(_), Direction::Ccw) if topology.closed => Some((n - 1, 1.0)),
             (Self::Corner(_), _) => None,
             (Self::Inside { edge, at }, _) => Some((edge, at)),
         }
     }
 
     /// The edge and fraction at which a way in `direction` arrives.
-    pub(super) fn reaching(self, direction: Direction, course: Course) -> Option<(usize, f64)> {
-        self.leaving(opposite(direction), course)
+    pub(super) fn reaching(
+        self,
+        direction: Direction,
+        topology: TrackTopology,
+    ) -> Option<(usize, f64)> {
+        self.leaving(opposite(direction), topology)
     }
 }
 
@@ -91,10 +99,14 @@ pub(super) fn opposite(direction: Direction) -> Direction {
 }
 
 /// The ways from one spot to another along a single edge: none, one, or more than one on rings of one or two edges.
-pub(super) fn ways_along_one_edge(from: At, to: At, course: Course) -> Vec<Direction> {
+pub(super) fn directions_along_one_edge(
+    from: TrackPosition,
+    to: TrackPosition,
+    topology: TrackTopology,
+) -> Vec<Direction> {
     let mut ways = vec![];
-    for (edge_from, at_from) in from.incidences(course) {
-        for (edge_to, at_to) in to.incidences(course) {
+    for (edge_from, at_from) in from.incidences(topology) {
+        for (edge_to, at_to) in to.incidences(topology) {
             if edge_from == edge_to && at_from < at_to {
                 ways.push(Direction::Cw);
             } else if edge_from == edge_to && at_from > at_to {
@@ -109,33 +121,35 @@ pub(super) fn ways_along_one_edge(from: At, to: At, course: Course) -> Vec<Direc
 ///
 /// # Errors
 /// Corner, edge, notch, hole or line that the panel does not have; a fraction that is not between 0 and 1.
-pub(super) fn find(panel: &Panel, place: &Place, pointer: &str) -> Result<Spot, Fault> {
-    let finder = Finder { panel, pointer };
+pub(super) fn resolve(panel: &Panel, place: &Place, pointer: &str) -> Result<TrackPoint, Fault> {
+    let resolver = PlaceResolver { panel, pointer };
     match *place {
-        Place::Corner(corner) => finder.corner(Track::Outline, corner),
-        Place::OnEdge { edge, at } => finder.inside(Track::Outline, edge, at),
+        Place::Corner(corner) => resolver.corner(Track::Outline, corner),
+        Place::OnEdge { edge, at } => resolver.inside(Track::Outline, edge, at),
         Place::AtNotch { notch } => match panel.notches.get(notch) {
             Some(found) if found.edge < panel.edges.len() && (0.0..=1.0).contains(&found.at) => {
-                Ok(finder.snapped(Track::Outline, found.edge, found.at))
+                Ok(resolver.snapped(Track::Outline, found.edge, found.at))
             }
-            _ => Err(finder.missing("notch", notch, panel.notches.len(), "")),
+            _ => Err(resolver.missing("notch", notch, panel.notches.len(), "")),
         },
-        Place::HoleCorner { hole, corner } => finder.corner(finder.there("hole", hole)?, corner),
-        Place::OnHoleEdge { hole, edge, at } => {
-            finder.inside(finder.there("hole", hole)?, edge, at)
+        Place::HoleCorner { hole, corner } => {
+            resolver.corner(resolver.inner_track("hole", hole)?, corner)
         }
-        Place::OnLine { line, at } => finder.inside(finder.there("line", line)?, 0, at),
+        Place::OnHoleEdge { hole, edge, at } => {
+            resolver.inside(resolver.inner_track("hole", hole)?, edge, at)
+        }
+        Place::OnLine { line, at } => resolver.inside(resolver.inner_track("line", line)?, 0, at),
     }
 }
 
-struct Finder<'a> {
+struct PlaceResolver<'a> {
     panel: &'a Panel,
     pointer: &'a str,
 }
 
-impl Finder<'_> {
+impl PlaceResolver<'_> {
     /// The hole or line of this index.
-    fn there(&self, what: &str, index: usize) -> Result<Track, Fault> {
+    fn inner_track(&self, what: &str, index: usize) -> Result<Track, Fault> {
         let (track, count) = match what {
             "hole" => (Track::Hole(index), self.panel.holes.len()),
             _ => (Track::Line(index), self.panel.internal_lines.len()),
@@ -147,22 +161,22 @@ impl Finder<'_> {
         }
     }
 
-    fn corner(&self, track: Track, corner: usize) -> Result<Spot, Fault> {
+    fn corner(&self, track: Track, corner: usize) -> Result<TrackPoint, Fault> {
         let count = match track {
             Track::Hole(hole) => self.panel.holes[hole].corners.len(),
             _ => self.panel.corners.len(),
         };
         if corner < count.min(track.edge_count(self.panel)) {
-            Ok(Spot {
+            Ok(TrackPoint {
                 track,
-                at: At::Corner(corner),
+                at: TrackPosition::Corner(corner),
             })
         } else {
             Err(self.missing("corner", corner, count, &of_track(track)))
         }
     }
 
-    fn inside(&self, track: Track, edge: usize, at: f64) -> Result<Spot, Fault> {
+    fn inside(&self, track: Track, edge: usize, at: f64) -> Result<TrackPoint, Fault> {
         let count = track.edge_count(self.panel);
         if edge >= count {
             return Err(self.missing("edge", edge, count, &of_track(track)));
@@ -180,18 +194,18 @@ impl Finder<'_> {
         Ok(self.snapped(track, edge, at))
     }
 
-    fn snapped(&self, track: Track, edge: usize, at: f64) -> Spot {
-        let course = Course::of(self.panel, track);
+    fn snapped(&self, track: Track, edge: usize, at: f64) -> TrackPoint {
+        let topology = TrackTopology::of(self.panel, track);
         let length = track.length(self.panel, edge);
         let snap = snap_distance(length);
         let at = if at * length <= snap {
-            At::Corner(edge)
+            TrackPosition::Corner(edge)
         } else if (1.0 - at) * length <= snap {
-            At::Corner(course.corner_after(edge))
+            TrackPosition::Corner(topology.corner_after(edge))
         } else {
-            At::Inside { edge, at }
+            TrackPosition::Inside { edge, at }
         };
-        Spot { track, at }
+        TrackPoint { track, at }
     }
 
     fn missing(&self, what: &str, index: usize, count: usize, of: &str) -> Fault {

@@ -1,117 +1,108 @@
 //! Sets of seams that would make the surface one-sided: which seam to blame, and how to mend it.
 
 use super::Face;
-use super::correct::Request;
-use super::cycle::{self, Tied};
-use super::faces::{self, Colouring, Saying};
-use super::misfaced;
-use super::order;
-use super::parity::Parity;
+use super::context::SeamCheckContext;
+use super::cycle::{self, FaceConstraint, contradictions_without};
+use super::face_conflicts;
+use super::faces::{self, FaceColoring, SeamRelations};
+use super::reversal;
+use super::twist_fault::{TwistFault, quoted_list};
 use crate::fault::Fault;
-use crate::pattern::SeamPair;
 
 /// Contradictory cycles that are reported at once: finding each costs a search over all panels.
 const REPORTED: usize = 50;
 
-/// Names listed in one sentence before it says how many more there are.
-const NAMED: usize = 8;
-
-/// One contradictory cycle.
-pub(super) struct Twist {
-    /// The seam of it that is blamed.
-    pub seam: usize,
-    /// What to tell of it.
-    pub fault: Fault,
-    /// The blamed seam as it could be sewn.
-    pub corrected: Option<SeamPair>,
-}
-
 /// Finds panels whose stated faces are the trouble; then the smallest contradictory cycle, takes the blamed seam out,
 /// and so on until none is left.
 pub(super) fn find(
-    request: &Request<'_>,
+    context: &SeamCheckContext<'_>,
     stated: &[Option<Face>],
-    colouring: &Colouring,
-) -> Vec<Twist> {
+    coloring: &FaceColoring,
+) -> Vec<TwistFault> {
     let nodes = stated.len() + 1;
-    let mut ties = ties(request, stated, colouring);
-    let mut twists = misfaced::find(request, stated, &mut ties);
+    let mut constraints = constraints(context, stated, coloring);
+    let mut twists = face_conflicts::find(context, stated, &mut constraints);
     while twists.len() < REPORTED
-        && let Some(cycle) = cycle::smallest(nodes, &ties)
+        && let Some(cycle) = cycle::smallest(nodes, &constraints)
     {
-        let case = Case {
-            request,
+        let contradiction = ContradictoryCycle {
+            context,
             cycle: &cycle,
-            ties: &ties,
+            constraints: &constraints,
             nodes,
         };
-        let Some(blamed) = case.blamed(colouring) else {
+        let Some(blamed) = contradiction.blamed(coloring) else {
             break;
         };
-        let twist = case.told(blamed);
-        ties.retain(|tie| tie.seam != Some(twist.seam));
+        let twist = contradiction.describe(blamed);
+        constraints.retain(|constraint| constraint.seam != Some(twist.seam));
         twists.push(twist);
     }
     twists
 }
 
 /// What stated faces and the seams that must not twist say, in the order of ids.
-fn ties(request: &Request<'_>, stated: &[Option<Face>], colouring: &Colouring) -> Vec<Tied> {
-    let mut ties: Vec<Tied> = faces::stated_links(stated)
-        .map(|link| Tied { link, seam: None })
+fn constraints(
+    context: &SeamCheckContext<'_>,
+    stated: &[Option<Face>],
+    coloring: &FaceColoring,
+) -> Vec<FaceConstraint> {
+    let mut constraints: Vec<FaceConstraint> = faces::stated_relations(stated)
+        .map(|relation| FaceConstraint {
+            relation,
+            seam: None,
+        })
         .collect();
-    let mut sayings: Vec<&Saying<'_>> = request.sayings.iter().collect();
-    sayings.sort_by_key(|saying| &saying.pair.id);
-    for saying in sayings
+    let mut relations: Vec<&SeamRelations<'_>> = context.relations.iter().collect();
+    relations.sort_by_key(|implied| &implied.pair.id);
+    for implied in relations
         .into_iter()
-        .filter(|saying| !saying.pair.allow_twist)
+        .filter(|implied| !implied.pair.allow_twist)
     {
-        ties.extend(saying.links(colouring).iter().map(|&link| Tied {
-            link,
-            seam: Some(saying.seam),
-        }));
+        constraints.extend(
+            implied
+                .relations(coloring)
+                .iter()
+                .map(|&relation| FaceConstraint {
+                    relation,
+                    seam: Some(implied.seam),
+                }),
+        );
     }
-    ties
-}
-
-/// How many ties contradict those before them when some are left out, and what the rest say.
-pub(super) fn without(ties: &[Tied], nodes: usize, out: impl Fn(&Tied) -> bool) -> (usize, Parity) {
-    let mut parity = Parity::new(nodes);
-    let mut contradictions = 0;
-    for tie in ties.iter().filter(|tie| !out(tie)) {
-        contradictions += usize::from(!parity.join(tie.link));
-    }
-    (contradictions, parity)
+    constraints
 }
 
 /// One cycle among all that is said.
-struct Case<'a> {
-    request: &'a Request<'a>,
-    cycle: &'a [Tied],
-    ties: &'a [Tied],
+struct ContradictoryCycle<'a> {
+    context: &'a SeamCheckContext<'a>,
+    cycle: &'a [FaceConstraint],
+    constraints: &'a [FaceConstraint],
     nodes: usize,
 }
 
-impl Case<'_> {
+impl ContradictoryCycle<'_> {
     /// The seam without which fewest contradictions are left; of several the one that would start far shorter in the
     /// other order, then the one whose ends are upside down as drawn, then the one set last.
-    fn blamed(&self, colouring: &Colouring) -> Option<&Saying<'_>> {
-        let seams = self.cycle.iter().filter_map(|tie| tie.seam);
-        let sayings = self.request.sayings;
+    fn blamed(&self, coloring: &FaceColoring) -> Option<&SeamRelations<'_>> {
+        let seams = self.cycle.iter().filter_map(|constraint| constraint.seam);
+        let relations = self.context.relations;
         seams
-            .filter_map(|seam| sayings.iter().find(|saying| saying.seam == seam))
-            .min_by_key(|saying| {
-                let (left, _) = without(self.ties, self.nodes, |tie| tie.seam == Some(saying.seam));
+            .filter_map(|seam| relations.iter().find(|implied| implied.seam == seam))
+            .min_by_key(|implied| {
+                let (left, _) =
+                    contradictions_without(self.constraints, self.nodes, |constraint| {
+                        constraint.seam == Some(implied.seam)
+                    });
                 (
                     left,
-                    !order::is_far_apart(self.request, saying, colouring),
-                    saying.heights_agree != Some(false),
-                    usize::MAX - saying.seam,
+                    !reversal::is_shorter_reversed(self.context, implied, coloring),
+                    implied.heights_agree != Some(false),
+                    usize::MAX - implied.seam,
                 )
             })
     }
 
-    fn told(&self, blamed: &Saying<'_>) -> Twist {
+    fn describe(&self, blamed: &SeamRelations<'_>) -> TwistFault {
         let fault = Fault::new(
             "seam/twisted",
             format!("/seams/{}", blamed.seam),
@@ -120,13 +111,13 @@ impl Case<'_> {
         let (fix, corrected) = if let Some(fix) = self.turned_face() {
             (fix, None)
         } else if let Some(correction) = self.correction(blamed) {
-            (correction.told, Some(correction.pair))
+            (correction.fix, Some(correction.pair))
         } else {
             let fix = "pick another edge for side b, or its corners in the other order; \
                        set `allow_twist` only if a one-sided surface is wanted";
             (fix.to_owned(), None)
         };
-        Twist {
+        TwistFault {
             seam: blamed.seam,
             fault: fault.fix(fix),
             corrected,
@@ -135,53 +126,64 @@ impl Case<'_> {
 
     /// What to do where the stated face of a panel of the cycle is the trouble.
     fn turned_face(&self) -> Option<String> {
-        let (now, _) = without(self.ties, self.nodes, |_| false);
-        let panels = self.cycle.iter().filter(|tie| tie.seam.is_none());
+        let (now, _) = contradictions_without(self.constraints, self.nodes, |_| false);
+        let panels = self
+            .cycle
+            .iter()
+            .filter(|constraint| constraint.seam.is_none());
         let (_, panel, up) = panels
             .map(|stated| {
-                let (left, _) = without(self.ties, self.nodes, |tie| tie == stated);
-                (left, stated.link.ends[0], stated.link.same)
+                let (left, _) =
+                    contradictions_without(self.constraints, self.nodes, |constraint| {
+                        constraint == stated
+                    });
+                (left, stated.relation.ends[0], stated.relation.same)
             })
             .filter(|(left, ..)| *left < now)
             .min_by_key(|&(left, panel, _)| {
                 (
                     left,
-                    faces::is_front(self.request.pattern, panel),
+                    faces::is_front(self.context.pattern, panel),
                     usize::MAX - panel,
                 )
             })?;
-        let id = &self.request.pattern.panels[panel].id;
+        let id = &self.context.pattern.panels[panel].id;
         let other = if up { "down" } else { "up" };
         Some(format!(
             "turn `{id}`: set its `face` to `{other}`, or to `auto`"
         ))
     }
 
-    fn correction(&self, blamed: &Saying<'_>) -> Option<super::correct::Correction> {
-        let (_, others) = without(self.ties, self.nodes, |tie| tie.seam == Some(blamed.seam));
+    fn correction(&self, blamed: &SeamRelations<'_>) -> Option<super::correction::Correction> {
+        let (_, others) = contradictions_without(self.constraints, self.nodes, |constraint| {
+            constraint.seam == Some(blamed.seam)
+        });
         others
             .fits(&blamed.reversed)
-            .then(|| self.request.correction(blamed))
+            .then(|| self.context.correction(blamed))
             .flatten()
     }
 
-    fn detail(&self, blamed: &Saying<'_>) -> String {
-        let pairs = self.request.pairs;
-        let seams = listed(
+    fn detail(&self, blamed: &SeamRelations<'_>) -> String {
+        let pairs = self.context.pairs;
+        let seams = quoted_list(
             self.cycle
                 .iter()
-                .filter_map(|tie| tie.seam)
+                .filter_map(|constraint| constraint.seam)
                 .map(|seam| &pairs[seam].id),
         );
         let panel_count = self.nodes - 1;
-        let ends = self.cycle.iter().flat_map(|tie| tie.link.ends);
-        let id = |panel: usize| &self.request.pattern.panels[panel].id;
-        let panels = listed(ends.filter(|&end| end < panel_count).map(id));
-        let stated = listed(
+        let ends = self
+            .cycle
+            .iter()
+            .flat_map(|constraint| constraint.relation.ends);
+        let id = |panel: usize| &self.context.pattern.panels[panel].id;
+        let panels = quoted_list(ends.filter(|&end| end < panel_count).map(id));
+        let stated = quoted_list(
             self.cycle
                 .iter()
-                .filter(|tie| tie.seam.is_none())
-                .map(|tie| id(tie.link.ends[0])),
+                .filter(|constraint| constraint.seam.is_none())
+                .map(|constraint| id(constraint.relation.ends[0])),
         );
         let name = &blamed.pair.id;
         if self.cycle.len() == 1 {
@@ -197,25 +199,5 @@ impl Case<'_> {
                 "seam `{name}` does not go with the faces stated for {stated}: {seams} would sew the outer side of the cloth to the inner one"
             )
         }
-    }
-}
-
-/// Names in quotation marks, each once, with "and" before the last.
-pub(super) fn listed<'a>(names: impl Iterator<Item = &'a String>) -> String {
-    let mut quoted: Vec<String> = vec![];
-    for name in names.map(|name| format!("`{name}`")) {
-        if !quoted.contains(&name) {
-            quoted.push(name);
-        }
-    }
-    if quoted.len() > NAMED {
-        let more = quoted.len() - NAMED;
-        quoted.truncate(NAMED);
-        quoted.push(format!("{more} more"));
-    }
-    match quoted.pop() {
-        Some(last) if !quoted.is_empty() => format!("{} and {last}", quoted.join(", ")),
-        Some(last) => last,
-        None => String::new(),
     }
 }

@@ -1,23 +1,22 @@
 //! From panels to pieces: what each panel is, by its name and by its look.
 
-use super::doubts::{unlikely, unusual, upright};
-use super::piece::{Kind, Lateral, Piece};
-use super::shape::Shape;
-use super::{choose, looks, sides, template, words};
+use super::labeled_panel::LabeledPanel;
+use super::labels::{Laterality, PanelKind};
+use super::outline_features::OutlineFeatures;
+use super::penalties::{drawing_penalty, half_penalty, upright};
+use super::{align, assignment, edge_templates, names, orientation};
 use crate::pattern::Pattern;
 use std::rc::Rc;
 
-/// Kinds that a panel may be whose name says only front or back, or nothing.
-pub(super) const BODY: [Kind; 3] = [Kind::Bodice, Kind::Skirt, Kind::Trouser];
-const ANY: [Kind; 5] = [
-    Kind::Bodice,
-    Kind::Skirt,
-    Kind::Trouser,
-    Kind::Sleeve,
-    Kind::NeckBand,
+const ANY: [PanelKind; 5] = [
+    PanelKind::Bodice,
+    PanelKind::Skirt,
+    PanelKind::Trouser,
+    PanelKind::Sleeve,
+    PanelKind::NeckBand,
 ];
 /// What a panel without a telling name may be where other panels of the pattern have one.
-const EXTRA: [Kind; 2] = [Kind::Sleeve, Kind::NeckBand];
+const EXTRA: [PanelKind; 2] = [PanelKind::Sleeve, PanelKind::NeckBand];
 /// What a panel without a telling name must look like at least: mean misfit of a role.
 const RECOGNISED: f64 = 2.5;
 /// The same for its size: side of the square of its area \[m\].
@@ -26,11 +25,11 @@ const SMALLEST: f64 = 0.08;
 const KEPT: usize = 16;
 
 /// The pieces of a pattern.
-pub(super) fn pieces(pattern: &Pattern) -> Vec<Piece> {
+pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
     let names: Vec<&str> = pattern.panels.iter().map(|p| p.name.as_str()).collect();
-    let common = words::common_start(&names);
-    let shared = words::shared(&names);
-    let said: Vec<words::Said> = pattern
+    let common = names::common_start(&names);
+    let shared = names::shared(&names);
+    let hints: Vec<names::NameHints> = pattern
         .panels
         .iter()
         .map(|panel| {
@@ -40,85 +39,86 @@ pub(super) fn pieces(pattern: &Pattern) -> Vec<Piece> {
                 &panel.name
             };
             let code = panel.name.get(common..).unwrap_or_default();
-            let mut said = words::said(name, code, &shared);
+            let mut hints = names::hints(name, code, &shared);
             if panel.copy_of.is_some() {
-                said.lateral = said.lateral.map(Lateral::other);
+                hints.laterality = hints.laterality.map(Laterality::other);
             }
-            said
+            hints
         })
         .collect();
-    let slits = said.iter().any(|s| s.kind == Some(Kind::Godet));
-    let telling = said
-        .iter()
-        .any(|s| s.which.is_some() || s.kind.is_some_and(|kind| BODY.contains(&kind)));
-    let candidates: Vec<Vec<Piece>> = (0..names.len())
+    let slits = hints.iter().any(|s| s.kind == Some(PanelKind::Godet));
+    let telling = hints.iter().any(|s| {
+        s.front_back.is_some() || s.kind.is_some_and(|kind| PanelKind::BODY.contains(&kind))
+    });
+    let candidates: Vec<Vec<LabeledPanel>> = (0..names.len())
         .map(|index| {
             let panel = &pattern.panels[index];
-            let said = &said[index];
+            let hints = &hints[index];
             candidates(
                 index,
-                Rc::new(Shape::of(panel, slits)),
-                said,
+                Rc::new(OutlineFeatures::of(panel, slits)),
+                hints,
                 (upright(panel), telling),
             )
         })
         .collect();
-    let mut pieces = choose::together(candidates);
-    sides::tell_front_from_back(pattern, &mut pieces);
-    let turned: Vec<bool> = pieces
+    let mut parts = assignment::assign(candidates);
+    orientation::assign_front_back(pattern, &mut parts);
+    let turned: Vec<bool> = parts
         .iter()
-        .map(|p| sides::is_turned(pattern, &pieces, p))
+        .map(|p| orientation::is_drawn_from_inside(pattern, &parts, p))
         .collect();
-    for (piece, turned) in pieces.iter_mut().zip(turned) {
-        piece.turned = turned;
+    for (part, turned) in parts.iter_mut().zip(turned) {
+        part.drawn_from_inside = turned;
     }
-    sides::tell_left_from_right(pattern, &mut pieces);
-    pieces
+    orientation::assign_left_right(pattern, &mut parts);
+    parts
 }
 
 /// What a panel may be, the likeliest first.
 fn candidates(
     panel: usize,
-    shape: Rc<Shape>,
-    said: &words::Said,
+    features: Rc<OutlineFeatures>,
+    hints: &names::NameHints,
     (upright, telling): (Option<bool>, bool),
-) -> Vec<Piece> {
-    let kinds: Vec<Kind> = match (said.kind, said.which) {
+) -> Vec<LabeledPanel> {
+    let kinds: Vec<PanelKind> = match (hints.kind, hints.front_back) {
         (Some(kind), _) => vec![kind],
-        (None, Some(_)) => BODY.to_vec(),
+        (None, Some(_)) => PanelKind::BODY.to_vec(),
         (None, None) if telling => EXTRA.to_vec(),
         (None, None) => ANY.to_vec(),
     };
-    let named = said.kind.is_some() || said.which.is_some();
-    let symmetric = shape.is_symmetric();
-    let mut found: Vec<Piece> = vec![];
+    let named = hints.kind.is_some() || hints.front_back.is_some();
+    let symmetric = features.is_symmetric();
+    let mut found: Vec<LabeledPanel> = vec![];
     for kind in kinds {
-        for template in looks::of(kind) {
-            let unlikely = template.rare + unlikely(kind, template.half, said, symmetric);
-            for divided in template::divide(&shape, &template).into_iter().take(KEPT) {
-                let mut piece = Piece {
+        for template in edge_templates::of(kind) {
+            let half_penalty =
+                template.rarity + half_penalty(kind, template.half, hints, symmetric);
+            for alignment in align::align(&features, &template).into_iter().take(KEPT) {
+                let mut part = LabeledPanel {
                     panel,
                     kind,
-                    of: said.of.clone(),
-                    number: said.number,
-                    which: said.which,
-                    lateral: said.lateral,
-                    lateral_said: said.lateral.is_some(),
+                    of: hints.of.clone(),
+                    number: hints.number,
+                    front_back: hints.front_back,
+                    laterality: hints.laterality,
+                    laterality_named: hints.laterality.is_some(),
                     half: template.half,
-                    turned: false,
-                    shape: Rc::clone(&shape),
-                    segments: divided.segments,
-                    cost: divided.cost + unlikely,
+                    drawn_from_inside: false,
+                    features: Rc::clone(&features),
+                    segments: alignment.segments,
+                    cost: alignment.cost + half_penalty,
                     named,
-                    kind_said: said.kind.is_some(),
+                    kind_named: hints.kind.is_some(),
                 };
-                piece.cost += unusual(&piece, upright);
-                found.push(piece);
+                part.cost += drawing_penalty(&part, upright);
+                found.push(part);
             }
         }
     }
-    let large = shape.size >= SMALLEST;
-    found.retain(|piece| named || large && piece.cost < RECOGNISED);
+    let large = features.size >= SMALLEST;
+    found.retain(|part| named || large && part.cost < RECOGNISED);
     found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     found.truncate(KEPT);
     found

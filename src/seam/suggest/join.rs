@@ -1,6 +1,6 @@
 //! Lays two chains of edges along each other and parts them where corners of both meet.
 
-use super::piece::{Chain, Step, length};
+use super::edge_chain::{EdgeChain, EdgeStep, length};
 
 /// Corners count as meeting up to this share of the whole length, or this distance \[m\].
 const NEAR_SHARE: f64 = 0.012;
@@ -11,11 +11,11 @@ const AWAY: f64 = 0.06;
 const MOST_TURNS: usize = 2_500;
 
 /// Two chains of edges that are sewn together, beginning at the same point.
-pub(super) type Joint = [Chain; 2];
+pub(super) type JoinedParts = [EdgeChain; 2];
 
 /// Parts two chains that begin and end together wherever a corner of the one meets a corner of the other.
-pub(super) fn parted(a: &[Step], b: &[Step]) -> Vec<Joint> {
-    let cuts = meeting(&corners(a), &corners(b), tolerance(a, b));
+pub(super) fn split_at_corners(a: &[EdgeStep], b: &[EdgeStep]) -> Vec<JoinedParts> {
+    let cuts = matching_corners(&corners(a), &corners(b), tolerance(a, b));
     let mut parts = vec![];
     let mut from = [0, 0];
     for to in cuts.into_iter().chain([[a.len(), b.len()]]) {
@@ -27,16 +27,16 @@ pub(super) fn parted(a: &[Step], b: &[Step]) -> Vec<Joint> {
 
 /// The same for two closed chains, which are expected to begin together but may be turned against each other where
 /// their corners then meet better.
-pub(super) fn parted_round(a: &[Step], b: &[Step]) -> Vec<Joint> {
-    parted_turned(a, b, AWAY)
+pub(super) fn split_ring(a: &[EdgeStep], b: &[EdgeStep]) -> Vec<JoinedParts> {
+    split_rotated(a, b, AWAY)
 }
 
 /// The same where nothing is known of how they lie against each other.
-pub(super) fn parted_anyhow(a: &[Step], b: &[Step]) -> Vec<Joint> {
-    parted_turned(a, b, f64::INFINITY)
+pub(super) fn split_free_ring(a: &[EdgeStep], b: &[EdgeStep]) -> Vec<JoinedParts> {
+    split_rotated(a, b, f64::INFINITY)
 }
 
-fn parted_turned(a: &[Step], b: &[Step], usual: f64) -> Vec<Joint> {
+fn split_rotated(a: &[EdgeStep], b: &[EdgeStep], usual: f64) -> Vec<JoinedParts> {
     let (at_a, at_b) = (corners(a), corners(b));
     let tolerance = tolerance(a, b);
     let mut best = (score(&at_a, &at_b, 0.0, tolerance), 0, 0);
@@ -46,10 +46,10 @@ fn parted_turned(a: &[Step], b: &[Step], usual: f64) -> Vec<Joint> {
             let start = |at: &[f64], k: usize| if k == 0 { 0.0 } else { at[k - 1] };
             let away = start(&at_a, i) - start(&at_b, j);
             let away = (away + 0.5).rem_euclid(1.0) - 0.5;
-            let (turned_a, turned_b) = (turned(a, i), turned(b, j));
+            let (rotated_a, rotated_b) = (rotated(a, i), rotated(b, j));
             let found = score(
-                &corners(&turned_a),
-                &corners(&turned_b),
+                &corners(&rotated_a),
+                &corners(&rotated_b),
                 away / usual,
                 tolerance,
             );
@@ -58,22 +58,22 @@ fn parted_turned(a: &[Step], b: &[Step], usual: f64) -> Vec<Joint> {
             }
         }
     }
-    parted(&turned(a, best.1), &turned(b, best.2))
+    split_at_corners(&rotated(a, best.1), &rotated(b, best.2))
 }
 
 /// How well the corners of two chains meet: the number that do, less the square of how unusual their beginning is.
 pub(super) fn score(a: &[f64], b: &[f64], away: f64, tolerance: f64) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "a handful of corners")]
-    let met = meeting(a, b, tolerance).len() as f64;
+    let met = matching_corners(a, b, tolerance).len() as f64;
     met - away.powi(2)
 }
 
 /// How well two chains go along each other as they are.
-pub(super) fn agreement(a: &[Step], b: &[Step]) -> f64 {
+pub(super) fn agreement(a: &[EdgeStep], b: &[EdgeStep]) -> f64 {
     score(&corners(a), &corners(b), 0.0, tolerance(a, b))
 }
 
-fn turned(chain: &[Step], start: usize) -> Chain {
+fn rotated(chain: &[EdgeStep], start: usize) -> EdgeChain {
     chain[start..]
         .iter()
         .chain(&chain[..start])
@@ -82,7 +82,7 @@ fn turned(chain: &[Step], start: usize) -> Chain {
 }
 
 /// Where the inner corners of a chain lie, as fractions of its length.
-fn corners(chain: &[Step]) -> Vec<f64> {
+fn corners(chain: &[EdgeStep]) -> Vec<f64> {
     let whole = length(chain).max(f64::MIN_POSITIVE);
     let mut so_far = 0.0;
     let mut at: Vec<f64> = vec![];
@@ -94,13 +94,13 @@ fn corners(chain: &[Step]) -> Vec<f64> {
     at
 }
 
-fn tolerance(a: &[Step], b: &[Step]) -> f64 {
+fn tolerance(a: &[EdgeStep], b: &[EdgeStep]) -> f64 {
     let shorter = length(a).min(length(b)).max(f64::MIN_POSITIVE);
     NEAR_SHARE.max(NEAR_M / shorter).min(0.1)
 }
 
 /// Pairs of corners each of which is the nearest of the other, as numbers of steps before them.
-fn meeting(a: &[f64], b: &[f64], tolerance: f64) -> Vec<[usize; 2]> {
+fn matching_corners(a: &[f64], b: &[f64], tolerance: f64) -> Vec<[usize; 2]> {
     let nearest = |x: f64, of: &[f64]| {
         (0..of.len()).min_by(|i, j| (of[*i] - x).abs().total_cmp(&(of[*j] - x).abs()))
     };
@@ -119,8 +119,8 @@ fn meeting(a: &[f64], b: &[f64], tolerance: f64) -> Vec<[usize; 2]> {
 mod tests {
     use super::*;
 
-    fn chain(panel: usize, lengths: &[f64]) -> Chain {
-        let step = |(edge, &length): (usize, &f64)| Step {
+    fn chain(panel: usize, lengths: &[f64]) -> EdgeChain {
+        let step = |(edge, &length): (usize, &f64)| EdgeStep {
             panel,
             edge,
             forward: true,
@@ -129,13 +129,13 @@ mod tests {
         lengths.iter().enumerate().map(step).collect()
     }
 
-    fn lengths(joints: &[Joint]) -> Vec<[usize; 2]> {
+    fn lengths(joints: &[JoinedParts]) -> Vec<[usize; 2]> {
         joints.iter().map(|j| [j[0].len(), j[1].len()]).collect()
     }
 
     #[test]
     fn chains_part_where_corners_meet() {
-        let joints = parted(&chain(0, &[0.2, 0.1, 0.3]), &chain(1, &[0.3, 0.31]));
+        let joints = split_at_corners(&chain(0, &[0.2, 0.1, 0.3]), &chain(1, &[0.3, 0.31]));
         assert_eq!(lengths(&joints), [[2, 1], [1, 1]]);
     }
 
@@ -143,7 +143,7 @@ mod tests {
     fn closed_chains_turn_until_corners_meet() {
         let a = chain(0, &[0.01, 0.30, 0.29]);
         let b = chain(1, &[0.30, 0.29, 0.01]);
-        let joints = parted_round(&a, &b);
+        let joints = split_ring(&a, &b);
         assert_eq!(lengths(&joints), [[1, 1], [1, 1], [1, 1]]);
         for [a, b] in joints {
             assert!((a[0].length - b[0].length).abs() < 1e-12);

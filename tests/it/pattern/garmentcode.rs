@@ -6,7 +6,7 @@ use seamster::pattern::{
     Anchor, Direction, Edge, Face, Format, ImportOptions, Pattern, Place, RotationOrder, Side,
     Units, import,
 };
-use seamster::seam::{self, FaceAsked};
+use seamster::seam::{self, FaceRequest};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -504,8 +504,8 @@ fn all_stitches_of_real_garments_are_accepted() {
         assert!(!pattern.seams.is_empty());
         let stated = pattern.panels.iter().map(|panel| {
             let face = match panel.face.expect("it is stated") {
-                Face::Up => FaceAsked::Up,
-                Face::Down => FaceAsked::Down,
+                Face::Up => FaceRequest::Up,
+                Face::Down => FaceRequest::Down,
             };
             (panel.id.clone(), face)
         });

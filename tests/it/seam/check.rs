@@ -3,7 +3,7 @@
 use seamster::config::Limits;
 use seamster::fault::Faults;
 use seamster::pattern::{Direction, Match, Panel, Pattern, Place, Run, SeamPair, Side};
-use seamster::seam::{Face, FaceAsked, Seam, SeamCheck, SeamSet, Stretch, Track, check};
+use seamster::seam::{Face, FaceRequest, Seam, SeamCheck, SeamSet, Stretch, Track, check};
 use seamster_fixtures::panels::{
     darted, lens, many, notched, pattern, polygon, rectangle, run, seam, trapezoid,
 };
@@ -23,7 +23,7 @@ fn checked(pattern: &Pattern, pairs: &[SeamPair]) -> (SeamCheck, Result<SeamSet,
 fn checked_with(
     pattern: &Pattern,
     pairs: &[SeamPair],
-    faces: &[(&str, FaceAsked)],
+    faces: &[(&str, FaceRequest)],
 ) -> (SeamCheck, Result<SeamSet, Faults>) {
     let faces: BTreeMap<_, _> = faces
         .iter()
@@ -292,7 +292,7 @@ fn stated_faces_that_seams_contradict_are_to_be_turned() {
     let (check, result) = checked_with(
         &tube(),
         &tube_seams_in_one_view(),
-        &[("front", FaceAsked::Up), ("back", FaceAsked::Up)],
+        &[("front", FaceRequest::Up), ("back", FaceRequest::Up)],
     );
     let faults = result.unwrap_err().0;
     assert_eq!(faults[0].code, "seam/twisted");
@@ -302,7 +302,7 @@ fn stated_faces_that_seams_contradict_are_to_be_turned() {
     let (_, mended) = checked_with(
         &tube(),
         &tube_seams_in_one_view(),
-        &[("front", FaceAsked::Up), ("back", FaceAsked::Down)],
+        &[("front", FaceRequest::Up), ("back", FaceRequest::Down)],
     );
     assert_eq!(mended.unwrap().faces, [Face::Up, Face::Down]);
 }
@@ -321,10 +321,10 @@ fn gores() -> (Pattern, Vec<SeamPair>) {
 #[test]
 fn wrongly_stated_faces_are_one_fault_that_names_the_panels_to_turn() {
     let (panels, pairs) = gores();
-    let faces = |down: &[usize]| -> Vec<(String, FaceAsked)> {
+    let faces = |down: &[usize]| -> Vec<(String, FaceRequest)> {
         let face = |i| match down.contains(&i) {
-            true => FaceAsked::Down,
-            false => FaceAsked::Up,
+            true => FaceRequest::Down,
+            false => FaceRequest::Up,
         };
         (0..6).map(|i| (format!("gore-{i}"), face(i))).collect()
     };
@@ -364,7 +364,7 @@ fn reversed_seam_is_blamed_and_not_the_faces_stated_right() {
     let faces: Vec<String> = (0..6).map(|i| format!("gore-{i}")).collect();
     let faces: Vec<_> = faces
         .iter()
-        .map(|id| (id.as_str(), FaceAsked::Up))
+        .map(|id| (id.as_str(), FaceRequest::Up))
         .collect();
     for wrong in 0..6 {
         // As a cycle, and as an open row in which the seam is a bridge.
@@ -389,7 +389,7 @@ fn stated_face_fixes_the_faces_of_all_it_is_sewn_to() {
     let (_, result) = checked_with(
         &tube(),
         &tube_seams_in_one_view(),
-        &[("back", FaceAsked::Up)],
+        &[("back", FaceRequest::Up)],
     );
     assert_eq!(result.unwrap().faces, [Face::Down, Face::Up]);
 }

@@ -3,7 +3,7 @@
 use seamster::config::Limits;
 use seamster::fault::Faults;
 use seamster::pattern::{Match, Pattern, SeamPair, Side};
-use seamster::seam::{Face, FaceAsked, SeamCheck, SeamSet, ToCheck, check_placed};
+use seamster::seam::{Face, FaceRequest, SeamCheck, SeamSet, SeamCheckInput, check_placed};
 use seamster_fixtures::panels::{mirrored, pattern, polygon, rectangle, run, seam};
 use std::collections::BTreeMap;
 
@@ -33,13 +33,13 @@ fn starts(pattern: &Pattern) -> impl Fn(usize, Face, [f64; 2]) -> Option<[f64; 3
 fn checked(
     pattern: &Pattern,
     pairs: &[SeamPair],
-    faces: &[(&str, FaceAsked)],
+    faces: &[(&str, FaceRequest)],
 ) -> (SeamCheck, Result<SeamSet, Faults>) {
     let faces = faces
         .iter()
         .map(|(id, face)| ((*id).to_owned(), *face))
         .collect::<BTreeMap<_, _>>();
-    let to_check = ToCheck {
+    let to_check = SeamCheckInput {
         pattern,
         pairs,
         faces: &faces,
@@ -208,7 +208,7 @@ fn auto_seams_that_only_each_other_decide_are_turned_together() {
 #[test]
 fn seams_that_faces_decide_are_not_judged_by_places() {
     let [pair, _] = side_seams();
-    let stated = [("front", FaceAsked::Up), ("back", FaceAsked::Up)];
+    let stated = [("front", FaceRequest::Up), ("back", FaceRequest::Up)];
     let (check, set) = checked(&tube(), std::slice::from_ref(&pair), &stated);
     assert!(codes(&check).is_empty() && set.is_ok());
     let (check, _) = checked(&tube(), &[turned(&pair)], &stated);
@@ -258,7 +258,7 @@ fn mirrored_copy_is_judged_as_it_lies() {
     };
     let faces = BTreeMap::new();
     let check = |pair: &SeamPair| {
-        let to_check = ToCheck {
+        let to_check = SeamCheckInput {
             pattern: &pattern,
             pairs: std::slice::from_ref(pair),
             faces: &faces,

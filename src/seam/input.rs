@@ -1,0 +1,40 @@
+//! Input of a seam check: panels, seams as requested, requested faces and start positions.
+
+use super::Face;
+use crate::config::Limits;
+use crate::pattern::{Pattern, SeamPair};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use utoipa::ToSchema;
+
+/// Where a point of a panel starts in space \[m\]: the panel's index, its face, pattern coordinates \[m\]; nothing where that is not known.
+pub type StartPositions<'a> = &'a dyn Fn(usize, Face, [f64; 2]) -> Option<[f64; 3]>;
+
+/// What is to be checked.
+#[derive(Clone, Copy, Debug)]
+pub struct SeamCheckInput<'a> {
+    /// The panels.
+    pub pattern: &'a Pattern,
+    /// The seams as asked.
+    pub pairs: &'a [SeamPair],
+    /// What was asked for each panel, by id (absent: auto).
+    pub faces: &'a BTreeMap<String, FaceRequest>,
+    /// Mesh edge length that stitch counts are stated for \[m\].
+    pub edge_length: f64,
+    /// Bounds on what may be asked for.
+    pub limits: &'a Limits,
+}
+
+/// Which side of a panel's cloth is out, as asked.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+#[schema(as = FaceAsked)]
+pub enum FaceRequest {
+    /// Found from the seams.
+    #[default]
+    Auto,
+    /// The side that the drawing shows is out.
+    Up,
+    /// The side that the drawing shows is in.
+    Down,
+}

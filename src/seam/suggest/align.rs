@@ -1,0 +1,297 @@
+//! Finds the roles of a panel's edges: its outline is divided so that it looks most like what a tailor knows of such panels.
+//!
+//! A template is the cycle of roles round a panel, each with the length, the bend and the corner that it usually has. Every
+//! way to divide the outline into these roles is compared by dynamic programming, from every edge and in both directions,
+//! so that it does not matter how the panel is turned in its drawing.
+
+use super::edge_templates::{EdgeTemplate, PanelTemplate};
+use super::labeled_panel::RoleSegment;
+use super::labels::{DrawnSide, EdgeRole};
+use super::outline_features::{MOST_EDGES, OutlineFeatures};
+
+/// An outline divided.
+#[derive(Clone, Debug)]
+pub(super) struct Alignment {
+    pub(super) segments: Vec<RoleSegment>,
+    /// Mean misfit of a role.
+    pub(super) cost: f64,
+}
+
+/// No single feature may count for more than this.
+const MOST: f64 = 3.0;
+/// A corner inside a role costs nothing up to this turn, then grows in these steps \[degrees\].
+const SMOOTH: f64 = 20.0;
+const SHARP: f64 = 14.0;
+/// How much two sides of a panel usually differ, as a logarithm.
+const UNEVEN: f64 = 0.12;
+/// How much more that counts for a symmetric panel.
+const SYMMETRIC: f64 = 4.0;
+
+/// The divisions of `features` into the roles of `template`, the best first: one for each edge to begin with and direction.
+pub(super) fn align(features: &OutlineFeatures, template: &PanelTemplate) -> Vec<Alignment> {
+    let ring_edges = features.ring.len();
+    let roles = template.edges.len();
+    if ring_edges < roles || ring_edges > MOST_EDGES {
+        return vec![];
+    }
+    let symmetric = features.is_symmetric();
+    let readings: &[bool] = if template.half {
+        &[true, false]
+    } else {
+        &[true]
+    };
+    let ways = readings.iter().flat_map(|forward| {
+        (0..ring_edges).map(move |start| SegmentalAligner {
+            features,
+            templates: template.edges,
+            forward: *forward,
+            start,
+            symmetric,
+        })
+    });
+    let mut found: Vec<Alignment> = ways
+        .flat_map(|reading| reading.alignments(template.half))
+        .collect();
+    found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
+    found
+}
+
+/// One way to read the outline: from an edge on, the roles in one direction.
+#[derive(Clone, Copy)]
+struct SegmentalAligner<'a> {
+    features: &'a OutlineFeatures,
+    templates: &'static [EdgeTemplate],
+    forward: bool,
+    start: usize,
+    /// Whether the panel is mirrored onto itself.
+    symmetric: bool,
+}
+
+impl SegmentalAligner<'_> {
+    /// The look of the `k`th role in order of numbers.
+    fn edge_template(&self, k: usize) -> EdgeTemplate {
+        let count = self.templates.len();
+        if self.forward {
+            self.templates[k]
+        } else {
+            self.templates[count - 1 - k]
+        }
+    }
+
+    /// What the corner after the `k`th role usually is.
+    fn corner(&self, k: usize) -> [f64; 2] {
+        let count = self.templates.len();
+        if self.forward {
+            self.templates[k].corner
+        } else {
+            self.templates[(2 * count - 2 - k) % count].corner
+        }
+    }
+
+    fn ring(&self, place: usize) -> usize {
+        (self.start + place) % self.features.ring.len()
+    }
+
+    /// The division of least misfit: the place after the last edge of each role.
+    fn best(&self) -> Option<Vec<usize>> {
+        let (edges, roles) = (self.features.ring.len(), self.templates.len());
+        let mut table = vec![vec![(f64::INFINITY, 0usize); edges + 1]; roles + 1];
+        table[0][0].0 = 0.0;
+        for k in 0..roles {
+            for from in k..edges {
+                let so_far = table[k][from].0;
+                if !so_far.is_finite() {
+                    continue;
+                }
+                let mut run = SegmentFeatures::default();
+                let last = edges - (roles - 1 - k);
+                let ends = table[k + 1].iter_mut().enumerate();
+                for (to, best) in ends.take(last + 1).skip(from + 1) {
+                    self.lengthen(&mut run, k, (from, to));
+                    let cost = so_far + self.role_cost(&run, k, to);
+                    if cost < best.0 {
+                        *best = (cost, from);
+                    }
+                }
+            }
+        }
+        let mut ends = vec![edges; roles];
+        for k in (1..roles).rev() {
+            ends[k - 1] = table[k + 1][ends[k]].1;
+        }
+        table[roles][edges].0.is_finite().then_some(ends)
+    }
+
+    /// The best division, and those in which one role ends an edge earlier or later.
+    fn alignments(&self, half: bool) -> Vec<Alignment> {
+        let Some(best) = self.best() else {
+            return vec![];
+        };
+        let mut all = vec![best.clone()];
+        for k in 0..best.len() - 1 {
+            for moved in [best[k] - 1, best[k] + 1] {
+                let before = if k == 0 { 0 } else { best[k - 1] };
+                if before < moved && moved < best[k + 1] {
+                    let mut ends = best.clone();
+                    ends[k] = moved;
+                    all.push(ends);
+                }
+            }
+        }
+        if !half && best.len() % 2 == 0 {
+            for ends in evened(&best) {
+                if !all.contains(&ends) {
+                    all.push(ends);
+                }
+            }
+        }
+        all.iter().map(|ends| self.with_cost(ends, half)).collect()
+    }
+
+    fn with_cost(&self, ends: &[usize], half: bool) -> Alignment {
+        let mut from = 0;
+        let mut cost = 0.0;
+        for (k, &to) in ends.iter().enumerate() {
+            let mut run = SegmentFeatures::default();
+            for next in from + 1..=to {
+                self.lengthen(&mut run, k, (from, next));
+            }
+            cost += self.role_cost(&run, k, to);
+            from = to;
+        }
+        let segments = self.segments(ends, half);
+        if !half {
+            let weight = if self.symmetric { SYMMETRIC } else { 1.0 };
+            cost += weight * unevenness(self.features, &segments);
+        }
+        #[expect(clippy::cast_precision_loss, reason = "a handful of roles")]
+        let count = self.templates.len() as f64;
+        Alignment {
+            segments,
+            cost: cost / count,
+        }
+    }
+
+    /// Takes the edge before `to` into a run of the `k`th role that begins at `from`.
+    fn lengthen(&self, run: &mut SegmentFeatures, k: usize, (from, to): (usize, usize)) {
+        let edge = self.features.edges[self.features.ring[self.ring(to - 1)]];
+        run.length += edge.length;
+        run.bend += edge.bend;
+        if to - 1 > from {
+            let joint = self.features.joints[self.ring(to - 2)];
+            run.bend += joint;
+            let sharp = (joint.to_degrees().abs() - SMOOTH).max(0.0) / SHARP;
+            run.corners += (0.5 * sharp.powi(2)).min(corner_cost(self.edge_template(k).role));
+        }
+    }
+
+    /// Misfit of a run that ends before `to` as the `k`th role, with the corner after it.
+    fn role_cost(&self, run: &SegmentFeatures, k: usize, to: usize) -> f64 {
+        let template = self.edge_template(k);
+        let corner = self.features.joints[self.ring(to - 1)].to_degrees();
+        let length = (run.length.max(1e-6) / self.features.size.max(1e-6)).ln();
+        run.corners
+            + misfit(length, template.length)
+            + misfit(run.bend.to_degrees(), template.bend)
+            + misfit(corner, self.corner(k))
+    }
+
+    fn segments(&self, ends: &[usize], half: bool) -> Vec<RoleSegment> {
+        let roles = ends.len();
+        let mut segments: Vec<RoleSegment> = vec![];
+        let mut from = 0;
+        for (k, &to) in ends.iter().enumerate() {
+            let role = self.edge_template(k).role;
+            let second = if half {
+                !self.forward
+            } else {
+                segments.iter().any(|s| s.role == role)
+            };
+            let drawn_side = if second {
+                DrawnSide::Right
+            } else {
+                DrawnSide::Left
+            };
+            segments.push(RoleSegment {
+                role,
+                drawn_side: if self.features.mirrored {
+                    drawn_side.other()
+                } else {
+                    drawn_side
+                },
+                edges: (from..to)
+                    .map(|place| self.features.ring[self.ring(place)])
+                    .collect(),
+                before: self.edge_template((k + roles - 1) % roles).role,
+            });
+            from = to;
+        }
+        segments
+    }
+}
+
+/// The same division with as many edges in each role on the right as on the left, and the other way round.
+fn evened(ends: &[usize]) -> Vec<Vec<usize>> {
+    let roles = ends.len();
+    let size = |k: usize| ends[k] - if k == 0 { 0 } else { ends[k - 1] };
+    let total: usize = ends.last().copied().unwrap_or_default();
+    let even = |from_left: bool| -> Option<Vec<usize>> {
+        let mut sizes: Vec<usize> = (0..roles).map(size).collect();
+        for k in 1..roles.div_ceil(2) {
+            let (to, from) = if from_left {
+                (roles - k, k)
+            } else {
+                (k, roles - k)
+            };
+            sizes[to] = size(from);
+        }
+        let middle = roles / 2;
+        let others: usize = (0..roles).filter(|k| *k != middle).map(|k| sizes[k]).sum();
+        sizes[middle] = total.checked_sub(others).filter(|left| *left > 0)?;
+        let mut end = 0;
+        Some(
+            sizes
+                .iter()
+                .map(|size| {
+                    end += size;
+                    end
+                })
+                .collect(),
+        )
+    };
+    [even(true), even(false)].into_iter().flatten().collect()
+}
+
+/// Edges that are to have one role.
+#[derive(Clone, Copy, Debug, Default)]
+struct SegmentFeatures {
+    length: f64,
+    bend: f64,
+    /// Misfit of the corners inside it.
+    corners: f64,
+}
+
+/// What a sharp corner inside a role costs at most: necks may be square and hems have slits, shoulders are straight.
+fn corner_cost(role: EdgeRole) -> f64 {
+    match role {
+        EdgeRole::Neck => 0.4 * MOST,
+        EdgeRole::Hem | EdgeRole::Waist => 0.7 * MOST,
+        _ => 2.0 * MOST,
+    }
+}
+
+fn misfit(value: f64, [mean, spread]: [f64; 2]) -> f64 {
+    (0.5 * ((value - mean) / spread).powi(2)).min(MOST)
+}
+
+/// How much two segments of one role differ in length.
+fn unevenness(features: &OutlineFeatures, segments: &[RoleSegment]) -> f64 {
+    let mut cost = 0.0;
+    for (i, a) in segments.iter().enumerate() {
+        for b in segments[i + 1..].iter().filter(|b| b.role == a.role) {
+            let ratio = (features.length(&a.edges) / features.length(&b.edges)).ln();
+            cost += misfit(ratio, [0.0, UNEVEN]);
+        }
+    }
+    cost
+}

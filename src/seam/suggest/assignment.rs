@@ -1,0 +1,286 @@
+//! Reads all panels together: of what each may be, that is chosen with which its neighbours agree best.
+//!
+//! A reading of a front is good if its side is as long as that of the back, and if it mirrors the other half. Starting
+//! from the likeliest readings, each panel in turn takes the one that fits the others best, until none changes.
+
+use super::labeled_panel::LabeledPanel;
+use super::labels::{EdgeRole, PanelKind};
+
+/// Rounds at most: each lowers the misfit, so that few are needed.
+const ROUNDS: usize = 8;
+/// How much edges that are sewn together, edges that mirror each other, and the same edges of front and back usually
+/// differ, as a logarithm.
+const SEWN: f64 = 0.06;
+const ALIKE: f64 = 0.3;
+const MIRRORED: f64 = 0.03;
+/// The same for an edge that goes round an opening, where the longer one is usually gathered and where it is not,
+/// and what that may cost at most.
+const GATHERED: f64 = 0.7;
+const JOINED: f64 = 0.12;
+const EASED: f64 = 0.3;
+const FULL: f64 = 0.45;
+const MOST_JOINED: f64 = 2.5;
+/// The edges of a band that may be sewn.
+const BAND_EDGES: [EdgeRole; 3] = [EdgeRole::Long, EdgeRole::Hem, EdgeRole::Waist];
+/// What it costs if a front is half and its back whole.
+const UNLIKE: f64 = 0.5;
+/// What disagreement of two panels may cost at most.
+const MOST: f64 = 3.0;
+
+/// One reading for each panel that has any.
+pub(super) fn assign(candidates: Vec<Vec<LabeledPanel>>) -> Vec<LabeledPanel> {
+    let candidates: Vec<Vec<LabeledPanel>> =
+        candidates.into_iter().filter(|c| !c.is_empty()).collect();
+    let table = CostTable::new(&candidates);
+    let mut chosen = vec![0; candidates.len()];
+    for _ in 0..ROUNDS {
+        let before = chosen.clone();
+        for i in 0..candidates.len() {
+            table.improve_one(&mut chosen, i);
+        }
+        for pair in &table.pairs {
+            table.improve_pair(&mut chosen, pair);
+        }
+        if chosen == before {
+            break;
+        }
+    }
+    candidates
+        .into_iter()
+        .zip(chosen)
+        .map(|(mut c, k)| c.swap_remove(k))
+        .collect()
+}
+
+/// What every reading costs alone and with every other.
+struct CostTable {
+    unary: Vec<Vec<f64>>,
+    pairs: Vec<PairCosts>,
+    /// For each panel, the pairs it is in.
+    of: Vec<Vec<usize>>,
+}
+
+/// Two panels whose readings are not indifferent to each other.
+struct PairCosts {
+    ends: [usize; 2],
+    /// By the reading of the first, then of the second.
+    cost: Vec<Vec<f64>>,
+}
+
+impl CostTable {
+    fn new(candidates: &[Vec<LabeledPanel>]) -> Self {
+        let unary = candidates
+            .iter()
+            .map(|c| c.iter().map(|p| p.cost).collect())
+            .collect();
+        let mut pairs: Vec<PairCosts> = vec![];
+        let mut of = vec![vec![]; candidates.len()];
+        for i in 0..candidates.len() {
+            for j in i + 1..candidates.len() {
+                let row =
+                    |a: &LabeledPanel| candidates[j].iter().map(|b| pair_cost(a, b)).collect();
+                let cost: Vec<Vec<f64>> = candidates[i].iter().map(row).collect();
+                if cost.iter().flatten().any(|c| *c > 0.0) {
+                    of[i].push(pairs.len());
+                    of[j].push(pairs.len());
+                    pairs.push(PairCosts { ends: [i, j], cost });
+                }
+            }
+        }
+        Self { unary, pairs, of }
+    }
+
+    /// What panel `i` costs with reading `k`, without the pair with panel `but`.
+    fn cost(&self, chosen: &[usize], (i, k): (usize, usize), but: Option<usize>) -> f64 {
+        let with = |pair: &PairCosts| {
+            let [a, b] = pair.ends;
+            let other = if a == i { b } else { a };
+            match (Some(other) == but, a == i) {
+                (true, _) => 0.0,
+                (false, true) => pair.cost[k][chosen[b]],
+                (false, false) => pair.cost[chosen[a]][k],
+            }
+        };
+        self.unary[i][k]
+            + self.of[i]
+                .iter()
+                .map(|p| with(&self.pairs[*p]))
+                .sum::<f64>()
+    }
+
+    /// Takes the reading of one panel that fits the others best.
+    fn improve_one(&self, chosen: &mut [usize], i: usize) {
+        let cost = |k: &usize| self.cost(chosen, (i, *k), None);
+        let best = (0..self.unary[i].len()).min_by(|a, b| cost(a).total_cmp(&cost(b)));
+        chosen[i] = best.unwrap_or_default();
+    }
+
+    /// Takes the readings of two panels that fit each other and the others best: two halves may be wrong together.
+    fn improve_pair(&self, chosen: &mut [usize], pair: &PairCosts) {
+        let [i, j] = pair.ends;
+        let of = |i: usize, but: usize| -> Vec<f64> {
+            (0..self.unary[i].len())
+                .map(|k| self.cost(chosen, (i, k), Some(but)))
+                .collect()
+        };
+        let (first, second) = (of(i, j), of(j, i));
+        let mut best = (
+            first[chosen[i]] + second[chosen[j]] + pair.cost[chosen[i]][chosen[j]] - 1e-9,
+            chosen[i],
+            chosen[j],
+        );
+        for (a, x) in first.iter().enumerate() {
+            for (b, y) in second.iter().enumerate() {
+                let cost = x + y + pair.cost[a][b];
+                if cost < best.0 {
+                    best = (cost, a, b);
+                }
+            }
+        }
+        (chosen[i], chosen[j]) = (best.1, best.2);
+    }
+}
+
+/// How little two panels fit each other.
+fn pair_cost(a: &LabeledPanel, b: &LabeledPanel) -> f64 {
+    if a.kind != b.kind {
+        let mixed = !a.kind_named && !b.kind_named && a.named && b.named;
+        let misfits = f64::from(u8::from(is_misfit(a, b)) + u8::from(mixed));
+        return opening_cost(a, b) + opening_cost(b, a) + misfits * MOST;
+    }
+    if a.number != b.number {
+        return 0.0;
+    }
+    let same_side = a.laterality == b.laterality;
+    match (a.front_back, b.front_back) {
+        (Some(x), Some(y)) if x != y && same_side => sewn_edges_cost(a, b),
+        (x, y) if x == y && !same_side => mirror_cost(a, b),
+        _ => 0.0,
+    }
+}
+
+/// A sleeve needs an armhole; one that runs up to the neck a bodice without shoulders, any other one with.
+fn is_misfit(a: &LabeledPanel, b: &LabeledPanel) -> bool {
+    let (sleeve, bodice) = match (a.kind, b.kind) {
+        (PanelKind::Sleeve, PanelKind::Bodice) => (a, b),
+        (PanelKind::Bodice, PanelKind::Sleeve) => (b, a),
+        _ => return false,
+    };
+    let armhole = bodice.segment(EdgeRole::Armhole, None).is_some();
+    let shoulder = bodice.segment(EdgeRole::Shoulder, None).is_some();
+    !armhole || shoulder == sleeve.segment(EdgeRole::Neck, None).is_some()
+}
+
+/// How little an edge of `a` fits the opening of `b` that it goes round: 0 where the two are not sewn together.
+fn opening_cost(a: &LabeledPanel, b: &LabeledPanel) -> f64 {
+    let same = a.front_back == b.front_back
+        && a.front_back.is_some()
+        && (a.laterality == b.laterality
+            || a.kind == PanelKind::Waistband
+            || b.kind == PanelKind::Waistband);
+    let (edges, opening): (&[EdgeRole], EdgeRole) = match (a.kind, b.kind) {
+        (PanelKind::Sleeve, PanelKind::Bodice) => (&[EdgeRole::Cap], EdgeRole::Armhole),
+        (PanelKind::Cuff, PanelKind::Sleeve) if !a.of.contains(&PanelKind::Trouser) => {
+            (&BAND_EDGES, EdgeRole::Hem)
+        }
+        (PanelKind::Cuff, PanelKind::Trouser) if a.of.contains(&PanelKind::Trouser) => {
+            (&BAND_EDGES, EdgeRole::Hem)
+        }
+        (PanelKind::Waistband, PanelKind::Skirt | PanelKind::Trouser) => {
+            (&BAND_EDGES, EdgeRole::Waist)
+        }
+        (PanelKind::Waistband, PanelKind::Bodice) => (&BAND_EDGES, EdgeRole::Hem),
+        _ => return 0.0,
+    };
+    let (Some(opening), true) = (role_length(b, opening), same) else {
+        return 0.0;
+    };
+    let fits = edges
+        .iter()
+        .filter_map(|role| a.segment(*role, None))
+        .map(|s| {
+            let longer = (a.features.length(&s.edges) / opening).ln();
+            // Sleeves are gathered into armholes, skirts into waistbands and sleeves into cuffs: not the other way round.
+            let gathered = if a.kind == PanelKind::Sleeve {
+                longer > 0.0
+            } else {
+                longer < 0.0
+            };
+            let spread = match (gathered, a.kind) {
+                (true, PanelKind::Waistband) => FULL,
+                (true, _) => GATHERED,
+                (false, PanelKind::Waistband) => EASED,
+                (false, _) => JOINED,
+            };
+            (0.5 * (longer / spread).powi(2)).min(MOST_JOINED)
+        });
+    fits.fold(MOST_JOINED, f64::min)
+}
+
+/// Length of a role of a piece, that of both halves for one of two.
+fn role_length(part: &LabeledPanel, role: EdgeRole) -> Option<f64> {
+    let length: f64 = part
+        .segments_of(role)
+        .map(|s| part.features.length(&s.edges))
+        .sum();
+    let halves = part.half
+        && matches!(role, EdgeRole::Hem | EdgeRole::Waist)
+        && part.kind != PanelKind::Sleeve;
+    (length > 0.0).then_some(if halves { 2.0 * length } else { length })
+}
+
+/// What of a front and a back is sewn together.
+fn sewn_edges_cost(a: &LabeledPanel, b: &LabeledPanel) -> f64 {
+    if a.half != b.half {
+        return if a.kind == PanelKind::Sleeve {
+            MOST
+        } else {
+            UNLIKE
+        };
+    }
+    let roles: &[EdgeRole] = match a.kind {
+        PanelKind::Bodice => &[EdgeRole::Side, EdgeRole::Shoulder],
+        PanelKind::Skirt => &[EdgeRole::Side],
+        PanelKind::Trouser => &[EdgeRole::Side, EdgeRole::Inseam],
+        PanelKind::Sleeve => &[EdgeRole::Top, EdgeRole::Underarm],
+        _ => &[],
+    };
+    let alike: &[EdgeRole] = match a.kind {
+        PanelKind::Skirt => &[EdgeRole::Waist, EdgeRole::Hem],
+        PanelKind::Bodice => &[EdgeRole::Hem],
+        _ => &[],
+    };
+    length_cost(a, b, roles, SEWN) + 0.5 * length_cost(a, b, alike, ALIKE)
+}
+
+/// How much two halves are no mirror images.
+fn mirror_cost(a: &LabeledPanel, b: &LabeledPanel) -> f64 {
+    if a.half != b.half {
+        return MOST;
+    }
+    let roles: Vec<EdgeRole> = a.segments.iter().map(|s| s.role).collect();
+    length_cost(a, b, &roles, MIRRORED)
+}
+
+/// Mean difference in length of the segments of some roles.
+fn length_cost(a: &LabeledPanel, b: &LabeledPanel, roles: &[EdgeRole], spread: f64) -> f64 {
+    if roles.is_empty() {
+        return 0.0;
+    }
+    let length = |p: &LabeledPanel, role| -> Option<f64> {
+        let all: Vec<f64> = p
+            .segments_of(role)
+            .map(|s| p.features.length(&s.edges))
+            .collect();
+        (!all.is_empty()).then(|| all.iter().sum())
+    };
+    let of = |role: &EdgeRole| match (length(a, *role), length(b, *role)) {
+        (Some(x), Some(y)) => Some((0.5 * ((x / y).ln() / spread).powi(2)).min(MOST)),
+        (None, None) => None,
+        _ => Some(MOST),
+    };
+    let all: Vec<f64> = roles.iter().filter_map(of).collect();
+    #[expect(clippy::cast_precision_loss, reason = "a handful of roles")]
+    let count = all.len().max(1) as f64;
+    all.iter().sum::<f64>() / count
+}

@@ -1,0 +1,284 @@
+//! The pieces of a garment as they lie round the body, and the seams that the rules have found so far.
+
+use super::edge_chain::{EdgeChain, EdgeStep, length, reversed};
+use super::join;
+use super::labeled_panel::{LabeledPanel, RoleSegment};
+use super::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
+
+/// Ease above which two edges are no seam, unless one of them may be gathered; and then.
+const MOST_EASE: f64 = 0.30;
+const MOST_GATHER: f64 = 3.0;
+/// Ease at which trust in a seam has fallen to 60 %.
+const USUAL_EASE: f64 = 0.05;
+
+/// A seam that a rule proposes.
+#[derive(Clone, Debug)]
+pub(super) struct ProposedSeam {
+    pub(super) id: String,
+    pub(super) sides: [EdgeChain; 2],
+    pub(super) gather: bool,
+    pub(super) confidence: f64,
+    pub(super) because: String,
+}
+
+/// What a rule says of a seam besides its edges.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct SeamRationale<'a> {
+    /// Its name, to which numbers are added where it has several parts.
+    pub(super) id: &'a str,
+    /// Why these edges belong together.
+    pub(super) because: &'a str,
+    /// Whether much ease is usual here.
+    pub(super) gather: bool,
+}
+
+impl<'a> SeamRationale<'a> {
+    /// Edges of one length.
+    pub(super) fn new(id: &'a str, because: &'a str) -> Self {
+        Self {
+            id,
+            because,
+            gather: false,
+        }
+    }
+
+    /// The same where much ease is usual.
+    pub(super) fn gathered(self) -> Self {
+        Self {
+            gather: true,
+            ..self
+        }
+    }
+}
+
+/// The pieces of a garment round the body.
+#[derive(Clone, Debug)]
+pub(super) struct GarmentModel {
+    pub(super) parts: Vec<LabeledPanel>,
+    pub(super) proposed: Vec<ProposedSeam>,
+}
+
+impl GarmentModel {
+    /// The pieces of a kind.
+    pub(super) fn parts_of(&self, kind: PanelKind) -> impl Iterator<Item = &LabeledPanel> {
+        self.parts.iter().filter(move |part| part.kind == kind)
+    }
+
+    pub(super) fn has(&self, kind: PanelKind) -> bool {
+        self.parts_of(kind).next().is_some()
+    }
+
+    /// The piece of a kind in front of or behind one side of the wearer.
+    pub(super) fn part(
+        &self,
+        kind: PanelKind,
+        front_back: FrontBack,
+        laterality: Laterality,
+    ) -> Option<&LabeledPanel> {
+        let covers = |part: &&LabeledPanel| {
+            part.front_back == Some(front_back)
+                && (!part.half || part.laterality == Some(laterality))
+        };
+        self.parts_of(kind)
+            .filter(covers)
+            .min_by_key(|part| part.number)
+    }
+
+    /// Whether an edge is part of a seam already.
+    pub(super) fn is_sewn(&self, panel: usize, edge: usize) -> bool {
+        let sides = self.proposed.iter().flat_map(|d| d.sides.iter().flatten());
+        sides
+            .into_iter()
+            .any(|step| (step.panel, step.edge) == (panel, edge))
+    }
+
+    /// The segment of a role on one side of the wearer.
+    pub(super) fn segment(
+        &self,
+        kind: PanelKind,
+        front_back: FrontBack,
+        place: (EdgeRole, Laterality),
+    ) -> Option<(&LabeledPanel, &RoleSegment)> {
+        let (role, laterality) = place;
+        let part = self.part(kind, front_back, laterality)?;
+        if !part.half && part.segments_of(role).count() < 2 {
+            return None; // It lies on both sides.
+        }
+        let drawn_side = if part.half {
+            None
+        } else {
+            Some(part.drawn_side_of(laterality))
+        };
+        Some((part, part.segment(role, drawn_side)?))
+    }
+
+    /// A segment of a role on one side of the wearer as a chain from where it meets `from`.
+    pub(super) fn chain(
+        &self,
+        kind: PanelKind,
+        front_back: FrontBack,
+        place: (EdgeRole, Laterality),
+        from: EdgeRole,
+    ) -> Option<EdgeChain> {
+        let (part, segment) = self.segment(kind, front_back, place)?;
+        Some(part.chain_from(segment, from))
+    }
+
+    /// An upper or lower edge of a piece, from the wearer's side `from` to the other; of half a piece, what it has of that.
+    pub(super) fn across(
+        &self,
+        part: &LabeledPanel,
+        segment: &RoleSegment,
+        from: Laterality,
+    ) -> EdgeChain {
+        let chain = part.chain(segment);
+        if part.half {
+            let outer = |role| {
+                matches!(
+                    role,
+                    EdgeRole::Side | EdgeRole::Shoulder | EdgeRole::Underarm
+                )
+            };
+            let begins_outside = outer(segment.before);
+            let outside_first = part.laterality == Some(from);
+            return if begins_outside == outside_first {
+                chain
+            } else {
+                reversed(&chain)
+            };
+        }
+        let top = segment.role != EdgeRole::Hem;
+        let first = part.first_drawn_side();
+        let begins = if top { first } else { first.other() };
+        if part.laterality_of(begins) == from {
+            chain
+        } else {
+            reversed(&chain)
+        }
+    }
+
+    /// The edges of a role in front of the body from the wearer's left, or behind it from the right.
+    pub(super) fn half_ring(
+        &self,
+        kind: PanelKind,
+        role: EdgeRole,
+        front_back: FrontBack,
+    ) -> Option<EdgeChain> {
+        let from = match front_back {
+            FrontBack::Front => Laterality::Left,
+            FrontBack::Back => Laterality::Right,
+        };
+        let first = self.part(kind, front_back, from)?;
+        let mut chain = self.across(first, first.segment(role, None)?, from);
+        if first.half {
+            let second = self.part(kind, front_back, from.other())?;
+            chain.extend(self.across(second, second.segment(role, None)?, from));
+        }
+        Some(chain)
+    }
+
+    /// Proposes that two chains that begin and end together are sewn.
+    pub(super) fn sew(
+        &mut self,
+        rationale: SeamRationale<'_>,
+        a: Option<EdgeChain>,
+        b: Option<EdgeChain>,
+    ) -> bool {
+        let (Some(a), Some(b)) = (a, b) else {
+            return false;
+        };
+        self.propose(rationale, [&a, &b], join::split_at_corners(&a, &b))
+    }
+
+    /// Proposes that two closed chains are sewn that may be turned against each other in any way.
+    pub(super) fn sew_free_ring(
+        &mut self,
+        rationale: SeamRationale<'_>,
+        a: &EdgeChain,
+        b: &EdgeChain,
+    ) -> bool {
+        self.propose(rationale, [a, b], join::split_free_ring(a, b))
+    }
+
+    /// Proposes that two closed chains are sewn.
+    pub(super) fn sew_ring(
+        &mut self,
+        rationale: SeamRationale<'_>,
+        a: Option<EdgeChain>,
+        b: Option<EdgeChain>,
+    ) -> bool {
+        let (Some(a), Some(b)) = (a, b) else {
+            return false;
+        };
+        self.propose(rationale, [&a, &b], join::split_ring(&a, &b))
+    }
+
+    fn propose(
+        &mut self,
+        rationale: SeamRationale<'_>,
+        whole: [&EdgeChain; 2],
+        parts: Vec<join::JoinedParts>,
+    ) -> bool {
+        let ease = ease(whole[0], whole[1]);
+        let most = if rationale.gather {
+            MOST_GATHER
+        } else {
+            MOST_EASE
+        };
+        if ease.is_nan() || ease > most {
+            return false;
+        }
+        let fit = self.recognition_confidence(whole);
+        let count = parts.len();
+        for (i, sides) in parts.into_iter().enumerate() {
+            let ease = join_ease(&sides);
+            let usual = if rationale.gather && ease > 0.1 {
+                0.7
+            } else {
+                (-0.5 * (ease / USUAL_EASE).powi(2)).exp()
+            };
+            let id = if count == 1 {
+                rationale.id.to_owned()
+            } else {
+                format!("{}-{}", rationale.id, i + 1)
+            };
+            self.proposed.push(ProposedSeam {
+                id,
+                sides,
+                gather: ease > MOST_EASE,
+                confidence: (fit * (0.4 + 0.6 * usual)).clamp(0.01, 0.99),
+                because: format!(
+                    "{}; the lengths agree to {:.1} %",
+                    rationale.because,
+                    100.0 * ease
+                ),
+            });
+        }
+        true
+    }
+
+    /// How sure it is that the pieces of a seam are what they are taken for.
+    fn recognition_confidence(&self, sides: [&EdgeChain; 2]) -> f64 {
+        let part = |step: &EdgeStep| self.parts.iter().find(|p| p.panel == step.panel);
+        let trust = |p: &LabeledPanel| {
+            let look = (-p.cost / 6.0).exp();
+            if p.named {
+                0.7 + 0.3 * look
+            } else {
+                0.2 + 0.8 * look
+            }
+        };
+        let all = sides.into_iter().flatten();
+        all.filter_map(part).map(trust).fold(1.0, f64::min)
+    }
+}
+
+fn join_ease(sides: &join::JoinedParts) -> f64 {
+    ease(&sides[0], &sides[1])
+}
+
+/// Longer over shorter, less 1.
+pub(super) fn ease(a: &[EdgeStep], b: &[EdgeStep]) -> f64 {
+    let (a, b) = (length(a), length(b));
+    a.max(b) / a.min(b).max(1e-9) - 1.0
+}

@@ -1,0 +1,111 @@
+//! A panel as a part of a garment: what it is, and which of its edges are its hem, its side, its armhole.
+
+use super::edge_chain::{EdgeChain, EdgeStep, reversed};
+use super::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
+use super::outline_features::OutlineFeatures;
+use std::rc::Rc;
+
+/// Edges of one role, one after another.
+#[derive(Clone, Debug)]
+pub(super) struct RoleSegment {
+    pub(super) role: EdgeRole,
+    pub(super) drawn_side: DrawnSide,
+    /// In order of numbers; darts between them are left out.
+    pub(super) edges: Vec<usize>,
+    /// The role before it.
+    pub(super) before: EdgeRole,
+}
+
+/// A panel whose edges have roles.
+#[derive(Clone, Debug)]
+pub(super) struct LabeledPanel {
+    /// Its place in the pattern.
+    pub(super) panel: usize,
+    pub(super) kind: PanelKind,
+    /// What else its name says: the sleeve or the leg of a cuff.
+    pub(super) of: Vec<PanelKind>,
+    /// Its place in a row of such pieces.
+    pub(super) number: u32,
+    pub(super) front_back: Option<FrontBack>,
+    pub(super) laterality: Option<Laterality>,
+    /// Whether its name says so.
+    pub(super) laterality_named: bool,
+    /// Whether it covers one side of the body only.
+    pub(super) half: bool,
+    /// Whether it is drawn as seen through the body: not with its outer side up.
+    pub(super) drawn_from_inside: bool,
+    pub(super) features: Rc<OutlineFeatures>,
+    pub(super) segments: Vec<RoleSegment>,
+    /// How badly it fits what such a panel looks like; 0 is best.
+    pub(super) cost: f64,
+    /// Whether its name says its kind, or front or back.
+    pub(super) named: bool,
+    /// Whether its name says its kind, not only front or back.
+    pub(super) kind_named: bool,
+}
+
+impl LabeledPanel {
+    /// The wearer's side on which a hand of it lies: a front with its outer side up has the wearer's right on its left.
+    pub(super) fn laterality_of(&self, drawn_side: DrawnSide) -> Laterality {
+        let behind = self.front_back == Some(FrontBack::Back);
+        if (drawn_side == DrawnSide::Left) == (behind != self.drawn_from_inside) {
+            Laterality::Left
+        } else {
+            Laterality::Right
+        }
+    }
+
+    /// The hand at which a segment on the upper side begins, in order of numbers.
+    pub(super) fn first_drawn_side(&self) -> DrawnSide {
+        if self.features.mirrored {
+            DrawnSide::Right
+        } else {
+            DrawnSide::Left
+        }
+    }
+
+    /// The hand of it that lies on the wearer's side.
+    pub(super) fn drawn_side_of(&self, laterality: Laterality) -> DrawnSide {
+        if self.laterality_of(DrawnSide::Left) == laterality {
+            DrawnSide::Left
+        } else {
+            DrawnSide::Right
+        }
+    }
+
+    /// The segments of a role.
+    pub(super) fn segments_of(&self, role: EdgeRole) -> impl Iterator<Item = &RoleSegment> {
+        self.segments.iter().filter(move |s| s.role == role)
+    }
+
+    /// The segment of a role, on one hand if there are two.
+    pub(super) fn segment(
+        &self,
+        role: EdgeRole,
+        drawn_side: Option<DrawnSide>,
+    ) -> Option<&RoleSegment> {
+        self.segments_of(role)
+            .find(|s| drawn_side.is_none_or(|drawn_side| s.drawn_side == drawn_side))
+    }
+
+    /// A segment in order of numbers.
+    pub(super) fn chain(&self, segment: &RoleSegment) -> EdgeChain {
+        let step = |&edge: &usize| EdgeStep {
+            panel: self.panel,
+            edge,
+            forward: true,
+            length: self.features.edges[edge].length,
+        };
+        segment.edges.iter().map(step).collect()
+    }
+
+    /// A segment from where it meets `role`.
+    pub(super) fn chain_from(&self, segment: &RoleSegment, role: EdgeRole) -> EdgeChain {
+        let chain = self.chain(segment);
+        if segment.before == role {
+            chain
+        } else {
+            reversed(&chain)
+        }
+    }
+}

@@ -1,0 +1,94 @@
+//! Labels of panels and edges: kind, front or back, left or right, edge role.
+
+/// What a panel is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum PanelKind {
+    Bodice,
+    Skirt,
+    Trouser,
+    Sleeve,
+    Yoke,
+    Hood,
+    Collar,
+    CollarStand,
+    NeckBand,
+    ArmBand,
+    Cuff,
+    Waistband,
+    /// A wedge set into a slit.
+    Godet,
+    Pocket,
+    Placket,
+    /// Facing, lining, interfacing: laid on another panel.
+    Layer,
+}
+
+impl PanelKind {
+    /// Kinds that a panel may be whose name says only front or back, or nothing.
+    pub(super) const BODY: [Self; 3] = [Self::Bodice, Self::Skirt, Self::Trouser];
+}
+
+/// Front or back of the body.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum FrontBack {
+    Front,
+    Back,
+}
+
+/// Side of the wearer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Laterality {
+    Left,
+    Right,
+}
+
+impl Laterality {
+    pub(super) fn other(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+}
+
+/// What an edge is of its panel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum EdgeRole {
+    Hem,
+    Side,
+    Armhole,
+    Shoulder,
+    Neck,
+    /// Centre front or centre back.
+    Centre,
+    /// The upper edge of a sleeve.
+    Cap,
+    Underarm,
+    /// Where the two halves of a sleeve meet, over the shoulder.
+    Top,
+    Waist,
+    Inseam,
+    Crotch,
+    /// A long edge of a band.
+    Long,
+    /// A short edge of a band.
+    End,
+}
+
+/// Where on a panel that lies hem down and face up.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum DrawnSide {
+    /// On the left of the drawing.
+    Left,
+    /// On the right of the drawing.
+    Right,
+}
+
+impl DrawnSide {
+    pub(super) fn other(self) -> Self {
+        match self {
+            Self::Left => Self::Right,
+            Self::Right => Self::Left,
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! Front from back and left from right: where on the body each piece is worn, and the mirrored copies of those drawn once.
+
+use super::labeled_panel::LabeledPanel;
+use super::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
+use crate::pattern::{Face, Pattern};
+use std::rc::Rc;
+
+/// Lengths of two panels that mirror each other agree to this share.
+const TWINS: f64 = 0.01;
+
+/// Whether a panel is drawn as seen through the body: as the names of halves like it say, or its file. Else backs that
+/// are drawn whole are taken to be drawn in one view with their fronts, as tools that know the body write them; halves
+/// and panels drawn on the fold are pieces to cut, which lie right side up.
+pub(super) fn is_drawn_from_inside(
+    pattern: &Pattern,
+    parts: &[LabeledPanel],
+    part: &LabeledPanel,
+) -> bool {
+    let alike = |p: &&LabeledPanel| {
+        p.half
+            && p.front_back == part.front_back
+            && p.kind == part.kind
+            && p.kind != PanelKind::Sleeve
+    };
+    let says = |p: &LabeledPanel| Some(p.laterality_of(outer_drawn_side(p)?) == p.laterality?);
+    let (straight, turned): (Vec<bool>, Vec<bool>) = parts
+        .iter()
+        .filter(alike)
+        .filter_map(says)
+        .partition(|straight| *straight);
+    if straight.len() != turned.len() {
+        return turned.len() > straight.len();
+    }
+    let panel = &pattern.panels[part.panel];
+    match panel.face {
+        Some(face) => face == Face::Down,
+        None => {
+            let drawn_whole = !part.half || part.kind == PanelKind::Sleeve;
+            part.front_back == Some(FrontBack::Back) && drawn_whole && !panel.unfolded
+        }
+    }
+}
+
+/// The hand on which half a panel has its side.
+pub(super) fn outer_drawn_side(part: &LabeledPanel) -> Option<DrawnSide> {
+    part.segments.first().map(|s| s.drawn_side)
+}
+
+/// Gives fronts and backs to body panels whose names do not say: the deeper neck, the shorter crotch is the front.
+pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
+    for (kind, role, front_is_longer) in [
+        (PanelKind::Bodice, EdgeRole::Neck, true),
+        (PanelKind::Trouser, EdgeRole::Crotch, false),
+        (PanelKind::Skirt, EdgeRole::Waist, true),
+    ] {
+        let unsaid: Vec<usize> = (0..parts.len())
+            .filter(|i| {
+                let p: &LabeledPanel = &parts[*i];
+                p.kind == kind && p.front_back.is_none() && !p.features.mirrored
+            })
+            .collect();
+        let length = |i: usize| -> f64 {
+            let p: &LabeledPanel = &parts[i];
+            p.segments_of(role)
+                .map(|s| p.features.length(&s.edges))
+                .sum()
+        };
+        if unsaid.len() != 2 {
+            continue;
+        }
+        let mean = unsaid.iter().map(|i| length(*i)).sum::<f64>() / unsaid.len() as f64;
+        let sides: Vec<(usize, FrontBack)> = unsaid
+            .iter()
+            .enumerate()
+            .map(|(k, i)| {
+                let front = if (length(*i) - mean).abs() < 1e-6 {
+                    k == 0
+                } else {
+                    (length(*i) > mean) == front_is_longer
+                };
+                (
+                    *i,
+                    if front {
+                        FrontBack::Front
+                    } else {
+                        FrontBack::Back
+                    },
+                )
+            })
+            .collect();
+        for (i, front_back) in sides {
+            parts[i].front_back = Some(front_back);
+        }
+    }
+    // A mirrored copy of the file's own is what its source is.
+    for i in 0..parts.len() {
+        let source = pattern.panels[parts[i].panel].copy_of.as_deref();
+        let source = source.and_then(|id| pattern.panel_index(id));
+        let front_back = source.and_then(|at| parts.iter().find(|p| p.panel == at)?.front_back);
+        parts[i].front_back = parts[i].front_back.or(front_back);
+    }
+}
+
+/// Gives every half a side of the wearer, adding the mirrored copy of those that are drawn once. Of pieces that are
+/// neither drawn as a pair nor called left or right the first is taken: others are other styles of the same part.
+pub(super) fn assign_left_right(pattern: &Pattern, parts: &mut Vec<LabeledPanel>) {
+    let mut taken: Vec<usize> = vec![];
+    let mut spare: Vec<usize> = vec![];
+    for i in 0..parts.len() {
+        let part = &parts[i];
+        if part.laterality_named {
+            continue;
+        }
+        let laterality = if is_drawn_once(part) {
+            let first = taken
+                .iter()
+                .copied()
+                .find(|j| is_same_part(&parts[*j], part));
+            match first {
+                None => Some(usual_side(part)),
+                Some(j) if are_twins(&parts[j], part) => parts[j].laterality.map(Laterality::other),
+                Some(_) => {
+                    spare.push(i);
+                    None
+                }
+            }
+        } else if part.half {
+            outer_drawn_side(part).map(|drawn_side| part.laterality_of(drawn_side))
+        } else {
+            None
+        };
+        if laterality.is_some() {
+            taken.push(i);
+        }
+        parts[i].laterality = laterality;
+    }
+    let mut at = 0;
+    parts.retain(|_| {
+        at += 1;
+        !spare.contains(&(at - 1))
+    });
+    let mut copies = vec![];
+    for part in parts.iter() {
+        let other = part.laterality.map(Laterality::other);
+        let lone =
+            other.is_some() && !part.laterality_named && !parts.iter().any(|p| is_partner(p, part));
+        let id = &pattern.panels[part.panel].id;
+        let there = pattern
+            .panels
+            .iter()
+            .any(|p| p.copy_of.as_ref() == Some(id));
+        if lone && !there && !part.features.mirrored {
+            copies.push(LabeledPanel {
+                panel: part.panel + pattern.panels.len(),
+                ..mirrored(part)
+            });
+        }
+    }
+    parts.extend(copies);
+}
+
+/// Whether a part is worn on both sides but usually drawn for one.
+fn is_drawn_once(part: &LabeledPanel) -> bool {
+    matches!(
+        part.kind,
+        PanelKind::Sleeve | PanelKind::Cuff | PanelKind::ArmBand
+    )
+}
+
+/// The side for which such a part is usually drawn.
+fn usual_side(part: &LabeledPanel) -> Laterality {
+    if part.kind == PanelKind::ArmBand {
+        Laterality::Right
+    } else {
+        Laterality::Left
+    }
+}
+
+fn is_same_part(a: &LabeledPanel, b: &LabeledPanel) -> bool {
+    a.kind == b.kind && a.of == b.of && a.front_back == b.front_back && a.half == b.half
+}
+
+/// Whether two panels have the same edges.
+fn are_twins(a: &LabeledPanel, b: &LabeledPanel) -> bool {
+    let sorted = |p: &LabeledPanel| {
+        let mut all: Vec<f64> = p.features.edges.iter().map(|e| e.length).collect();
+        all.sort_by(f64::total_cmp);
+        all
+    };
+    let (a, b) = (sorted(a), sorted(b));
+    a.len() == b.len()
+        && a.iter()
+            .zip(&b)
+            .all(|(x, y)| (x - y).abs() <= TWINS * x.max(*y) + 1e-3)
+}
+
+fn is_partner(a: &LabeledPanel, b: &LabeledPanel) -> bool {
+    is_same_part(a, b) && a.laterality == b.laterality.map(Laterality::other)
+}
+
+/// The mirrored copy of a piece: the same numbers, the other hand.
+fn mirrored(part: &LabeledPanel) -> LabeledPanel {
+    let mut copy = part.clone();
+    copy.features = Rc::new(copy.features.reflected());
+    copy.laterality = copy.laterality.map(Laterality::other);
+    for segment in &mut copy.segments {
+        segment.drawn_side = segment.drawn_side.other();
+    }
+    copy
+}

@@ -1,0 +1,51 @@
+//! Hoods: two halves sewn together over the head, and to the neck.
+
+use crate::seam::suggest::edge_chain::EdgeChain;
+use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
+use crate::seam::suggest::labeled_panel::LabeledPanel;
+use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
+
+/// Sews the hood.
+pub(super) fn sew(garment: &mut GarmentModel) {
+    let of = |garment: &GarmentModel, laterality| {
+        garment
+            .parts_of(PanelKind::Hood)
+            .find(|p| p.laterality == Some(laterality))
+            .cloned()
+    };
+    let [Some(left), Some(right)] = [
+        of(garment, Laterality::Left),
+        of(garment, Laterality::Right),
+    ] else {
+        return;
+    };
+    let rationale = SeamRationale::new("hood-centre", "the halves of the hood meet over the head");
+    let [a, b] = [&left, &right].map(|p| edge(p, EdgeRole::Centre));
+    garment.sew(rationale, a, b);
+    for (part, laterality, id) in [
+        (&left, Laterality::Left, "hood-left"),
+        (&right, Laterality::Right, "hood-right"),
+    ] {
+        let rationale = SeamRationale::new(id, "the hood is sewn to the neck").gathered();
+        let neck = neck(garment, laterality);
+        garment.sew(rationale, neck, edge(part, EdgeRole::Neck));
+    }
+}
+
+/// An edge of half a hood from the face on.
+fn edge(part: &LabeledPanel, role: EdgeRole) -> Option<EdgeChain> {
+    Some(part.chain_from(part.segment(role, None)?, EdgeRole::Hem))
+}
+
+/// One half of the neck from the centre front over the shoulder to the centre back.
+fn neck(garment: &GarmentModel, laterality: Laterality) -> Option<EdgeChain> {
+    let place = (EdgeRole::Neck, laterality);
+    let mut neck = garment.chain(PanelKind::Bodice, FrontBack::Front, place, EdgeRole::Centre)?;
+    neck.extend(garment.chain(
+        PanelKind::Bodice,
+        FrontBack::Back,
+        place,
+        EdgeRole::Shoulder,
+    )?);
+    Some(neck)
+}

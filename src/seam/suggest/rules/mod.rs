@@ -1,0 +1,33 @@
+//! Rules of each class of garment: which edge roles are sewn together.
+
+mod band;
+mod cuff;
+mod dart;
+mod godet;
+mod hood;
+mod neck;
+mod raglan;
+mod skirt;
+mod sleeve;
+mod sleeve_cap;
+mod top;
+mod trousers;
+mod waist;
+
+use super::garment_model::GarmentModel;
+use crate::pattern::Pattern;
+
+/// Applies every rule in turn; each adds the seams that it proposes to `garment`.
+pub(super) fn sew(garment: &mut GarmentModel, pattern: &Pattern) {
+    godet::sew(garment);
+    dart::sew(garment, pattern);
+    top::sew(garment);
+    sleeve::sew(garment);
+    raglan::sew(garment);
+    skirt::sew(garment);
+    trousers::sew(garment);
+    waist::sew(garment);
+    hood::sew(garment);
+    neck::sew(garment);
+    cuff::sew(garment);
+}

@@ -1,0 +1,155 @@
+//! Necks and armholes: bands, bindings and collars round them.
+
+use super::band::{self, BandEdge, BandSet, LaidBand, Opening};
+use super::raglan;
+use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
+use crate::seam::suggest::labeled_panel::LabeledPanel;
+use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
+
+/// What may be sewn to a neck, what is nearest to the body first.
+const ROUND_NECKS: [PanelKind; 3] = [
+    PanelKind::NeckBand,
+    PanelKind::CollarStand,
+    PanelKind::Collar,
+];
+/// A band may be shorter than the neck by this, to be stretched on.
+const MOST_EASE: f64 = 0.36;
+/// How much looking like no band counts against ease.
+const LOOK: f64 = 0.05;
+
+/// Sews what goes round the neck and round armholes without sleeves.
+pub(super) fn sew(garment: &mut GarmentModel) {
+    if !quarters(garment) {
+        neckband(garment);
+    }
+    for (laterality, side) in [(Laterality::Left, "left"), (Laterality::Right, "right")] {
+        armhole(garment, laterality, side);
+    }
+}
+
+/// The neck's front and back part.
+fn neck(garment: &GarmentModel) -> Option<Opening> {
+    if let Some(ring) = raglan::neck(garment) {
+        return Some([ring, vec![]]);
+    }
+    let both = [FrontBack::Front, FrontBack::Back]
+        .map(|front_back| garment.half_ring(PanelKind::Bodice, EdgeRole::Neck, front_back));
+    match both {
+        [Some(front), Some(back)] => Some([front, back]),
+        _ => None,
+    }
+}
+
+/// The band or collar that fits the neck best.
+fn neckband(garment: &mut GarmentModel) {
+    let Some(neck) = neck(garment) else { return };
+    let whole = neck.concat();
+    let mut found: Vec<(f64, &LabeledPanel)> = vec![];
+    for kind in ROUND_NECKS {
+        for part in garment.parts_of(kind).filter(|p| p.front_back.is_none()) {
+            if let Some(laid) = band::lay(garment, &whole, part, BandEdge::Lower) {
+                found.push((ease(&whole, &laid.chain), part));
+            }
+        }
+    }
+    let one = found
+        .into_iter()
+        .min_by(|a, b| (a.0 + LOOK * a.1.cost).total_cmp(&(b.0 + LOOK * b.1.cost)));
+    let bands = match one {
+        Some((ease, part)) if ease <= MOST_EASE => Some(BandSet::One(Box::new(part.clone()))),
+        _ => ROUND_NECKS
+            .iter()
+            .find_map(|kind| band::bands(garment, *kind, |p| p.front_back.is_some())),
+    };
+    if let Some(bands) = bands {
+        band::sew_around(
+            garment,
+            SeamRationale::new("neckband", "it goes round the neck").gathered(),
+            &neck,
+            &bands,
+            BandEdge::Lower,
+        );
+    }
+}
+
+/// A collar of four parts: left and right, front and back.
+fn quarters(garment: &mut GarmentModel) -> bool {
+    let lay = |garment: &GarmentModel, front_back, laterality| -> Option<LaidBand> {
+        let here = |p: &&LabeledPanel| {
+            p.front_back == Some(front_back) && p.laterality == Some(laterality)
+        };
+        let part = garment.parts_of(PanelKind::Collar).find(here)?;
+        let neck = garment.chain(
+            PanelKind::Bodice,
+            front_back,
+            (EdgeRole::Neck, laterality),
+            EdgeRole::Shoulder,
+        )?;
+        band::lay(garment, &neck, part, BandEdge::Lower)
+    };
+    let sides = [(Laterality::Left, "left"), (Laterality::Right, "right")];
+    let mut laid: Vec<[Option<LaidBand>; 2]> = vec![];
+    let mut any = false;
+    for (laterality, side) in sides {
+        let parts = [FrontBack::Front, FrontBack::Back]
+            .map(|front_back| lay(garment, front_back, laterality));
+        for (front_back, name, part) in [
+            (FrontBack::Front, "front", &parts[0]),
+            (FrontBack::Back, "back", &parts[1]),
+        ] {
+            let neck = garment.chain(
+                PanelKind::Bodice,
+                front_back,
+                (EdgeRole::Neck, laterality),
+                EdgeRole::Shoulder,
+            );
+            let id = format!("collar-{name}-{side}");
+            any |= garment.sew(
+                SeamRationale::new(&id, "the collar goes round the neck").gathered(),
+                neck,
+                part.as_ref().map(|l| l.chain.clone()),
+            );
+        }
+        let shoulder = parts
+            .each_ref()
+            .map(|p| p.as_ref().and_then(|l| l.end(true)));
+        let [a, b] = shoulder;
+        let id = format!("collar-shoulder-{side}");
+        garment.sew(band::ends_rationale(&id), a, b);
+        laid.push(parts);
+    }
+    for (i, id) in ["collar-centre-front", "collar-centre-back"]
+        .into_iter()
+        .enumerate()
+    {
+        let of = |side: usize| laid[side][i].as_ref().and_then(|l| l.end(false));
+        garment.sew(band::ends_rationale(id), of(0), of(1));
+    }
+    any
+}
+
+fn armhole(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
+    let place = (EdgeRole::Armhole, laterality);
+    let front = garment.chain(
+        PanelKind::Bodice,
+        FrontBack::Front,
+        place,
+        EdgeRole::Shoulder,
+    );
+    let back = garment.chain(PanelKind::Bodice, FrontBack::Back, place, EdgeRole::Side);
+    let band = garment
+        .parts_of(PanelKind::ArmBand)
+        .find(|p| p.laterality == Some(laterality))
+        .cloned();
+    if let (Some(front), Some(back), Some(band)) = (front, back, band) {
+        let id = format!("armband-{side}");
+        let rationale = SeamRationale::new(&id, "the band goes round the armhole").gathered();
+        band::sew_around(
+            garment,
+            rationale,
+            &[front, back],
+            &BandSet::One(Box::new(band)),
+            BandEdge::Lower,
+        );
+    }
+}

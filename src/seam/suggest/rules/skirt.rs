@@ -1,0 +1,147 @@
+//! Skirts: sides and centres of front and back, levels below them, gores, or one panel closed on itself.
+
+use super::band::Opening;
+use super::top;
+use crate::seam::suggest::edge_chain::EdgeChain;
+use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
+use crate::seam::suggest::labeled_panel::LabeledPanel;
+use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
+
+/// Gores are at least so many.
+const GORES: usize = 3;
+
+/// Sews the skirt.
+pub(super) fn sew(garment: &mut GarmentModel) {
+    levels(garment);
+    top::centre(garment, PanelKind::Skirt, FrontBack::Front);
+    top::centre(garment, PanelKind::Skirt, FrontBack::Back);
+    gores(garment);
+    on_itself(garment);
+}
+
+/// Fronts and backs, the uppermost first, with halves of one side only.
+fn stack(
+    garment: &GarmentModel,
+    front_back: FrontBack,
+    laterality: Laterality,
+) -> Vec<LabeledPanel> {
+    let here = |p: &&LabeledPanel| {
+        p.front_back == Some(front_back) && (!p.half || p.laterality == Some(laterality))
+    };
+    let mut stack: Vec<LabeledPanel> = garment
+        .parts_of(PanelKind::Skirt)
+        .filter(here)
+        .cloned()
+        .collect();
+    stack.sort_by_key(|p| p.number);
+    stack
+}
+
+/// Sides of every level, and each level to the one above.
+fn levels(garment: &mut GarmentModel) {
+    for (laterality, side) in [(Laterality::Left, "left"), (Laterality::Right, "right")] {
+        let fronts = stack(garment, FrontBack::Front, laterality);
+        let backs = stack(garment, FrontBack::Back, laterality);
+        for (i, (front, back)) in fronts.iter().zip(&backs).enumerate() {
+            let of = |p: &LabeledPanel| {
+                let drawn_side = if p.half {
+                    None
+                } else {
+                    Some(p.drawn_side_of(laterality))
+                };
+                p.segment(EdgeRole::Side, drawn_side)
+                    .map(|s| p.chain_from(s, EdgeRole::Waist))
+            };
+            let id = if i == 0 {
+                format!("skirt-side-{side}")
+            } else {
+                format!("level-{i}-side-{side}")
+            };
+            garment.sew(
+                SeamRationale::new(&id, "front and back of the skirt meet at the side"),
+                of(front),
+                of(back),
+            );
+        }
+    }
+    for (front_back, name) in [(FrontBack::Front, "front"), (FrontBack::Back, "back")] {
+        let stack = stack(garment, front_back, Laterality::Left);
+        for (i, pair) in stack
+            .windows(2)
+            .enumerate()
+            .filter(|(_, pair)| !pair[0].half && !pair[1].half)
+        {
+            let of = |p: &LabeledPanel, role| {
+                p.segment(role, None)
+                    .map(|s| garment.across(p, s, Laterality::Left))
+            };
+            let (a, b) = (of(&pair[0], EdgeRole::Hem), of(&pair[1], EdgeRole::Waist));
+            let id = format!("level-{}-{name}", i + 1);
+            let rationale = SeamRationale::new(
+                &id,
+                "a level of the skirt hangs from the hem of the one above",
+            )
+            .gathered();
+            garment.sew(rationale, a, b);
+        }
+    }
+}
+
+/// Panels all round that are called neither front nor back, in the order of their numbers.
+fn all_round(garment: &GarmentModel) -> Vec<LabeledPanel> {
+    let mut gores: Vec<LabeledPanel> = garment
+        .parts_of(PanelKind::Skirt)
+        .filter(|p| p.front_back.is_none() && !p.half)
+        .cloned()
+        .collect();
+    gores.sort_by_key(|p| p.number);
+    if gores.len() < GORES { vec![] } else { gores }
+}
+
+/// The waist of a skirt of gores.
+pub(super) fn gores_waist(garment: &GarmentModel) -> Option<Opening> {
+    let gores = all_round(garment);
+    let mut ring: EdgeChain = vec![];
+    for gore in &gores {
+        ring.extend(gore.chain(gore.segment(EdgeRole::Waist, None)?));
+    }
+    (!ring.is_empty()).then(|| [ring, vec![]])
+}
+
+/// Gores are sewn side to side, the last to the first.
+fn gores(garment: &mut GarmentModel) {
+    let gores = all_round(garment);
+    for (i, gore) in gores.iter().enumerate() {
+        let next = &gores[(i + 1) % gores.len()];
+        let side = |p: &LabeledPanel, drawn_side| {
+            p.segment(EdgeRole::Side, Some(drawn_side))
+                .map(|s| p.chain_from(s, EdgeRole::Waist))
+        };
+        let id = format!("gore-{}", i + 1);
+        garment.sew(
+            SeamRationale::new(&id, "gores meet side to side"),
+            side(gore, DrawnSide::Right),
+            side(next, DrawnSide::Left),
+        );
+    }
+}
+
+/// A skirt of one panel is closed on itself.
+fn on_itself(garment: &mut GarmentModel) {
+    let panels: Vec<LabeledPanel> = garment.parts_of(PanelKind::Skirt).cloned().collect();
+    let [part] = panels.as_slice() else {
+        return;
+    };
+    if part.half {
+        return;
+    }
+    let [a, b] = [DrawnSide::Left, DrawnSide::Right].map(|drawn_side| {
+        part.segment(EdgeRole::Side, Some(drawn_side))
+            .map(|s| part.chain_from(s, EdgeRole::Waist))
+    });
+    garment.sew(
+        SeamRationale::new("skirt-back", "a skirt of one panel is closed on itself"),
+        a,
+        b,
+    );
+}

@@ -1,0 +1,165 @@
+//! Sleeves: closed under the arm, set into the armhole that front and back make.
+
+use super::sleeve_cap;
+use crate::seam::suggest::edge_chain::{EdgeChain, reversed};
+use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
+use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
+
+/// Sews the sleeves and sets them in.
+pub(super) fn sew(garment: &mut GarmentModel) {
+    assign_left_right(garment);
+    for (laterality, side) in [(Laterality::Left, "left"), (Laterality::Right, "right")] {
+        if garment
+            .part(PanelKind::Sleeve, FrontBack::Front, laterality)
+            .is_some()
+        {
+            halves(garment, laterality, side);
+        } else {
+            whole(garment, laterality, side);
+        }
+    }
+}
+
+/// Gives sleeves that are called neither left nor right the side that their front belongs to: a sleeve drawn hem down
+/// and face up is a left one if its front lies on the left.
+fn assign_left_right(garment: &mut GarmentModel) {
+    let mut done: Vec<usize> = vec![];
+    for i in 0..garment.parts.len() {
+        let part = &garment.parts[i];
+        if part.kind != PanelKind::Sleeve
+            || part.half
+            || part.laterality_named
+            || part.laterality.is_none()
+        {
+            continue;
+        }
+        let partner = done
+            .iter()
+            .find(|j: &&usize| garment.parts[**j].kind == PanelKind::Sleeve);
+        let laterality = match (partner, sleeve_cap::front_side(garment, part)) {
+            (Some(j), _) => match garment.parts[*j].laterality {
+                Some(laterality) => laterality.other(),
+                None => continue,
+            },
+            (None, Some(DrawnSide::Left)) => Laterality::Left,
+            (None, Some(DrawnSide::Right)) => Laterality::Right,
+            (None, None) => continue,
+        };
+        done.push(i);
+        garment.parts[i].laterality = Some(laterality);
+    }
+}
+
+/// The armhole from the shoulder down the front and up the back.
+fn armhole(garment: &GarmentModel, laterality: Laterality) -> Option<EdgeChain> {
+    let place = (EdgeRole::Armhole, laterality);
+    let mut ring = garment.chain(
+        PanelKind::Bodice,
+        FrontBack::Front,
+        place,
+        EdgeRole::Shoulder,
+    )?;
+    ring.extend(garment.chain(PanelKind::Bodice, FrontBack::Back, place, EdgeRole::Side)?);
+    Some(ring)
+}
+
+/// A sleeve of a front and a back half.
+fn halves(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
+    let part = |garment: &GarmentModel, front_back, role, from| {
+        garment.chain(PanelKind::Sleeve, front_back, (role, laterality), from)
+    };
+    for (role, name, because) in [
+        (
+            EdgeRole::Top,
+            "sleeve-top",
+            "the halves of the sleeve meet over the arm",
+        ),
+        (
+            EdgeRole::Underarm,
+            "underarm",
+            "the halves of the sleeve meet under the arm",
+        ),
+    ] {
+        let a = part(garment, FrontBack::Front, role, EdgeRole::Hem);
+        let b = part(garment, FrontBack::Back, role, EdgeRole::Hem);
+        garment.sew(SeamRationale::new(&format!("{name}-{side}"), because), a, b);
+    }
+    let cap = part(garment, FrontBack::Front, EdgeRole::Cap, EdgeRole::Top).and_then(|mut cap| {
+        cap.extend(part(
+            garment,
+            FrontBack::Back,
+            EdgeRole::Cap,
+            EdgeRole::Underarm,
+        )?);
+        Some(cap)
+    });
+    let hole = armhole(garment, laterality);
+    set_in(garment, side, hole, cap);
+}
+
+fn set_in(garment: &mut GarmentModel, side: &str, hole: Option<EdgeChain>, cap: Option<EdgeChain>) {
+    let id = format!("armhole-{side}");
+    let because = "the sleeve is set into the armhole, front to front and underarm to underarm";
+    garment.sew_ring(SeamRationale::new(&id, because).gathered(), hole, cap);
+}
+
+/// A sleeve in one piece.
+fn whole(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
+    let Some(part) = garment
+        .parts_of(PanelKind::Sleeve)
+        .find(|p| !p.half && p.laterality == Some(laterality))
+    else {
+        return;
+    };
+    let part = part.clone();
+    let under = |drawn_side| {
+        part.segment(EdgeRole::Underarm, Some(drawn_side))
+            .map(|s| part.chain_from(s, EdgeRole::Hem))
+    };
+    let (a, b) = (under(DrawnSide::Left), under(DrawnSide::Right));
+    garment.sew(
+        SeamRationale::new(
+            &format!("underarm-{side}"),
+            "the sleeve is closed under the arm",
+        ),
+        a,
+        b,
+    );
+    if part.segment(EdgeRole::Cap, None).is_none() {
+        return;
+    }
+    let front = usual_front_side(laterality);
+    let hole = armhole(garment, laterality);
+    let cap = part.segment(EdgeRole::Cap, None).map(|segment| {
+        let chain = part.chain(segment);
+        if part.first_drawn_side() == front {
+            reversed(&chain)
+        } else {
+            chain
+        }
+    });
+    // From the underarm up the back: the armhole turned to begin there.
+    let hole = hole.map(|hole| from_underarm(garment, laterality, hole));
+    set_in(garment, side, hole, cap);
+}
+
+/// The armhole from the underarm up the back and down the front.
+fn from_underarm(garment: &GarmentModel, laterality: Laterality, hole: EdgeChain) -> EdgeChain {
+    let back = garment.segment(
+        PanelKind::Bodice,
+        FrontBack::Back,
+        (EdgeRole::Armhole, laterality),
+    );
+    let count = hole.len() - back.map_or(0, |(_, s)| s.edges.len());
+    let mut turned = hole;
+    turned.rotate_left(count);
+    turned
+}
+
+/// On which hand the front of a sleeve lies that is drawn hem down and face up: on the left for a left sleeve.
+pub(super) fn usual_front_side(laterality: Laterality) -> DrawnSide {
+    match laterality {
+        Laterality::Left => DrawnSide::Left,
+        Laterality::Right => DrawnSide::Right,
+    }
+}

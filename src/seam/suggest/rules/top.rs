@@ -1,0 +1,52 @@
+//! Tops: shoulders, sides and centres of a bodice, as every class of top has them.
+
+use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
+use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
+
+/// Sews the bodice.
+pub(super) fn sew(garment: &mut GarmentModel) {
+    for (laterality, side) in [(Laterality::Left, "left"), (Laterality::Right, "right")] {
+        let both = |garment: &GarmentModel, role, from| {
+            [FrontBack::Front, FrontBack::Back].map(|front_back| {
+                garment.chain(PanelKind::Bodice, front_back, (role, laterality), from)
+            })
+        };
+        let [a, b] = both(garment, EdgeRole::Shoulder, EdgeRole::Neck);
+        let id = format!("shoulder-{side}");
+        let rationale = SeamRationale::new(&id, "front and back meet at the shoulder");
+        garment.sew(rationale, a, b);
+        let [a, b] = both(garment, EdgeRole::Side, EdgeRole::Hem);
+        let id = format!("side-{side}");
+        let rationale = SeamRationale::new(
+            &id,
+            "front and back meet at the side, hem to hem and armhole to armhole",
+        );
+        garment.sew(rationale, a, b);
+    }
+    centre(garment, PanelKind::Bodice, FrontBack::Front);
+    centre(garment, PanelKind::Bodice, FrontBack::Back);
+}
+
+/// Sews the two halves of a front or back together. A front with a placket stays open.
+pub(super) fn centre(garment: &mut GarmentModel, kind: PanelKind, front_back: FrontBack) {
+    if front_back == FrontBack::Front && garment.has(PanelKind::Placket) {
+        return;
+    }
+    let halves = [Laterality::Left, Laterality::Right].map(|laterality| {
+        garment.chain(
+            kind,
+            front_back,
+            (EdgeRole::Centre, laterality),
+            EdgeRole::Hem,
+        )
+    });
+    let [a, b] = halves;
+    let id = match (kind, front_back) {
+        (PanelKind::Skirt, FrontBack::Front) => "skirt-centre-front",
+        (PanelKind::Skirt, FrontBack::Back) => "skirt-centre-back",
+        (_, FrontBack::Front) => "centre-front",
+        (_, FrontBack::Back) => "centre-back",
+    };
+    let rationale = SeamRationale::new(id, "the left and the right half meet at the centre");
+    garment.sew(rationale, a, b);
+}

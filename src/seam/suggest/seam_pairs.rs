@@ -1,0 +1,93 @@
+//! From proposed seams to seam pairs as a client would state them.
+
+use super::edge_chain::{EdgeChain, EdgeStep};
+use super::garment_model::ProposedSeam;
+use super::suggestion::SuggestedSeam;
+use crate::pattern::{Direction, Match, Pattern, Place, Run, SeamPair, Side};
+
+/// Writes proposed seams as seam pairs; names panels, mirrored copies among them.
+pub(super) struct SeamPairWriter<'a>(pub(super) &'a Pattern);
+
+impl SeamPairWriter<'_> {
+    pub(super) fn seam(&self, proposed: &ProposedSeam) -> SuggestedSeam {
+        let [a, b] = proposed.sides.each_ref().map(|chain| self.side(chain));
+        SuggestedSeam {
+            pair: SeamPair {
+                id: proposed.id.clone(),
+                a,
+                b,
+                matching: Match::AsPicked,
+                stage: 0,
+                gather: proposed.gather,
+                layered: false,
+                allow_twist: false,
+                confidence: None,
+                because: None,
+            },
+            confidence: (1e3 * proposed.confidence).round() / 1e3,
+            because: proposed.because.clone(),
+        }
+    }
+
+    fn side(&self, chain: &EdgeChain) -> Side {
+        let mut runs: Vec<(EdgeStep, EdgeStep)> = vec![];
+        for step in chain {
+            match runs.last_mut() {
+                Some((_, last)) if self.continues(last, step) => *last = *step,
+                _ => runs.push((*step, *step)),
+            }
+        }
+        let mut runs: Vec<Run> = runs
+            .iter()
+            .map(|(first, last)| self.run(first, last))
+            .collect();
+        if runs.len() == 1 {
+            Side::One(runs.remove(0))
+        } else {
+            Side::Many(runs)
+        }
+    }
+
+    fn continues(&self, last: &EdgeStep, next: &EdgeStep) -> bool {
+        let count = self.edge_count(last);
+        let expected = if last.forward {
+            last.edge + 1
+        } else {
+            last.edge + count - 1
+        } % count;
+        last.panel == next.panel && last.forward == next.forward && next.edge == expected
+    }
+
+    fn edge_count(&self, step: &EdgeStep) -> usize {
+        self.0.panels[step.panel % self.0.panels.len()]
+            .edges
+            .len()
+            .max(1)
+    }
+
+    fn run(&self, first: &EdgeStep, last: &EdgeStep) -> Run {
+        let count = self.edge_count(first);
+        let corner = |edge: usize, forward: bool| {
+            Place::Corner(if forward { edge } else { (edge + 1) % count })
+        };
+        Run {
+            panel: self.panel_id(first.panel),
+            from: corner(first.edge, first.forward),
+            to: corner(last.edge, !last.forward),
+            direction: Some(if first.forward {
+                Direction::Cw
+            } else {
+                Direction::Ccw
+            }),
+        }
+    }
+
+    /// Panels beyond the pattern's own are mirrored copies, in the same order.
+    pub(super) fn panel_id(&self, panel: usize) -> String {
+        let count = self.0.panels.len();
+        match self.0.panels.get(panel) {
+            Some(panel) => panel.id.clone(),
+            None => format!("{}~mirror", self.0.panels[panel - count].id),
+        }
+    }
+}
