@@ -3,7 +3,7 @@
 use seamster::config::Limits;
 use seamster::fault::Faults;
 use seamster::pattern::{Match, Pattern, SeamPair, Side};
-use seamster::seam::{Face, FaceRequest, SeamCheck, SeamSet, SeamCheckInput, check_placed};
+use seamster::seam::{Face, FaceRequest, SeamCheck, SeamCheckInput, SeamSet, check_placed};
 use seamster_fixtures::panels::{mirrored, pattern, polygon, rectangle, run, seam};
 use std::collections::BTreeMap;
 
