@@ -1,6 +1,7 @@
 //! A closed polyline with flagged corners as corners and edges, and marks put on edges.
 
-use super::outline::{Nearest, P, distance, length};
+use super::point::{Point2, distance};
+use super::polyline::{PolylineFoot, length};
 use super::{Corner, Edge, Notch, NotchKind};
 
 /// The corners of an outline and the edges between them.
@@ -12,7 +13,7 @@ pub(crate) struct Outline {
 }
 
 /// Cuts a closed polyline at its flagged points, the first of which must be point 0.
-pub(crate) fn outline(points: &[P], corner: &[bool]) -> Outline {
+pub(crate) fn outline(points: &[Point2], corner: &[bool]) -> Outline {
     let at: Vec<usize> = (0..points.len()).filter(|i| corner[*i]).collect();
     let count = at.len();
     let corners = at
@@ -27,7 +28,7 @@ pub(crate) fn outline(points: &[P], corner: &[bool]) -> Outline {
     let edges = (0..count)
         .map(|index| {
             let end = at.get(index + 1).copied().unwrap_or(points.len());
-            let mut points_on: Vec<P> = points[at[index]..end].to_vec();
+            let mut points_on: Vec<Point2> = points[at[index]..end].to_vec();
             points_on.push(points[end % points.len()]);
             Edge {
                 index,
@@ -43,7 +44,7 @@ pub(crate) fn outline(points: &[P], corner: &[bool]) -> Outline {
 }
 
 /// The closed polyline that edges make up.
-pub(crate) fn ring(edges: &[Edge]) -> Vec<P> {
+pub(crate) fn ring(edges: &[Edge]) -> Vec<Point2> {
     edges
         .iter()
         .flat_map(|edge| {
@@ -55,7 +56,7 @@ pub(crate) fn ring(edges: &[Edge]) -> Vec<P> {
 }
 
 /// A notch at a place of the closed polyline that `edges` make up.
-pub(crate) fn notch(edges: &[Edge], foot: Nearest, kind: NotchKind, index: usize) -> Notch {
+pub(crate) fn notch(edges: &[Edge], foot: PolylineFoot, kind: NotchKind, index: usize) -> Notch {
     let mut segment = foot.segment;
     for edge in edges {
         let count = edge.points.len().saturating_sub(1);
@@ -85,7 +86,7 @@ pub(crate) fn notch(edges: &[Edge], foot: Nearest, kind: NotchKind, index: usize
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pattern::outline::{nearest, segments};
+    use crate::pattern::polyline::{nearest, segments};
 
     #[test]
     fn edges_run_from_corner_to_corner() {

@@ -2,7 +2,8 @@
 
 use super::assemble;
 use super::copies;
-use super::outline::{P, crossing, distance, length, signed_area};
+use super::point::{Point2, distance};
+use super::polyline::{crossing, length, signed_area};
 use super::{Corner, Edge, Hole, Panel, Pattern};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults};
@@ -143,7 +144,7 @@ impl Checker<'_> {
 
     /// All numbers that are not of the outline are finite.
     fn marks(&mut self, panel: &Panel) -> bool {
-        let mut places: Vec<(String, P)> = Vec::new();
+        let mut places: Vec<(String, Point2)> = Vec::new();
         places.extend(
             panel
                 .cut_line
@@ -252,7 +253,7 @@ impl Checker<'_> {
             .first()
             .copied()
             .zip(edge.points.last().copied());
-        let at = |p: P, corner: Corner| distance(p, [corner.x, corner.y]) <= AT_CORNER;
+        let at = |p: Point2, corner: Corner| distance(p, [corner.x, corner.y]) <= AT_CORNER;
         match ends {
             Some((a, b)) if edge.points.len() > 1 && at(a, from) && at(b, to) => {
                 let last = edge.points.len() - 1;
@@ -281,7 +282,7 @@ impl Checker<'_> {
         }
     }
 
-    fn closed(&mut self, place: &str, ring: &[P], sign: f64) {
+    fn closed(&mut self, place: &str, ring: &[Point2], sign: f64) {
         let edges = format!("{place}/edges");
         if ring.len() > self.limits.panel_vertices {
             let detail = format!(
@@ -326,7 +327,7 @@ impl Checker<'_> {
     }
 
     fn size(&mut self, edges: &[Edge]) {
-        let [low, high] = super::outline::bounds(&assemble::ring(edges));
+        let [low, high] = super::polyline::bounds(&assemble::ring(edges));
         let side = (high[0] - low[0]).max(high[1] - low[1]);
         let [least, most] = self.limits.panel_size_m;
         if !(least..=most).contains(&side) {
@@ -362,7 +363,7 @@ impl Checker<'_> {
     }
 }
 
-fn near(p: P) -> bool {
+fn near(p: Point2) -> bool {
     p.iter().all(|c| c.abs() <= FAR)
 }
 

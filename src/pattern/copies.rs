@@ -4,6 +4,7 @@
 //! runs counter-clockwise in its coordinates and its holes clockwise. The drawn side stays the drawn side: a copy has
 //! the face that its source has.
 
+use super::point::Point2;
 use super::{Anchor, Corner, Edge, Grain, Hole, Panel, Pattern, Placement};
 use crate::fault::{Fault, Warning};
 use std::borrow::Cow;
@@ -92,7 +93,7 @@ pub(super) fn add_stated(panels: &mut Vec<Panel>) -> Vec<Warning> {
 
 /// The mirrored copy of a panel.
 pub(super) fn mirrored(source: &Panel) -> Panel {
-    let line = |points: &Vec<[f64; 2]>| points.iter().copied().map(reflected).collect();
+    let line = |points: &Vec<Point2>| points.iter().copied().map(reflected).collect();
     let edges = |edges: &[Edge]| {
         let edge = |edge: &Edge| Edge {
             points: line(&edge.points),
@@ -130,15 +131,15 @@ pub(super) fn mirrored(source: &Panel) -> Panel {
 }
 
 /// A point reflected; 0 stays 0.
-fn reflected([x, y]: [f64; 2]) -> [f64; 2] {
+fn reflected([x, y]: Point2) -> Point2 {
     [0.0 - x, y]
 }
 
 /// Where two panels differ: the field. Coordinates are compared to `within` \[m\]; lengths and areas, which follow from
 /// them, are not.
 pub(super) fn difference(a: &Panel, b: &Panel, within: f64) -> Option<&'static str> {
-    let near = |a: &[f64; 2], b: &[f64; 2]| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= within);
-    let line = |a: &Vec<[f64; 2]>, b: &Vec<[f64; 2]>| {
+    let near = |a: &Point2, b: &Point2| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= within);
+    let line = |a: &Vec<Point2>, b: &Vec<Point2>| {
         a.len() == b.len() && a.iter().zip(b).all(|(a, b)| near(a, b))
     };
     let edges = |a: &[Edge], b: &[Edge]| {

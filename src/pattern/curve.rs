@@ -1,19 +1,24 @@
 //! Arcs and ellipses as polylines, cut every degree: the chord error stays below 4e-5 of the (larger) radius, the length
 //! error below 1.3e-5 of the length.
 
-use super::outline::P;
+use super::point::Point2;
 use std::f64::consts::{PI, TAU};
 
 /// Largest turn between two chords \[radians\].
 const STEP: f64 = PI / 180.0;
 
 /// Points of an arc from `from` over `sweep` (radians, counter-clockwise positive), both ends included.
-pub(super) fn arc(center: P, radius: f64, from: f64, sweep: f64) -> Vec<P> {
+pub(super) fn arc(center: Point2, radius: f64, from: f64, sweep: f64) -> Vec<Point2> {
     ellipse(center, [radius, 0.0], [0.0, radius], [from, sweep])
 }
 
 /// Points of the ellipse `center + cos(t) major + sin(t) minor`, `t` from `range[0]` over `range[1]`, both ends included.
-pub(super) fn ellipse(center: P, major: P, minor: P, range: [f64; 2]) -> Vec<P> {
+pub(super) fn ellipse(
+    center: Point2,
+    major: Point2,
+    minor: Point2,
+    range: [f64; 2],
+) -> Vec<Point2> {
     let count = steps(range[1].abs(), 2, 720);
     (0..=count)
         .map(|i| {
@@ -27,7 +32,7 @@ pub(super) fn ellipse(center: P, major: P, minor: P, range: [f64; 2]) -> Vec<P> 
 }
 
 /// Points of the arc from `a` to `b` with a bulge (tangent of a quarter of its sweep), `b` left out.
-pub(super) fn bulge(a: P, b: P, bulge: f64) -> Vec<P> {
+pub(super) fn bulge(a: Point2, b: Point2, bulge: f64) -> Vec<Point2> {
     let chord = [b[0] - a[0], b[1] - a[1]];
     if bulge == 0.0 || chord == [0.0, 0.0] {
         return vec![a];
@@ -71,7 +76,7 @@ fn fraction(i: usize, count: usize) -> f64 {
 mod tests {
     use super::*;
 
-    fn length(points: &[P]) -> f64 {
+    fn length(points: &[Point2]) -> f64 {
         points
             .windows(2)
             .map(|w| (w[1][0] - w[0][0]).hypot(w[1][1] - w[0][1]))

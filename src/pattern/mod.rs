@@ -8,15 +8,17 @@ mod curve;
 mod dxf;
 mod garmentcode;
 mod ids;
-pub(crate) mod outline;
 mod panel;
 mod placement;
+pub(crate) mod point;
+pub(crate) mod polyline;
 mod seam_pair;
 mod spline;
 
 pub use copies::MIRROR;
 pub use panel::{Corner, Edge, Face, Grain, Hole, Notch, NotchKind, Panel, Quantity};
 pub use placement::{Anchor, Placement, Wrap};
+pub use point::Point2;
 pub use seam_pair::{Direction, Match, Place, Run, SeamPair, Side};
 
 use crate::config::Limits;

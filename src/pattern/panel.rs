@@ -1,5 +1,6 @@
 //! A panel: one flat part of a garment, valid by construction.
 
+use super::point::Point2;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
@@ -45,10 +46,12 @@ pub struct Panel {
     pub holes: Vec<Hole>,
     /// What is cut, where that differs from the outline (which is sewn).
     #[serde(default)]
-    pub cut_line: Vec<[f64; 2]>,
+    #[schema(value_type = Vec<[f64; 2]>)]
+    pub cut_line: Vec<Point2>,
     /// Marks drilled through the cloth.
     #[serde(default)]
-    pub drill_holes: Vec<[f64; 2]>,
+    #[schema(value_type = Vec<[f64; 2]>)]
+    pub drill_holes: Vec<Point2>,
     /// Alignment marks on the outline.
     #[serde(default)]
     pub notches: Vec<Notch>,
@@ -57,7 +60,8 @@ pub struct Panel {
     pub grain: Option<Grain>,
     /// Lines drawn inside that are not cut.
     #[serde(default)]
-    pub internal_lines: Vec<Vec<[f64; 2]>>,
+    #[schema(value_type = Vec<Vec<[f64; 2]>>)]
+    pub internal_lines: Vec<Vec<Point2>>,
 }
 
 /// Which side of a panel's cloth is out.
@@ -95,7 +99,8 @@ pub struct Edge {
     /// Arc length \[m\].
     pub length_m: f64,
     /// Its polyline, both corners included, at least two points \[m\].
-    pub points: Vec<[f64; 2]>,
+    #[schema(value_type = Vec<[f64; 2]>)]
+    pub points: Vec<Point2>,
     /// What the file calls it (`GarmentCode`: `left_armhole`).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub label: Option<String>,

@@ -1,7 +1,7 @@
 //! B-splines as polylines. Spans are halved until the curve bulges over each chord by less than 0.22 % of its length, as
 //! an arc of one degree does: a chord error below 4e-5 of the radius of curvature, a length error below 1.3e-5 of the length.
 
-use super::outline::{P, cross, sub};
+use super::point::{Point2, cross, sub};
 
 /// By how much of its chord's length a curve may bulge over it: tan(1 degree / 4) / 2.
 const BULGE: f64 = 2.2e-3;
@@ -18,14 +18,14 @@ pub(super) struct Spline<'a> {
     pub(super) degree: usize,
     /// `controls.len() + degree + 1` knots that never fall.
     pub(super) knots: &'a [f64],
-    pub(super) controls: &'a [P],
+    pub(super) controls: &'a [Point2],
     /// As many weights as control points, or none.
     pub(super) weights: &'a [f64],
 }
 
 impl Spline<'_> {
     /// Its points, both ends included; where there are more than `most`, it ends early.
-    pub(super) fn points(&self, most: usize) -> Vec<P> {
+    pub(super) fn points(&self, most: usize) -> Vec<Point2> {
         let spans = self.degree..self.controls.len();
         let mut points = Vec::new();
         for span in spans.filter(|i| self.knots[*i + 1] > self.knots[*i]) {
@@ -39,7 +39,7 @@ impl Spline<'_> {
     }
 
     /// De Boor's algorithm in homogeneous coordinates, `t` within the knot span `span`.
-    fn at(&self, span: usize, t: f64) -> P {
+    fn at(&self, span: usize, t: f64) -> Point2 {
         let p = self.degree;
         let mut d: Vec<[f64; 3]> = (span - p..=span)
             .map(|i| {
@@ -59,7 +59,7 @@ impl Spline<'_> {
 }
 
 /// Adds the points of a curve over `range`; its first only where there are none yet.
-pub(super) fn flatten(curve: &impl Fn(f64) -> P, range: [f64; 2], points: &mut Vec<P>) {
+pub(super) fn flatten(curve: &impl Fn(f64) -> Point2, range: [f64; 2], points: &mut Vec<Point2>) {
     let at = |i: usize| range[0] + (range[1] - range[0]) * i as f64 / FIRST as f64;
     let mut from = (at(0), curve(at(0)));
     if points.is_empty() {
@@ -74,11 +74,11 @@ pub(super) fn flatten(curve: &impl Fn(f64) -> P, range: [f64; 2], points: &mut V
 
 /// Adds the points of a curve between two of it, the latter included.
 fn halve(
-    curve: &impl Fn(f64) -> P,
-    from: (f64, P),
-    to: (f64, P),
+    curve: &impl Fn(f64) -> Point2,
+    from: (f64, Point2),
+    to: (f64, Point2),
     halvings: usize,
-    points: &mut Vec<P>,
+    points: &mut Vec<Point2>,
 ) {
     let middle = f64::midpoint(from.0, to.0);
     let middle = (middle, curve(middle));
@@ -96,7 +96,7 @@ fn halve(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pattern::outline::length;
+    use crate::pattern::polyline::length;
     use std::f64::consts::PI;
 
     const MOST: usize = 1000;

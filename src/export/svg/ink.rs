@@ -1,7 +1,7 @@
 //! What lines and figures look like. Dark on a sheet of their own colour, so that they can be read on any page.
 
 use super::write::{escaped, number, path};
-use crate::pattern::outline::P;
+use crate::pattern::point::Point2;
 
 /// The sheet.
 pub(super) const SHEET: &str = "#f7f5ef";
@@ -58,7 +58,7 @@ impl Stroke {
     }
 
     /// The line along these points, not filled.
-    pub(super) fn line(&self, points: &[P], closed: bool, figure: f64) -> String {
+    pub(super) fn line(&self, points: &[Point2], closed: bool, figure: f64) -> String {
         self.path(&path(points, closed), figure)
     }
 
@@ -72,7 +72,7 @@ impl Stroke {
 /// A text centred at a place, with a rim that parts it from the lines below it.
 pub(super) struct Text<'a> {
     pub(super) text: &'a str,
-    pub(super) at: P,
+    pub(super) at: Point2,
     /// Its size \[mm\].
     pub(super) size: f64,
     pub(super) colour: &'static str,

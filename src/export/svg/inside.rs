@@ -1,6 +1,7 @@
 //! Where in an outline there is room: for a name, for an arrow, and where its axis of symmetry is.
 
-use crate::pattern::outline::{P, bounds, contains, cross, distance, dot, nearest, segments, sub};
+use crate::pattern::point::{Point2, cross, distance, dot, sub};
+use crate::pattern::polyline::{bounds, contains, nearest, segments};
 
 /// Points of an outline that are looked at; more would only take time.
 const LOOKED_AT: usize = 400;
@@ -9,7 +10,7 @@ const LOOKED_AT: usize = 400;
 const GRID: u32 = 24;
 
 /// An outline of at most [`LOOKED_AT`] points.
-pub(super) fn coarse(ring: &[P]) -> Vec<P> {
+pub(super) fn coarse(ring: &[Point2]) -> Vec<Point2> {
     let step = ring.len().div_ceil(LOOKED_AT).max(1);
     ring.iter().step_by(step).copied().collect()
 }
@@ -20,12 +21,12 @@ const TO_MIDDLE: f64 = 0.15;
 
 /// A place inside that is far from the outline and holes, and how far it is; of places alike, the one nearest to the
 /// middle. Nothing if no place tried is inside.
-pub(super) fn roomiest(ring: &[P], holes: &[Vec<P>]) -> Option<(P, f64)> {
+pub(super) fn roomiest(ring: &[Point2], holes: &[Vec<Point2>]) -> Option<(Point2, f64)> {
     let [low, high] = bounds(ring);
     let at =
         |k: usize, i: u32| low[k] + (high[k] - low[k]) * (f64::from(i) + 0.5) / f64::from(GRID);
     let places = (0..GRID).flat_map(|i| (0..GRID).map(move |k| (i, k)));
-    let free = |p: P| {
+    let free = |p: Point2| {
         if !contains(ring, p) || holes.iter().any(|hole| contains(hole, p)) {
             return None;
         }
@@ -34,14 +35,14 @@ pub(super) fn roomiest(ring: &[P], holes: &[Vec<P>]) -> Option<(P, f64)> {
         nearest(lines, p).map(|found| (p, found.distance))
     };
     let middle = [0, 1].map(|k| f64::midpoint(low[k], high[k]));
-    let worth = |(p, room): &(P, f64)| room - TO_MIDDLE * distance(*p, middle);
+    let worth = |(p, room): &(Point2, f64)| room - TO_MIDDLE * distance(*p, middle);
     places
         .filter_map(|(i, k)| free([at(0, i), at(1, k)]))
         .max_by(|a, b| worth(a).total_cmp(&worth(b)))
 }
 
 /// How far one can go from `from` (inside) along `way` and against it until the outline or a hole.
-pub(super) fn reach(rings: &[&[P]], from: P, way: P) -> [f64; 2] {
+pub(super) fn reach(rings: &[&[Point2]], from: Point2, way: Point2) -> [f64; 2] {
     let mut reach = [f64::INFINITY; 2];
     for (a, b) in rings.iter().flat_map(|ring| segments(ring)) {
         let (d, e) = (sub(b, a), sub(a, from));
@@ -59,7 +60,7 @@ pub(super) fn reach(rings: &[&[P]], from: P, way: P) -> [f64; 2] {
 }
 
 /// The ends of the line about which an outline is its own mirror image; of two, the one nearer to `wanted` (a direction).
-pub(super) fn axis(ring: &[P], wanted: P, within: f64) -> Option<[P; 2]> {
+pub(super) fn axis(ring: &[Point2], wanted: Point2, within: f64) -> Option<[Point2; 2]> {
     let (centre, turn) = principal(ring)?;
     let unit = |angle: f64| [angle.cos(), angle.sin()];
     let quarter = std::f64::consts::FRAC_PI_4;
@@ -72,7 +73,7 @@ pub(super) fn axis(ring: &[P], wanted: P, within: f64) -> Option<[P; 2]> {
         quarter,
         -quarter,
     ];
-    let images = |way: P| {
+    let images = |way: Point2| {
         let points = coarse(ring);
         points.into_iter().all(|p| {
             let d = sub(p, centre);
@@ -97,7 +98,7 @@ pub(super) fn axis(ring: &[P], wanted: P, within: f64) -> Option<[P; 2]> {
 }
 
 /// The centre of area of an outline and the angle of one of its principal axes \[radians\].
-fn principal(ring: &[P]) -> Option<(P, f64)> {
+fn principal(ring: &[Point2]) -> Option<(Point2, f64)> {
     let origin = *ring.first()?;
     let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
     for (a, b) in segments(ring) {
@@ -125,11 +126,11 @@ fn principal(ring: &[P]) -> Option<(P, f64)> {
 mod tests {
     use super::*;
 
-    const KITE: [P; 4] = [[0.0, -3.0], [-1.0, 0.0], [0.0, 1.0], [1.0, 0.0]];
+    const KITE: [Point2; 4] = [[0.0, -3.0], [-1.0, 0.0], [0.0, 1.0], [1.0, 0.0]];
 
-    fn turned(points: &[P], angle: f64) -> Vec<P> {
+    fn turned(points: &[Point2], angle: f64) -> Vec<Point2> {
         let (sin, cos) = angle.sin_cos();
-        let turn = |[x, y]: &P| [5.0 + cos * x - sin * y, 7.0 + sin * x + cos * y];
+        let turn = |[x, y]: &Point2| [5.0 + cos * x - sin * y, 7.0 + sin * x + cos * y];
         points.iter().map(turn).collect()
     }
 
@@ -168,7 +169,7 @@ mod tests {
 
     #[test]
     fn reach_ends_at_the_nearest_line_on_either_side() {
-        let square: [P; 4] = [[0.0, 0.0], [0.0, 10.0], [10.0, 10.0], [10.0, 0.0]];
+        let square: [Point2; 4] = [[0.0, 0.0], [0.0, 10.0], [10.0, 10.0], [10.0, 0.0]];
         let found = reach(&[&square], [3.0, 4.0], [1.0, 0.0]);
         assert_eq!(found, [7.0, 3.0]);
     }

@@ -1,6 +1,7 @@
 //! Where each panel lies on the sheet: side by side in rows, none over another, true to each other in size.
 
-use crate::pattern::outline::{P, bounds};
+use crate::pattern::point::Point2;
+use crate::pattern::polyline::bounds;
 use crate::pattern::{Edge, Panel};
 
 /// Wanted width of a sheet over its height.
@@ -12,8 +13,8 @@ const FIGURE: f64 = 1.0 / 115.0;
 /// What is drawn of a panel, in millimetres, y down, its box's upper left corner at the origin.
 pub(super) struct Sketch {
     scale: f64,
-    low: P,
-    high: P,
+    low: Point2,
+    high: Point2,
 }
 
 impl Sketch {
@@ -22,7 +23,7 @@ impl Sketch {
         let edges = panel.edges.iter().flat_map(|edge: &Edge| &edge.points);
         let inner = panel.internal_lines.iter().flatten();
         let all = edges.chain(&panel.cut_line).chain(&panel.drill_holes);
-        let all: Vec<P> = all.chain(inner).copied().collect();
+        let all: Vec<Point2> = all.chain(inner).copied().collect();
         let [low, high] = if all.is_empty() {
             [[0.0; 2]; 2]
         } else {
@@ -36,7 +37,7 @@ impl Sketch {
     }
 
     /// A point of the pattern on the sketch.
-    pub(super) fn point(&self, p: P) -> P {
+    pub(super) fn point(&self, p: Point2) -> Point2 {
         [
             self.scale * (p[0] - self.low[0]),
             self.scale * (self.high[1] - p[1]),
@@ -44,12 +45,12 @@ impl Sketch {
     }
 
     /// Points of the pattern on the sketch.
-    pub(super) fn points(&self, points: &[P]) -> Vec<P> {
+    pub(super) fn points(&self, points: &[Point2]) -> Vec<Point2> {
         points.iter().map(|p| self.point(*p)).collect()
     }
 
     /// Width and height.
-    pub(super) fn size(&self) -> P {
+    pub(super) fn size(&self) -> Point2 {
         [0, 1].map(|k| self.scale * (self.high[k] - self.low[k]))
     }
 }
@@ -57,13 +58,13 @@ impl Sketch {
 /// A sheet with a place for each box.
 pub(super) struct Sheet {
     /// Width and height.
-    pub(super) size: P,
+    pub(super) size: Point2,
     /// The upper left corner of each box.
-    pub(super) places: Vec<P>,
+    pub(super) places: Vec<Point2>,
 }
 
 /// The size of figures on a sheet of boxes of these sizes.
-pub(super) fn figure(boxes: &[P]) -> f64 {
+pub(super) fn figure(boxes: &[Point2]) -> f64 {
     let area: f64 = boxes.iter().map(|[w, h]| w * h).sum();
     let widest = boxes.iter().map(|b| b[0]).fold(0.0, f64::max);
     // Rows and gaps leave about a third of a sheet empty.
@@ -72,7 +73,7 @@ pub(super) fn figure(boxes: &[P]) -> f64 {
 }
 
 /// Lays boxes in rows, the highest first, with `gap` between and around them.
-pub(super) fn sheet(boxes: &[P], gap: f64) -> Sheet {
+pub(super) fn sheet(boxes: &[Point2], gap: f64) -> Sheet {
     let mut order: Vec<usize> = (0..boxes.len()).collect();
     order.sort_by(|a, b| boxes[*b][1].total_cmp(&boxes[*a][1]).then(a.cmp(b)));
     let widest = boxes.iter().map(|b| b[0] + 2.0 * gap).fold(0.0, f64::max);
@@ -89,7 +90,7 @@ pub(super) fn sheet(boxes: &[P], gap: f64) -> Sheet {
         })
 }
 
-fn rows(boxes: &[P], order: &[usize], gap: f64, width: f64) -> Sheet {
+fn rows(boxes: &[Point2], order: &[usize], gap: f64, width: f64) -> Sheet {
     let mut places = vec![[0.0; 2]; boxes.len()];
     let (mut at, mut height, mut right) = ([gap, gap], 0.0_f64, 0.0_f64);
     for &i in order {
@@ -115,7 +116,7 @@ mod tests {
 
     #[test]
     fn boxes_lie_apart_within_the_sheet() {
-        let boxes: Vec<P> = (0..23)
+        let boxes: Vec<Point2> = (0..23)
             .map(|i| {
                 let i = f64::from(i);
                 [20.0 + (7.0 * i) % 90.0, 15.0 + (13.0 * i) % 140.0]

@@ -3,14 +3,14 @@
 use super::ink::{FOLD_LINE, GRAIN_LINE, MARK};
 use super::inside::{axis, reach};
 use super::write::{number, path};
-use crate::pattern::outline::P;
+use crate::pattern::point::Point2;
 use crate::pattern::{Notch, NotchKind};
 
 /// An outline may be off its mirror image by this \[mm\]: a half is unfolded about a line to which its ends were 0.2 near.
 const SYMMETRIC: f64 = 0.5;
 
 /// A notch at a place of an outline, cut inwards.
-pub(super) fn notch(notch: &Notch, at: P, inwards: P, figure: f64) -> String {
+pub(super) fn notch(notch: &Notch, at: Point2, inwards: Point2, figure: f64) -> String {
     let deep = notch
         .depth_m
         .map_or(0.0, |depth| 1e3 * depth)
@@ -18,7 +18,7 @@ pub(super) fn notch(notch: &Notch, at: P, inwards: P, figure: f64) -> String {
     let along = [inwards[1], -inwards[0]];
     let place = |a: f64, d: f64| [0, 1].map(|k| at[k] + deep * (a * along[k] + d * inwards[k]));
     let line = |places: &[(f64, f64)]| {
-        let points: Vec<P> = places.iter().map(|(a, d)| place(*a, *d)).collect();
+        let points: Vec<Point2> = places.iter().map(|(a, d)| place(*a, *d)).collect();
         path(&points, false)
     };
     let data = match notch.kind {
@@ -40,7 +40,7 @@ pub(super) fn notch(notch: &Notch, at: P, inwards: P, figure: f64) -> String {
 }
 
 /// A hole drilled through the cloth: a ring with a cross.
-pub(super) fn drill(at: P, figure: f64) -> String {
+pub(super) fn drill(at: Point2, figure: f64) -> String {
     let r = 0.3 * figure;
     let [x, y] = at.map(number);
     let circle = format!(
@@ -61,17 +61,17 @@ pub(super) fn drill(at: P, figure: f64) -> String {
 }
 
 /// The line about which a panel was unfolded; of two possible ones that along the grain.
-pub(super) fn fold(ring: &[P], grain: P) -> Option<[P; 2]> {
+pub(super) fn fold(ring: &[Point2], grain: Point2) -> Option<[Point2; 2]> {
     axis(ring, grain, SYMMETRIC)
 }
 
 /// The fold as drawn.
-pub(super) fn fold_line(fold: [P; 2], figure: f64) -> String {
+pub(super) fn fold_line(fold: [Point2; 2], figure: f64) -> String {
     FOLD_LINE.line(&fold, false, figure)
 }
 
 /// The direction of the warp as an arrow with two heads about a place inside.
-pub(super) fn grain(rings: &[&[P]], about: P, way: P, figure: f64) -> String {
+pub(super) fn grain(rings: &[&[Point2]], about: Point2, way: Point2, figure: f64) -> String {
     let [forth, back] = reach(rings, about, way);
     let half = (0.8 * forth.min(back)).min(12.0 * figure);
     if half <= figure {

@@ -9,7 +9,7 @@ mod numbers;
 mod panel;
 mod write;
 
-use crate::pattern::outline::P;
+use crate::pattern::point::Point2;
 use crate::pattern::{Panel, Pattern};
 use ink::{CUT_LINE, DARK, EDGE, FOLD_LINE, GRAIN_LINE, INNER_LINE, SHEET, SOFT, Stroke, Text};
 use layout::Sketch;
@@ -23,7 +23,7 @@ use write::{escaped, number, shortened};
 /// so that it can be read on a light page and on a dark one. Names are escaped; nothing in it runs or loads anything.
 pub fn drawing_svg(pattern: &Pattern) -> String {
     let sketches: Vec<Sketch> = pattern.panels.iter().map(Sketch::of).collect();
-    let sizes: Vec<P> = sketches.iter().map(Sketch::size).collect();
+    let sizes: Vec<Point2> = sketches.iter().map(Sketch::size).collect();
     let figure = layout::figure(&sizes);
     let drawn: Vec<Drawn> = pattern
         .panels
@@ -31,7 +31,7 @@ pub fn drawing_svg(pattern: &Pattern) -> String {
         .zip(&sketches)
         .map(|(panel, sketch)| panel::draw(panel, sketch, figure))
         .collect();
-    let boxes: Vec<P> = drawn.iter().map(|drawn| drawn.size).collect();
+    let boxes: Vec<Point2> = drawn.iter().map(|drawn| drawn.size).collect();
     let sheet = layout::sheet(&boxes, 3.0 * figure);
     let top = 4.0 * figure;
     let legend = legend(pattern, figure);

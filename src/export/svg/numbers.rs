@@ -3,7 +3,8 @@
 use super::ink::{CLOTH, DARK, EDGE, SHEET, Text};
 use super::write::number;
 use crate::pattern::Edge;
-use crate::pattern::outline::{P, distance, length, sub};
+use crate::pattern::point::{Point2, distance, sub};
+use crate::pattern::polyline::length;
 
 /// How numbers are put on a panel.
 pub(super) struct Numbers {
@@ -17,7 +18,7 @@ pub(super) struct Numbers {
 
 impl Numbers {
     /// A unit vector inwards from a way.
-    pub(super) fn inwards(&self, way: P) -> P {
+    pub(super) fn inwards(&self, way: Point2) -> Point2 {
         let long = way[0].hypot(way[1]).max(f64::MIN_POSITIVE);
         [-self.sense * way[1] / long, self.sense * way[0] / long]
     }
@@ -27,7 +28,7 @@ impl Numbers {
         (room / (3.2 + 1.8 * more(index))).clamp(0.45 * self.figure, self.figure)
     }
 
-    fn text(&self, index: usize, at: P, size: f64, colour: &'static str) -> String {
+    fn text(&self, index: usize, at: Point2, size: f64, colour: &'static str) -> String {
         Text {
             text: &index.to_string(),
             at,
@@ -40,15 +41,15 @@ impl Numbers {
     }
 
     /// A place off `at` where a number of a size does not touch the line.
-    fn beside(&self, at: P, inwards: P, (index, size): (usize, f64), way: f64) -> P {
+    fn beside(&self, at: Point2, inwards: Point2, (index, size): (usize, f64), way: f64) -> Point2 {
         let way = size * (way + 0.3 * more(index) * inwards[0].abs());
         let way = if self.outside { -way } else { way };
         [0, 1].map(|k| at[k] + way * inwards[k])
     }
 
     /// The numbers of the edges `lines`, whose indices are those of `edges`.
-    pub(super) fn of_edges(&self, edges: &[Edge], lines: &[Vec<P>]) -> String {
-        let edge = |(edge, line): (&Edge, &Vec<P>)| {
+    pub(super) fn of_edges(&self, edges: &[Edge], lines: &[Vec<Point2>]) -> String {
+        let edge = |(edge, line): (&Edge, &Vec<Point2>)| {
             let (at, way) = along(line, 0.5);
             let size = self.size(edge.index, length(line));
             let at = self.beside(at, self.inwards(way), (edge.index, size), 0.8);
@@ -58,7 +59,7 @@ impl Numbers {
     }
 
     /// Dots at the corners, where each edge begins, with their numbers.
-    pub(super) fn of_corners(&self, lines: &[Vec<P>]) -> String {
+    pub(super) fn of_corners(&self, lines: &[Vec<Point2>]) -> String {
         let count = lines.len();
         let corner = |i: usize| {
             let (before, after) = (&lines[(i + count - 1) % count], &lines[i]);
@@ -93,7 +94,7 @@ fn more(index: usize) -> f64 {
 }
 
 /// The point at a fraction of a polyline's length, and the way it goes there.
-pub(super) fn along(line: &[P], at: f64) -> (P, P) {
+pub(super) fn along(line: &[Point2], at: f64) -> (Point2, Point2) {
     let mut left = at * length(line);
     let count = line.len() - 1;
     for (i, pair) in line.windows(2).enumerate() {

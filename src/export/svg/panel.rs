@@ -6,7 +6,8 @@ use super::layout::Sketch;
 use super::marks;
 use super::numbers::{Numbers, along};
 use super::write::{escaped, path, shortened};
-use crate::pattern::outline::{P, contains, signed_area};
+use crate::pattern::point::Point2;
+use crate::pattern::polyline::{contains, signed_area};
 use crate::pattern::{Edge, Panel};
 
 /// Characters of a name that are drawn; the title has all.
@@ -17,7 +18,7 @@ pub(super) struct Drawn {
     /// Elements.
     pub(super) content: String,
     /// Width and height of its box \[mm\].
-    pub(super) size: P,
+    pub(super) size: Point2,
 }
 
 /// Draws a panel with figures of a size \[mm\].
@@ -28,13 +29,13 @@ pub(super) fn draw(panel: &Panel, sketch: &Sketch, figure: f64) -> Drawn {
         return Drawn { content, size };
     }
     let ring = ring(&lines);
-    let hole_lines: Vec<Vec<Vec<P>>> = panel
+    let hole_lines: Vec<Vec<Vec<Point2>>> = panel
         .holes
         .iter()
         .map(|hole| on_sketch(&hole.edges, sketch))
         .collect();
-    let holes: Vec<Vec<P>> = hole_lines.iter().map(|lines| self::ring(lines)).collect();
-    let coarse_holes: Vec<Vec<P>> = holes.iter().map(|hole| coarse(hole)).collect();
+    let holes: Vec<Vec<Point2>> = hole_lines.iter().map(|lines| self::ring(lines)).collect();
+    let coarse_holes: Vec<Vec<Point2>> = holes.iter().map(|hole| coarse(hole)).collect();
     let middle = roomiest(&coarse(&ring), &coarse_holes);
     let (middle, room) = middle.unwrap_or((ring[0], 0.0));
     let numbers = Numbers {
@@ -49,7 +50,7 @@ pub(super) fn draw(panel: &Panel, sketch: &Sketch, figure: f64) -> Drawn {
     }
     content += &cloth(&ring, &holes, figure);
     content += &inner_lines(panel, sketch, figure);
-    let rings: Vec<&[P]> = std::iter::once(&ring)
+    let rings: Vec<&[Point2]> = std::iter::once(&ring)
         .chain(&holes)
         .map(Vec::as_slice)
         .collect();
@@ -81,18 +82,18 @@ pub(super) fn draw(panel: &Panel, sketch: &Sketch, figure: f64) -> Drawn {
     Drawn { content, size }
 }
 
-fn on_sketch(edges: &[Edge], sketch: &Sketch) -> Vec<Vec<P>> {
+fn on_sketch(edges: &[Edge], sketch: &Sketch) -> Vec<Vec<Point2>> {
     let drawn = edges.iter().filter(|edge| edge.points.len() > 1);
     drawn.map(|edge| sketch.points(&edge.points)).collect()
 }
 
-fn ring(lines: &[Vec<P>]) -> Vec<P> {
+fn ring(lines: &[Vec<Point2>]) -> Vec<Point2> {
     let parts = lines.iter().map(|line| &line[..line.len() - 1]);
     parts.flatten().copied().collect()
 }
 
 /// Outline and holes as one area.
-fn cloth(ring: &[P], holes: &[Vec<P>], figure: f64) -> String {
+fn cloth(ring: &[Point2], holes: &[Vec<Point2>], figure: f64) -> String {
     let holes: String = holes.iter().map(|hole| path(hole, true)).collect();
     format!(
         "<path d=\"{}{holes}\" fill=\"{CLOTH}\" fill-rule=\"evenodd\" stroke-linejoin=\"round\"{}/>\n",
@@ -104,7 +105,7 @@ fn cloth(ring: &[P], holes: &[Vec<P>], figure: f64) -> String {
 /// Lines drawn on the cloth, each with its number.
 fn inner_lines(panel: &Panel, sketch: &Sketch, figure: f64) -> String {
     let lines = panel.internal_lines.iter().enumerate();
-    let line = |(i, line): (usize, &Vec<P>)| {
+    let line = |(i, line): (usize, &Vec<Point2>)| {
         let points = sketch.points(line);
         if points.len() < 2 {
             return String::new();
@@ -123,7 +124,7 @@ fn inner_lines(panel: &Panel, sketch: &Sketch, figure: f64) -> String {
 }
 
 /// Fold and grain.
-fn directions(panel: &Panel, rings: &[&[P]], label: &Label, figure: f64) -> String {
+fn directions(panel: &Panel, rings: &[&[Point2]], label: &Label, figure: f64) -> String {
     let (sin, cos) = panel
         .grain
         .map_or(90.0, |grain| grain.angle_deg)
@@ -158,14 +159,14 @@ fn directions(panel: &Panel, rings: &[&[P]], label: &Label, figure: f64) -> Stri
 struct Label {
     name: String,
     note: String,
-    at: P,
+    at: Point2,
     /// Size of the name where it fits inside \[mm\].
     fits: Option<f64>,
     figure: f64,
 }
 
 impl Label {
-    fn of(panel: &Panel, ring: &[P], (at, room): (P, f64), figure: f64) -> Self {
+    fn of(panel: &Panel, ring: &[Point2], (at, room): (Point2, f64), figure: f64) -> Self {
         let name = shortened(&panel.name, NAME);
         let note = note(panel);
         let ring = coarse(ring);
@@ -191,9 +192,9 @@ impl Label {
     }
 
     /// The texts, and the size of the panel's box with them.
-    fn drawn(&self, size: P, numbers_outside: bool) -> (String, P) {
+    fn drawn(&self, size: Point2, numbers_outside: bool) -> (String, Point2) {
         let figure = self.figure;
-        let line = |text: &str, at: P, size: f64, is_name: bool, rim: &'static str| {
+        let line = |text: &str, at: Point2, size: f64, is_name: bool, rim: &'static str| {
             let colour = if is_name { DARK } else { SOFT };
             let bold = is_name;
             let text = Text {

@@ -2,7 +2,7 @@
 //!
 //! Everything is said by attributes: a style sheet or a `style` would need leave from the content security policy.
 
-use crate::pattern::outline::{P, distance};
+use crate::pattern::point::{Point2, distance};
 
 /// Points nearer to the last one drawn than this are left out \[mm\].
 const FINE: f64 = 0.05;
@@ -19,9 +19,9 @@ pub(super) fn number(x: f64) -> String {
 }
 
 /// Path data of a polyline \[mm\].
-pub(super) fn path(points: &[P], closed: bool) -> String {
+pub(super) fn path(points: &[Point2], closed: bool) -> String {
     let mut data = String::new();
-    let mut last: Option<P> = None;
+    let mut last: Option<Point2> = None;
     for (i, p) in points.iter().enumerate() {
         let is_end = i + 1 == points.len() && !closed;
         if last.is_some_and(|last| distance(last, *p) < FINE && !is_end) {

@@ -2,7 +2,8 @@
 
 use super::{nothing_left, refuse};
 use crate::fault::Fault;
-use crate::pattern::outline::{P, cross, distance, dot, length, sub};
+use crate::pattern::point::{Point2, cross, distance, dot, sub};
+use crate::pattern::polyline::length;
 use crate::pattern::{Edge, Panel};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -17,16 +18,16 @@ const MITRE: f64 = 5.0;
 struct Line {
     edge: usize,
     /// Where it begins and ends as drawn.
-    ends: [P; 2],
+    ends: [Point2; 2],
     /// Unit vector along it, clockwise; inwards is to its right.
-    along: P,
+    along: Point2,
     previous: usize,
     next: usize,
     is_left: bool,
 }
 
 impl Line {
-    fn inwards(&self) -> P {
+    fn inwards(&self) -> Point2 {
         [self.along[1], -self.along[0]]
     }
 }
@@ -41,9 +42,9 @@ impl Front {
             let pairs = pairs.filter(|pair| pair[0] != pair[1]);
             pairs.map(|pair| (edge.index, [pair[0], pair[1]]))
         });
-        let segments: Vec<(usize, [P; 2])> = segments.collect();
+        let segments: Vec<(usize, [Point2; 2])> = segments.collect();
         let count = segments.len();
-        let line = |(i, (edge, [a, b])): (usize, (usize, [P; 2]))| {
+        let line = |(i, (edge, [a, b])): (usize, (usize, [Point2; 2]))| {
             let long = distance(a, b);
             Line {
                 edge,
@@ -76,7 +77,7 @@ impl Front {
     }
 
     /// Where lines `i` and `k`, neighbours, meet when the front has moved by `t`.
-    fn meeting(&self, i: usize, k: usize, t: f64) -> P {
+    fn meeting(&self, i: usize, k: usize, t: f64) -> Point2 {
         let (a, b) = (&self.0[i], &self.0[k]);
         let moved = |line: &Line, end: usize| {
             let inwards = line.inwards();
@@ -139,14 +140,14 @@ impl Front {
 
     /// The edges of the front after `width`.
     pub(super) fn edges(&self, panel: &Panel, width: f64) -> Result<Vec<Edge>, Fault> {
-        let mut points: Vec<Vec<P>> = vec![Vec::new(); panel.edges.len()];
+        let mut points: Vec<Vec<Point2>> = vec![Vec::new(); panel.edges.len()];
         for (i, line) in self.0.iter().enumerate().filter(|(_, line)| !line.is_left) {
             points[line.edge].push(self.meeting(line.previous, i, width));
         }
         if points.iter().all(Vec::is_empty) {
             return Err(nothing_left(panel, width));
         }
-        let starts: Vec<Option<P>> = points.iter().map(|edge| edge.first().copied()).collect();
+        let starts: Vec<Option<Point2>> = points.iter().map(|edge| edge.first().copied()).collect();
         let count = points.len();
         for (i, edge) in points.iter_mut().enumerate() {
             edge.extend(starts[(i + 1) % count]);
@@ -161,7 +162,7 @@ impl Front {
             );
             return Err(refuse(detail, "give a smaller allowance"));
         }
-        let edge = |(old, points): (&Edge, Vec<P>)| Edge {
+        let edge = |(old, points): (&Edge, Vec<Point2>)| Edge {
             length_m: length(&points),
             points,
             ..old.clone()

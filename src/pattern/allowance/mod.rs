@@ -10,7 +10,8 @@
 
 mod front;
 
-use super::outline::{P, bounds, contains, crossing, distance, length, nearest, signed_area, sub};
+use super::point::{Point2, distance, sub};
+use super::polyline::{bounds, contains, crossing, length, nearest, signed_area};
 use super::{Corner, Edge, Notch, Panel, assemble, copies};
 use crate::fault::Fault;
 use front::Front;
@@ -78,7 +79,7 @@ fn net(panel: &Panel, width: f64) -> Result<Panel, Fault> {
             .map(|hole| signed_area(&assemble::ring(&hole.edges)))
             .sum(),
     ];
-    let side = |points: &[P]| {
+    let side = |points: &[Point2]| {
         let [low, high] = bounds(points);
         (high[0] - low[0]).max(high[1] - low[1])
     };
@@ -140,7 +141,7 @@ fn notches(panel: &Panel, edges: &[Edge], width: f64) -> Vec<Notch> {
 }
 
 /// The point `width` inwards from an edge at a fraction of its length.
-fn inwards(edge: &Edge, at: f64, width: f64) -> P {
+fn inwards(edge: &Edge, at: f64, width: f64) -> Point2 {
     let mut left = at * edge.length_m;
     let last = edge.points.len() - 2;
     for (i, pair) in edge.points.windows(2).enumerate() {

@@ -1,7 +1,8 @@
 //! Runs joined head to tail: outlines come as several open runs, in file order or in none.
 
-use super::entity::{P, Path};
-use crate::pattern::outline::distance;
+use super::entity::Path;
+use crate::pattern::Point2;
+use crate::pattern::point::distance;
 use std::cmp::Ordering::Less;
 
 /// Ends closer than this are one point: CAD rounds coordinates to 1e-4 mm or 1e-4 inch (3 um) \[m\].
@@ -14,7 +15,7 @@ const REPAIRED: f64 = 5e-4;
 #[derive(Clone, Debug)]
 pub(super) struct Chain {
     /// Its points; a closed chain does not repeat the first.
-    pub(super) points: Vec<P>,
+    pub(super) points: Vec<Point2>,
     /// Whether the point is the end of a run that says something about corners, point by point.
     pub(super) run_end: Vec<bool>,
     /// Whether the point was made for a curve and is none of the file's, point by point.
@@ -202,7 +203,7 @@ impl Ends {
 
     /// The free part with an end nearest to `p` within the tolerance: its index, whether that end is its head, and
     /// the distance. Of several equally near ones, the first in file order.
-    fn near(&mut self, p: P, parts: &[Chain]) -> Option<(usize, bool, f64)> {
+    fn near(&mut self, p: Point2, parts: &[Chain]) -> Option<(usize, bool, f64)> {
         let (x, y) = key(p, self.cell);
         let mut best: Option<(usize, bool, f64)> = None;
         for dx in -1..=1 {
@@ -250,11 +251,11 @@ impl Ends {
     clippy::cast_possible_truncation,
     reason = "a saturated cell only makes the search slower"
 )]
-fn key(p: P, cell: f64) -> (i64, i64) {
+fn key(p: Point2, cell: f64) -> (i64, i64) {
     ((p[0] / cell).floor() as i64, (p[1] / cell).floor() as i64)
 }
 
-/// Nearest first (ends that CAD rounded apart count as equally near), then file order, then head before tail.
+/// PolylineFoot first (ends that CAD rounded apart count as equally near), then file order, then head before tail.
 fn near_order(end: &(usize, bool, f64)) -> (f64, usize, bool) {
     (if end.2 <= JOINED { 0.0 } else { end.2 }, end.0, !end.1)
 }
@@ -263,7 +264,7 @@ fn near_order(end: &(usize, bool, f64)) -> (f64, usize, bool) {
 mod tests {
     use super::*;
 
-    fn path(points: &[P]) -> Path {
+    fn path(points: &[Point2]) -> Path {
         Path {
             points: points.to_vec(),
             closed: false,

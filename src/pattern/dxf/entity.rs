@@ -1,7 +1,6 @@
 //! What an importer needs of a drawing: paths, points, texts and inserts, in drawing units, curves as polylines.
 
-/// A point of the drawing plane.
-pub(crate) type P = [f64; 2];
+use crate::pattern::Point2;
 
 /// One entity.
 #[derive(Clone, Debug)]
@@ -18,9 +17,9 @@ pub(super) struct Entity {
 #[derive(Clone, Debug)]
 pub(super) enum Shape {
     /// A mark, with its z: how deep a notch is cut.
-    Point(P, f64),
+    Point(Point2, f64),
     /// A text with the point it is put at.
-    Text(P, String),
+    Text(Point2, String),
     /// A stretch of line.
     Path(Path),
     /// A block put in.
@@ -31,7 +30,7 @@ pub(super) enum Shape {
 #[derive(Clone, Debug)]
 pub(super) struct Path {
     /// Its points; a closed path does not repeat the first.
-    pub(super) points: Vec<P>,
+    pub(super) points: Vec<Point2>,
     /// Whether it runs on from the last point to the first.
     pub(super) closed: bool,
     /// Whether it is a single straight line.
@@ -46,15 +45,15 @@ pub(super) struct Insert {
     /// Name of the block.
     pub(super) name: String,
     /// Where its base point goes.
-    pub(super) at: P,
+    pub(super) at: Point2,
     /// Scale of x and y; negative mirrors.
-    pub(super) scale: P,
+    pub(super) scale: Point2,
     /// Counter-clockwise, after scaling \[radians\].
     pub(super) angle: f64,
     /// Columns and rows, at least 1.
     pub(super) count: [u32; 2],
     /// Distance of columns and of rows.
-    pub(super) spacing: P,
+    pub(super) spacing: Point2,
     /// Whether the whole is seen from behind (extrusion along -z).
     pub(super) flipped: bool,
 }
@@ -63,9 +62,9 @@ pub(super) struct Insert {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Map {
     /// Rows of the linear part.
-    pub(super) m: [P; 2],
+    pub(super) m: [Point2; 2],
     /// Translation.
-    pub(super) t: P,
+    pub(super) t: Point2,
 }
 
 impl Map {
@@ -78,7 +77,7 @@ impl Map {
     }
 
     /// A shift.
-    pub(super) fn shift(t: P) -> Self {
+    pub(super) fn shift(t: Point2) -> Self {
         Self {
             m: [[1.0, 0.0], [0.0, 1.0]],
             t,
@@ -89,7 +88,7 @@ impl Map {
     pub(super) fn after(&self, inner: &Self) -> Self {
         let a = self.m;
         let b = inner.m;
-        let row = |r: P| {
+        let row = |r: Point2| {
             [
                 r[0] * b[0][0] + r[1] * b[1][0],
                 r[0] * b[0][1] + r[1] * b[1][1],
@@ -102,7 +101,7 @@ impl Map {
     }
 
     /// The image of a point.
-    pub(super) fn apply(&self, p: P) -> P {
+    pub(super) fn apply(&self, p: Point2) -> Point2 {
         [
             self.m[0][0] * p[0] + self.m[0][1] * p[1] + self.t[0],
             self.m[1][0] * p[0] + self.m[1][1] * p[1] + self.t[1],
@@ -143,7 +142,7 @@ impl Insert {
     }
 
     /// Where the copy in `column` and `row` of a block with base point `base` goes.
-    pub(super) fn map(&self, base: P, column: u32, row: u32) -> Map {
+    pub(super) fn map(&self, base: Point2, column: u32, row: u32) -> Map {
         let (sin, cos) = self.angle.sin_cos();
         let turn = Map {
             m: [[cos, -sin], [sin, cos]],

@@ -1,12 +1,13 @@
 //! Blocks put in place: every INSERT of the model space becomes a sheet of its own, in metres. Nothing is expanded
 //! beyond the limits, so a block that inserts itself, deep nesting and huge arrays end early.
 
-use super::entity::{Entity, Insert, Map, P, Shape};
+use super::entity::{Entity, Insert, Map, Shape};
 use super::layer::{Role, role};
 use super::{Findings, at_line};
 use crate::config::Limits;
 use crate::fault::Fault;
-use crate::pattern::outline::bounds;
+use crate::pattern::Point2;
+use crate::pattern::polyline::bounds;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A block definition as read.
@@ -14,7 +15,7 @@ pub(super) struct Block {
     /// Its name, which other blocks may have too.
     pub(super) name: String,
     /// The point that is put where an INSERT says.
-    pub(super) base: P,
+    pub(super) base: Point2,
     /// The line it begins at.
     pub(super) line: usize,
     /// What it holds.
@@ -128,7 +129,7 @@ impl Sheet {
     fn bring_near(&mut self, findings: &mut Findings) {
         /// Coordinates up to this keep 10 um in single precision \[m\].
         const FAR: f64 = 100.0;
-        let points: Vec<P> = self
+        let points: Vec<Point2> = self
             .entities
             .iter()
             .filter_map(|e| {
@@ -163,7 +164,7 @@ impl Sheet {
     fn drop_far(&mut self, findings: &mut Findings) {
         /// As far as the check of patterns goes \[m\].
         const FARTHEST: f64 = 1e4;
-        let near = |p: &P| p.iter().all(|c| c.abs() <= FARTHEST);
+        let near = |p: &Point2| p.iter().all(|c| c.abs() <= FARTHEST);
         let some_near = self.entities.iter().any(|entity| match &entity.shape {
             Shape::Path(path) => path.points.iter().all(near),
             _ => false,

@@ -1,7 +1,7 @@
 //! Half pieces unfolded about their mirror line.
 
 use super::ring::Ring;
-use crate::pattern::outline::{P, distance, dot, sub};
+use crate::pattern::point::{Point2, distance, dot, sub};
 
 /// Points this near to the mirror line lie on it \[m\].
 const ON: f64 = 2e-4;
@@ -9,13 +9,13 @@ const ON: f64 = 2e-4;
 /// A mirror line: a point and a unit direction.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fold {
-    at: P,
-    along: P,
+    at: Point2,
+    along: Point2,
 }
 
 impl Fold {
     /// The fold through two points; `None` where they are one.
-    pub(super) fn new([a, b]: [P; 2]) -> Option<Self> {
+    pub(super) fn new([a, b]: [Point2; 2]) -> Option<Self> {
         let long = distance(a, b);
         (long > ON).then(|| Self {
             at: a,
@@ -24,18 +24,18 @@ impl Fold {
     }
 
     /// The mirror image of a point.
-    pub(super) fn mirror(&self, p: P) -> P {
+    pub(super) fn mirror(&self, p: Point2) -> Point2 {
         let foot = self.foot(p);
         [2.0 * foot[0] - p[0], 2.0 * foot[1] - p[1]]
     }
 
     /// Distance of a point from the fold, positive to the left.
-    pub(super) fn side(&self, p: P) -> f64 {
+    pub(super) fn side(&self, p: Point2) -> f64 {
         let d = sub(p, self.at);
         self.along[0] * d[1] - self.along[1] * d[0]
     }
 
-    fn foot(&self, p: P) -> P {
+    fn foot(&self, p: Point2) -> Point2 {
         let t = dot(sub(p, self.at), self.along);
         [
             self.at[0] + t * self.along[0],
@@ -43,19 +43,19 @@ impl Fold {
         ]
     }
 
-    fn on(&self, p: P) -> bool {
+    fn on(&self, p: Point2) -> bool {
         self.side(p).abs() <= ON
     }
 
     /// The mirror image of a mark; `None` where it lies on the fold.
-    pub(super) fn image(&self, points: &[P]) -> Option<Vec<P>> {
+    pub(super) fn image(&self, points: &[Point2]) -> Option<Vec<Point2>> {
         let away = points.iter().any(|p| !self.on(*p));
         away.then(|| points.iter().map(|p| self.mirror(*p)).collect())
     }
 
     /// Mirrors marks and adds the images to them; what lies on the fold stays single.
-    pub(super) fn double(&self, points: &mut Vec<P>) {
-        let images: Vec<P> = points
+    pub(super) fn double(&self, points: &mut Vec<Point2>) {
+        let images: Vec<Point2> = points
             .iter()
             .filter(|p| !self.on(**p))
             .map(|p| self.mirror(*p))
@@ -117,7 +117,7 @@ impl Fold {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pattern::outline::signed_area;
+    use crate::pattern::polyline::signed_area;
 
     #[test]
     fn half_piece_is_unfolded_about_its_edge() {
@@ -128,7 +128,7 @@ mod tests {
         let fold = Fold::new([[0.0, 0.2], [0.0, 1.0]]).expect("two points");
         let whole = fold.unfold(&half).expect("on the fold");
         assert_eq!(signed_area(&whole.points), 2.0 * signed_area(&half.points));
-        let corners: Vec<P> = whole
+        let corners: Vec<Point2> = whole
             .points
             .iter()
             .zip(&whole.corner)

@@ -1,7 +1,7 @@
 //! Shallow corners that a polyline gives away: where its curves were sampled anew, and where it turns more than about
 //! there. A place where two curves run smoothly into each other, sampled alike, shows in nothing and is not found.
 
-use crate::pattern::outline::{P, distance, turn};
+use crate::pattern::point::{Point2, distance, turn};
 
 /// Steps of one curve grow or shrink by less than this from one to the next; where curves join they jump by more.
 const JUMP: f64 = 1.35;
@@ -30,7 +30,7 @@ struct Course {
 
 /// Which points of a closed polyline are joints. `made` points are not the file's and tell nothing; turns of `sharp`
 /// or more are corners of their own.
-pub(super) fn joints(points: &[P], made: &[bool], sharp: f64) -> Vec<bool> {
+pub(super) fn joints(points: &[Point2], made: &[bool], sharp: f64) -> Vec<bool> {
     let n = points.len();
     if n < 8 {
         return vec![false; n];
@@ -110,7 +110,7 @@ mod tests {
     const SHARP: f64 = 0.349;
 
     /// A half disc of radius 0.2 m: its round side sampled in `counts` stretches of equal sweep, then straight back.
-    fn half_disc(counts: &[usize]) -> Vec<P> {
+    fn half_disc(counts: &[usize]) -> Vec<Point2> {
         let sweep = std::f64::consts::PI / counts.len() as f64;
         let mut points = Vec::new();
         for (part, count) in counts.iter().enumerate() {
@@ -123,7 +123,7 @@ mod tests {
         points
     }
 
-    fn found(points: &[P]) -> Vec<usize> {
+    fn found(points: &[Point2]) -> Vec<usize> {
         let joints = joints(points, &vec![false; points.len()], SHARP);
         (0..points.len()).filter(|i| joints[*i]).collect()
     }

@@ -2,10 +2,11 @@
 
 use super::clean::{Cleaned, Expected};
 use super::curve;
-use super::entity::{Entity, Insert, P, Path, Shape};
+use super::entity::{Entity, Insert, Path, Shape};
 use super::spline;
 use super::{Findings, at_line};
 use crate::fault::Fault;
+use crate::pattern::Point2;
 use dxf::entities::EntityType;
 use dxf::{Drawing, Point, Vector};
 
@@ -138,7 +139,7 @@ fn shape(
                 findings.left_out("LWPOLYLINE without vertices", line);
                 return Ok(None);
             }
-            let vertices: Vec<(P, f64)> =
+            let vertices: Vec<(Point2, f64)> =
                 p.vertices.iter().map(|v| ([v.x, v.y], v.bulge)).collect();
             Shape::Path(bulged(&vertices, p.is_closed(), most, line)?.mirrored(flipped))
         }
@@ -181,7 +182,7 @@ fn shape(
     }))
 }
 
-pub(super) fn xy(p: &Point) -> P {
+pub(super) fn xy(p: &Point) -> Point2 {
     [p.x, p.y]
 }
 
@@ -227,7 +228,7 @@ fn radius(radius: f64, line: usize, findings: &mut Findings) -> Result<Option<f6
 }
 
 /// A curve as a path: all its points were made.
-pub(super) fn smooth(points: Vec<P>) -> Path {
+pub(super) fn smooth(points: Vec<Point2>) -> Path {
     Path {
         made: vec![true; points.len()],
         points,
@@ -261,13 +262,18 @@ fn polyline(
         findings.left_out("POLYLINE without vertices", line);
         return Ok(None);
     }
-    let vertices: Vec<(P, f64)> = kept.iter().map(|v| (xy(&v.location), v.bulge)).collect();
+    let vertices: Vec<(Point2, f64)> = kept.iter().map(|v| (xy(&v.location), v.bulge)).collect();
     let path = bulged(&vertices, p.is_closed(), most, line)?;
     Ok(Some(Shape::Path(path.mirrored(flipped(&p.normal, line)?))))
 }
 
 /// The polyline through vertices with bulges.
-fn bulged(vertices: &[(P, f64)], closed: bool, most: usize, line: usize) -> Result<Path, Fault> {
+fn bulged(
+    vertices: &[(Point2, f64)],
+    closed: bool,
+    most: usize,
+    line: usize,
+) -> Result<Path, Fault> {
     /// A bulge of 1000 is an arc that lacks 0.2 degrees of a full circle.
     const LARGEST: f64 = 1000.0;
     if let Some((_, bulge)) = vertices.iter().find(|(_, bulge)| bulge.abs() > LARGEST) {

@@ -2,12 +2,13 @@
 
 use super::Findings;
 use super::chain::{Chain, chains};
-use super::entity::{Entity, P, Path, Shape};
+use super::entity::{Entity, Path, Shape};
 use super::expand::Sheet;
 use super::label;
 use super::layer::{Role, role};
 use super::nest::Loop;
 use super::piece::{NotchMark, Piece, outlines, owner};
+use crate::pattern::Point2;
 
 /// The texts of each outline: all of a sheet with one piece alone; else those in it, and those in its box that are in
 /// no outline. Other texts are counted as left out, unless they are labels, which may be of the whole file.
@@ -120,12 +121,12 @@ fn notches(sheet: &Sheet, pieces: &mut [Piece], alone: bool, findings: &mut Find
     }
 }
 
-fn ends(points: &[P]) -> Option<[P; 2]> {
+fn ends(points: &[Point2]) -> Option<[Point2; 2]> {
     Some([*points.first()?, *points.last()?])
 }
 
 /// Where a mark is: a point, or the middle of what is drawn.
-fn place(shape: &Shape) -> Option<P> {
+fn place(shape: &Shape) -> Option<Point2> {
     match shape {
         Shape::Point(p, _) => Some(*p),
         Shape::Path(path) if !path.points.is_empty() => {

@@ -35,7 +35,7 @@ use self::expand::Block;
 use self::findings::{Findings, at_line};
 use self::label::Labels;
 use self::piece::Piece;
-use super::outline::bounds;
+use super::polyline::bounds;
 use super::{Allowance, Format, ImportOptions, Panel, Pattern, Source, copies, curve, ids};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults};

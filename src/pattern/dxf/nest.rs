@@ -1,10 +1,10 @@
 //! Outlines inside outlines: a sew line follows its outline at a small distance, all else inside is a line or a hole.
 
 use super::chain::Chain;
-use super::entity::P;
 use super::{Findings, at_line};
 use crate::fault::Fault;
-use crate::pattern::outline::{
+use crate::pattern::Point2;
+use crate::pattern::polyline::{
     bounds, contains, length, nearest, perimeter, segments, signed_area,
 };
 
@@ -34,7 +34,7 @@ pub(super) struct Loop {
     /// The chain.
     pub(super) chain: Chain,
     /// Its box \[m\].
-    pub(super) bounds: [P; 2],
+    pub(super) bounds: [Point2; 2],
     /// What it encloses \[m2\].
     area: f64,
 }
@@ -55,18 +55,18 @@ impl Loop {
     }
 
     /// Whether a point is in its box, or at most `margin` outside.
-    pub(super) fn boxes(&self, p: P, margin: f64) -> bool {
+    pub(super) fn boxes(&self, p: Point2, margin: f64) -> bool {
         let [low, high] = self.bounds;
         (0..2).all(|k| low[k] - margin <= p[k] && p[k] <= high[k] + margin)
     }
 
     /// Whether a point lies inside.
-    pub(super) fn holds(&self, p: P) -> bool {
+    pub(super) fn holds(&self, p: Point2) -> bool {
         self.boxes(p, 0.0) && contains(&self.chain.points, p)
     }
 
     /// Whether a point lies at most `reach` from the line.
-    pub(super) fn beside(&self, p: P, reach: f64) -> bool {
+    pub(super) fn beside(&self, p: Point2, reach: f64) -> bool {
         self.boxes(p, reach)
             && nearest(segments(&self.chain.points), p).is_some_and(|n| n.distance <= reach)
     }
@@ -76,7 +76,7 @@ impl Loop {
         if !self.bounds.iter().all(|p| outer.boxes(*p, 1e-6)) {
             return false;
         }
-        let sample: Vec<&P> = sample(&self.chain.points, 16).collect();
+        let sample: Vec<&Point2> = sample(&self.chain.points, 16).collect();
         2 * sample
             .iter()
             .filter(|at| contains(&outer.chain.points, ***at))
@@ -107,7 +107,7 @@ impl Loop {
 }
 
 /// About `count` points of a line, evenly.
-fn sample(points: &[P], count: usize) -> impl Iterator<Item = &P> {
+fn sample(points: &[Point2], count: usize) -> impl Iterator<Item = &Point2> {
     points.iter().step_by(points.len().div_ceil(count).max(1))
 }
 

@@ -6,7 +6,8 @@ use super::fold::Fold;
 use super::piece::{NotchMark, Piece};
 use crate::pattern::Notch;
 use crate::pattern::assemble::{self, Outline};
-use crate::pattern::outline::{Nearest, P, distance, nearest, segments};
+use crate::pattern::point::{Point2, distance};
+use crate::pattern::polyline::{PolylineFoot, nearest, segments};
 
 /// A notch on the cut line belongs to a sew line that is at most this far away \[m\].
 const ALLOWANCE: f64 = 0.03;
@@ -27,8 +28,8 @@ const MOST: usize = 1000;
 /// A notch with its place on the outline.
 struct Put {
     mark: usize,
-    foot: Nearest,
-    at: P,
+    foot: PolylineFoot,
+    at: Point2,
     depth: Option<f64>,
     /// Whether it was drawn on the outline itself, not on the cut line about it.
     direct: bool,
@@ -104,9 +105,9 @@ fn add(put: &mut Vec<Put>, new: Put, marks: &[NotchMark]) {
 }
 
 /// The place of a notch on the outline; `None` where it lies on no line of the piece.
-fn place(piece: &Piece, ring: &[P], mark: &NotchMark, points: &[P]) -> Option<Put> {
+fn place(piece: &Piece, ring: &[Point2], mark: &NotchMark, points: &[Point2]) -> Option<Put> {
     let foot = nearest(segments(ring), tip(ring, points))?;
-    let away = |p: &P| nearest(segments(ring), *p).map_or(f64::INFINITY, |n| n.distance);
+    let away = |p: &Point2| nearest(segments(ring), *p).map_or(f64::INFINITY, |n| n.distance);
     let nearest_end = points.iter().map(away).fold(f64::INFINITY, f64::min);
     let farthest = points.iter().map(away).fold(0.0, f64::max);
     let cut = [Some(&piece.outline.chain), piece.cut.as_ref()];
@@ -127,13 +128,13 @@ fn place(piece: &Piece, ring: &[P], mark: &NotchMark, points: &[P]) -> Option<Pu
 }
 
 /// The point of a notch that is farthest from the outline.
-fn tip(ring: &[P], points: &[P]) -> P {
-    let away = |p: &P| nearest(segments(ring), *p).map_or(0.0, |n| n.distance);
+fn tip(ring: &[Point2], points: &[Point2]) -> Point2 {
+    let away = |p: &Point2| nearest(segments(ring), *p).map_or(0.0, |n| n.distance);
     let tip = points.iter().max_by(|a, b| away(a).total_cmp(&away(b)));
     tip.copied().unwrap_or_default()
 }
 
-fn foot_of(ring: &[P], foot: Nearest) -> P {
+fn foot_of(ring: &[Point2], foot: PolylineFoot) -> Point2 {
     let (a, b) = (ring[foot.segment], ring[(foot.segment + 1) % ring.len()]);
     [0, 1].map(|k| a[k] + foot.at * (b[k] - a[k]))
 }

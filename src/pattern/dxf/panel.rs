@@ -9,7 +9,8 @@ use super::{Findings, at_line};
 use crate::config::Limits;
 use crate::fault::Fault;
 use crate::pattern::assemble;
-use crate::pattern::outline::{P, bounds, cross, crossing, distance, segments, signed_area, sub};
+use crate::pattern::point::{Point2, cross, distance, sub};
+use crate::pattern::polyline::{bounds, crossing, segments, signed_area};
 use crate::pattern::{Grain, Hole, Panel};
 
 /// Makes a panel of a piece. What keeps it from being one becomes a fault at its line.
@@ -94,7 +95,7 @@ fn refuse(piece: &Piece, code: &str, detail: &str, fix: &str) -> Fault {
     .fix(fix)
 }
 
-fn crosses(piece: &Piece, [x, y]: P) -> Fault {
+fn crosses(piece: &Piece, [x, y]: Point2) -> Fault {
     refuse(
         piece,
         "pattern/self_intersecting",
@@ -172,7 +173,7 @@ fn ring(piece: &Piece, chain: &Chain, limits: &Limits) -> Result<Ring, Fault> {
 
 /// The areas of the triangles from the first point to each segment, none taken from another: 0 only where all points
 /// lie on one line.
-fn swept_area(ring: &[P]) -> f64 {
+fn swept_area(ring: &[Point2]) -> f64 {
     segments(ring)
         .map(|(a, b)| 0.5 * cross(sub(a, ring[0]), sub(b, ring[0])).abs())
         .sum()
@@ -180,7 +181,7 @@ fn swept_area(ring: &[P]) -> f64 {
 
 /// The sew line as an outline; one that is open along a fold is closed there.
 fn sew_ring(piece: &Piece, sew: &Chain, limits: &Limits, findings: &mut Findings) -> Option<Ring> {
-    let on_fold = |p: P| {
+    let on_fold = |p: Point2| {
         piece
             .marks
             .folds
@@ -203,7 +204,7 @@ fn sew_ring(piece: &Piece, sew: &Chain, limits: &Limits, findings: &mut Findings
     None
 }
 
-fn doubled(mut points: Vec<P>, fold: Option<Fold>) -> Vec<P> {
+fn doubled(mut points: Vec<Point2>, fold: Option<Fold>) -> Vec<Point2> {
     if let Some(fold) = fold {
         fold.double(&mut points);
     }
@@ -211,7 +212,7 @@ fn doubled(mut points: Vec<P>, fold: Option<Fold>) -> Vec<P> {
 }
 
 /// The cut line drawn about a sewn outline; an open one is unfolded like the piece.
-fn drawn_cut_line(piece: &Piece, fold: Option<Fold>) -> Vec<P> {
+fn drawn_cut_line(piece: &Piece, fold: Option<Fold>) -> Vec<Point2> {
     let Some(cut) = &piece.cut else {
         return Vec::new();
     };
@@ -226,11 +227,11 @@ fn drawn_cut_line(piece: &Piece, fold: Option<Fold>) -> Vec<P> {
 /// is warned about.
 fn grain(piece: &Piece, findings: &mut Findings) -> Option<Grain> {
     let lines = &piece.marks.grains;
-    let long = |line: &[P; 2]| distance(line[0], line[1]);
+    let long = |line: &[Point2; 2]| distance(line[0], line[1]);
     let longest = lines.iter().max_by(|a, b| long(a).total_cmp(&long(b)))?;
     let [a, b] = *longest;
     let along = sub(b, a);
-    let differs = |line: &&[P; 2]| {
+    let differs = |line: &&[Point2; 2]| {
         let way = sub(line[1], line[0]);
         long(line) >= 0.5 * long(longest)
             && cross(along, way).abs() > 0.02 * long(line) * long(longest)
@@ -282,10 +283,10 @@ fn holes(piece: &Piece, fold: Option<Fold>, limits: &Limits, findings: &mut Find
     holes
 }
 
-fn internal_lines(piece: &Piece, sewn: bool, fold: Option<Fold>) -> Vec<Vec<P>> {
+fn internal_lines(piece: &Piece, sewn: bool, fold: Option<Fold>) -> Vec<Vec<Point2>> {
     let unused_sew = piece.sew.iter().filter(|_| !sewn);
     let second_cut = piece.cut.iter().filter(|_| sewn);
-    let mut lines: Vec<Vec<P>> = Vec::new();
+    let mut lines: Vec<Vec<Point2>> = Vec::new();
     for chain in piece.internal.iter().chain(unused_sew).chain(second_cut) {
         let mut line = chain.points.clone();
         line.extend(chain.points.first().filter(|_| chain.closed));
@@ -294,7 +295,7 @@ fn internal_lines(piece: &Piece, sewn: bool, fold: Option<Fold>) -> Vec<Vec<P>> 
         }
     }
     if let Some(fold) = fold {
-        let images: Vec<Vec<P>> = lines
+        let images: Vec<Vec<Point2>> = lines
             .iter()
             .map(|line| line.iter().map(|p| fold.mirror(*p)).collect())
             .collect();

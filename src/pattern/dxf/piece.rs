@@ -1,11 +1,12 @@
 //! A piece as drawn, and the lines and marks that it takes up.
 
 use super::chain::Chain;
-use super::entity::{Entity, P, Shape};
+use super::entity::{Entity, Shape};
 use super::expand::Sheet;
 use super::label::{self, Labels};
 use super::nest::{Inner, Loop};
 use crate::pattern::NotchKind;
+use crate::pattern::Point2;
 
 /// A piece as drawn, in metres.
 pub(super) struct Piece {
@@ -35,22 +36,22 @@ pub(super) struct Piece {
 #[derive(Default)]
 pub(super) struct Marks {
     /// Where the outline has corners.
-    pub(super) turns: Vec<P>,
+    pub(super) turns: Vec<Point2>,
     /// Notches.
     pub(super) notches: Vec<NotchMark>,
     /// Drill holes.
-    pub(super) drills: Vec<P>,
+    pub(super) drills: Vec<Point2>,
     /// Fold lines, from end to end.
-    pub(super) folds: Vec<[P; 2]>,
+    pub(super) folds: Vec<[Point2; 2]>,
     /// Grain lines, from end to end.
-    pub(super) grains: Vec<[P; 2]>,
+    pub(super) grains: Vec<[Point2; 2]>,
 }
 
 /// A notch as drawn: a point, or the lines of its shape.
 #[derive(Clone, Debug)]
 pub(super) struct NotchMark {
     /// The point, or the points of the line.
-    pub(super) points: Vec<P>,
+    pub(super) points: Vec<Point2>,
     /// Its shape.
     pub(super) kind: NotchKind,
     /// How deep it is cut, where the file says \[m\].
@@ -109,7 +110,7 @@ impl Piece {
 /// whose box holds it (the middle of a piece that is bent like a skirt lies outside its outline).
 pub(super) fn owner<'a>(
     outlines: impl Iterator<Item = &'a Loop> + Clone,
-    at: P,
+    at: Point2,
     alone: bool,
 ) -> Option<usize> {
     /// A mark this far outside an outline is still on it \[m\].

@@ -2,7 +2,8 @@
 
 use super::chain::Chain;
 use super::joint;
-use crate::pattern::outline::{P, distance, signed_area, turn};
+use crate::pattern::point::{Point2, distance, turn};
+use crate::pattern::polyline::signed_area;
 use std::collections::BTreeSet;
 
 /// Points closer than this are one \[m\]: half the rounding of CAD.
@@ -15,7 +16,7 @@ const CORNER: f64 = 20.0 * std::f64::consts::PI / 180.0;
 #[derive(Clone, Debug)]
 pub(super) struct Ring {
     /// The points; the last runs on to the first.
-    pub(super) points: Vec<P>,
+    pub(super) points: Vec<Point2>,
     /// Which of them are corners.
     pub(super) corner: Vec<bool>,
 }
@@ -25,7 +26,7 @@ impl Ring {
     ///
     /// Several runs: where runs end, and at turn points that turn. One run with turn points: at each of them. Else
     /// where it turns by 20 degrees or more, or the polyline gives a shallower corner away.
-    pub(super) fn new(chain: &Chain, turns: &[P]) -> Self {
+    pub(super) fn new(chain: &Chain, turns: &[Point2]) -> Self {
         let mut ring = Self {
             points: Vec::with_capacity(chain.points.len()),
             corner: Vec::new(),
@@ -56,7 +57,7 @@ impl Ring {
         ring
     }
 
-    fn choose_corners(&mut self, turns: &[P], made: &[bool]) {
+    fn choose_corners(&mut self, turns: &[Point2], made: &[bool]) {
         let runs = self.corner.iter().any(|end| *end);
         let turn_point = marked(&self.points, turns);
         let any_turn_point = turn_point.iter().any(|t| *t);
@@ -122,7 +123,7 @@ impl Ring {
     fn mark_half_way(&mut self) {
         let start = self.corner.iter().position(|c| *c).unwrap_or(0);
         let n = self.points.len();
-        let half = crate::pattern::outline::perimeter(&self.points) / 2.0;
+        let half = crate::pattern::polyline::perimeter(&self.points) / 2.0;
         let mut way = 0.0;
         for k in 1..n {
             way += distance(
@@ -139,7 +140,7 @@ impl Ring {
 }
 
 /// Which points of an outline have a mark on them.
-fn marked(points: &[P], marks: &[P]) -> Vec<bool> {
+fn marked(points: &[Point2], marks: &[Point2]) -> Vec<bool> {
     let cells: BTreeSet<(i64, i64)> = marks.iter().map(|p| cell(*p)).collect();
     let near = |(x, y): (i64, i64)| {
         (-1..=1).any(|dx| (-1..=1).any(|dy| cells.contains(&(x + dx, y + dy))))
@@ -152,7 +153,7 @@ fn marked(points: &[P], marks: &[P]) -> Vec<bool> {
     clippy::cast_possible_truncation,
     reason = "outlines are checked to be smaller than 20 m and near the origin"
 )]
-fn cell(p: P) -> (i64, i64) {
+fn cell(p: Point2) -> (i64, i64) {
     let index = |c: f64| (c * 1e5).round().clamp(-1e15, 1e15) as i64;
     (index(p[0]), index(p[1]))
 }
@@ -161,7 +162,7 @@ fn cell(p: P) -> (i64, i64) {
 mod tests {
     use super::*;
 
-    fn chain(points: &[P]) -> Chain {
+    fn chain(points: &[Point2]) -> Chain {
         Chain {
             points: points.to_vec(),
             run_end: vec![false; points.len()],
@@ -214,7 +215,7 @@ mod tests {
 
     #[test]
     fn round_outline_gets_four_corners() {
-        let points: Vec<P> = (0..90)
+        let points: Vec<Point2> = (0..90)
             .map(|i| f64::from(i) * 4.0_f64.to_radians())
             .map(|a| [a.cos(), a.sin()])
             .collect();

@@ -1,10 +1,11 @@
 //! Splines of a DXF as polylines, those through fit points too.
 
 use super::at_line;
-use super::entity::{P, Path};
+use super::entity::Path;
 use super::load::{smooth, xy};
 use crate::fault::Fault;
-use crate::pattern::outline::distance;
+use crate::pattern::Point2;
+use crate::pattern::point::distance;
 use crate::pattern::spline::{Spline, flatten};
 use std::ops::Range;
 
@@ -19,9 +20,9 @@ pub(super) fn path(s: &dxf::entities::Spline, line: usize, most: usize) -> Resul
     };
     let degree = usize::try_from(s.degree_of_curve)
         .map_err(|_| refuse("the spline's degree is negative"))?;
-    let controls: Vec<P> = s.control_points.iter().map(xy).collect();
+    let controls: Vec<Point2> = s.control_points.iter().map(xy).collect();
     if controls.is_empty() {
-        let fit: Vec<P> = s.fit_points.iter().map(xy).collect();
+        let fit: Vec<Point2> = s.fit_points.iter().map(xy).collect();
         if fit.len() < 2 {
             return Err(refuse(
                 "the spline has neither control points nor fit points",
@@ -59,10 +60,10 @@ pub(super) fn path(s: &dxf::entities::Spline, line: usize, most: usize) -> Resul
 
 /// Points of the cubic spline through `fit`, both ends included: twice differentiable in the length of chords, its ends
 /// along the tangents where those are not zero, else without curvature. A closed one goes round.
-fn through(fit: &[P], closed: bool, tangents: [P; 2], most: usize) -> Vec<P> {
+fn through(fit: &[Point2], closed: bool, tangents: [Point2; 2], most: usize) -> Vec<Point2> {
     /// What is this many points away bends a spline by 1e-7 of itself: each halves the influence twice over.
     const WRAP: usize = 12;
-    let mut fit: Vec<P> = fit.to_vec();
+    let mut fit: Vec<Point2> = fit.to_vec();
     fit.dedup();
     if closed && fit.len() > 2 && fit.first() == fit.last() {
         fit.pop();
@@ -75,7 +76,7 @@ fn through(fit: &[P], closed: bool, tangents: [P; 2], most: usize) -> Vec<P> {
         let slopes = slopes(&fit, tangents);
         return hermite(&fit, &slopes, 0..n - 1, most);
     }
-    let around: Vec<P> = (0..=n + 2 * WRAP)
+    let around: Vec<Point2> = (0..=n + 2 * WRAP)
         .map(|i| fit[(i + n * WRAP - WRAP) % n])
         .collect();
     let slopes = slopes(&around, [[0.0; 2]; 2]);
@@ -84,11 +85,11 @@ fn through(fit: &[P], closed: bool, tangents: [P; 2], most: usize) -> Vec<P> {
 
 /// Derivatives at the points of an open cubic spline, by the length of chords: the tridiagonal system of equal second
 /// derivatives from both sides, solved by elimination.
-fn slopes(p: &[P], tangents: [P; 2]) -> Vec<P> {
+fn slopes(p: &[Point2], tangents: [Point2; 2]) -> Vec<Point2> {
     let n = p.len();
     let h: Vec<f64> = p.windows(2).map(|w| distance(w[0], w[1])).collect();
     let chord = |i: usize| [0, 1].map(|k| (p[i + 1][k] - p[i][k]) / h[i]);
-    let end = |tangent: P, chord: P| {
+    let end = |tangent: Point2, chord: Point2| {
         let long = tangent[0].hypot(tangent[1]);
         if long > 0.0 {
             (1.0, 0.0, tangent.map(|c| c / long))
@@ -97,7 +98,7 @@ fn slopes(p: &[P], tangents: [P; 2]) -> Vec<P> {
         }
     };
     // Rows: below, diagonal, above, right side.
-    let mut rows: Vec<(f64, f64, f64, P)> = Vec::with_capacity(n);
+    let mut rows: Vec<(f64, f64, f64, Point2)> = Vec::with_capacity(n);
     let (diagonal, above, right) = end(tangents[0], chord(0));
     rows.push((0.0, diagonal, above, right));
     for i in 1..n - 1 {
@@ -123,7 +124,7 @@ fn slopes(p: &[P], tangents: [P; 2]) -> Vec<P> {
 }
 
 /// Points of the cubics with these ends and slopes, of some of the stretches.
-fn hermite(p: &[P], slopes: &[P], stretches: Range<usize>, most: usize) -> Vec<P> {
+fn hermite(p: &[Point2], slopes: &[Point2], stretches: Range<usize>, most: usize) -> Vec<Point2> {
     let mut points = Vec::new();
     for i in stretches {
         if points.len() > most {
@@ -146,13 +147,13 @@ fn hermite(p: &[P], slopes: &[P], stretches: Range<usize>, most: usize) -> Vec<P
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pattern::outline::length;
+    use crate::pattern::polyline::length;
     use std::f64::consts::{PI, TAU};
 
     const MOST: usize = 1000;
 
     /// Points of a circle of radius 1, every 15 degrees, over `turn`.
-    fn on_circle(turn: f64) -> Vec<P> {
+    fn on_circle(turn: f64) -> Vec<Point2> {
         (0..=24)
             .map(|i| turn * f64::from(i) / 24.0)
             .map(|a| [a.cos(), a.sin()])

@@ -5,7 +5,7 @@
 //! Source: `GarmentCode`, pygarment/garmentcode/edge.py and pygarment/pattern/utils.py.
 
 use super::super::curve;
-use super::super::outline::{P, distance, sub};
+use super::super::point::{Point2, distance, sub};
 use super::super::spline::Spline;
 use super::value::{At, Findings};
 
@@ -18,7 +18,10 @@ pub(super) enum Curve {
     /// Straight.
     Line,
     /// Its one or two control points, relative to the edge or in the panel's coordinates.
-    Bezier { controls: Vec<P>, relative: bool },
+    Bezier {
+        controls: Vec<Point2>,
+        relative: bool,
+    },
     /// Of a circle.
     Arc {
         radius: f64,
@@ -68,8 +71,8 @@ impl Curve {
             return None;
         }
         let points = items.iter().map(|item| item.numbers::<2>(findings));
-        let points: Vec<Option<P>> = points.collect();
-        let controls = points.into_iter().collect::<Option<Vec<P>>>()?;
+        let points: Vec<Option<Point2>> = points.collect();
+        let controls = points.into_iter().collect::<Option<Vec<Point2>>>()?;
         Some(Self::Bezier { controls, relative })
     }
 
@@ -109,11 +112,11 @@ impl Curve {
     }
 
     /// The polyline from `a` to `b`, both included, no point twice in a row; `None` where no such arc exists.
-    pub(super) fn points(&self, a: P, b: P) -> Option<Vec<P>> {
+    pub(super) fn points(&self, a: Point2, b: Point2) -> Option<Vec<Point2>> {
         let mut points = match self {
             Self::Line => vec![a, b],
             Self::Bezier { controls, relative } => {
-                let at = |p: &P| if *relative { absolute(a, b, *p) } else { *p };
+                let at = |p: &Point2| if *relative { absolute(a, b, *p) } else { *p };
                 bezier(a, b, controls.iter().map(at).collect())
             }
             Self::Arc {
@@ -133,12 +136,12 @@ impl Curve {
 }
 
 /// The panel's coordinates of a point relative to the edge from `a` to `b`.
-fn absolute(a: P, b: P, [x, y]: P) -> P {
+fn absolute(a: Point2, b: Point2, [x, y]: Point2) -> Point2 {
     let e = sub(b, a);
     [a[0] + x * e[0] - y * e[1], a[1] + x * e[1] + y * e[0]]
 }
 
-fn bezier(a: P, b: P, between: Vec<P>) -> Vec<P> {
+fn bezier(a: Point2, b: Point2, between: Vec<Point2>) -> Vec<Point2> {
     let controls = [vec![a], between, vec![b]].concat();
     let degree = controls.len() - 1;
     let knots: Vec<f64> = (0..2 * controls.len())
@@ -175,11 +178,11 @@ fn bulge(chord: f64, radius: f64, large: bool) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pattern::outline::length;
+    use crate::pattern::polyline::length;
     use std::f64::consts::PI;
 
-    const A: P = [1.0, 2.0];
-    const B: P = [1.0, 4.0];
+    const A: Point2 = [1.0, 2.0];
+    const B: Point2 = [1.0, 4.0];
 
     fn arc(radius: f64, large: bool, right: bool) -> Curve {
         Curve::Arc {
@@ -238,7 +241,8 @@ mod tests {
             ]
         };
         // Points lie at binary fractions, at least four of them, most where it bends most.
-        let on = |point: &P| (0..=256).any(|i| distance(*point, at(f64::from(i) / 256.0)) < 1e-12);
+        let on =
+            |point: &Point2| (0..=256).any(|i| distance(*point, at(f64::from(i) / 256.0)) < 1e-12);
         assert!(points.len() > 4 && points.iter().all(on));
     }
 }

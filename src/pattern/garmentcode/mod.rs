@@ -13,7 +13,7 @@ mod stitch;
 mod value;
 
 use self::value::{At, Findings};
-use super::outline::P;
+use super::point::Point2;
 use super::{Allowance, Format, ImportOptions, Panel, Pattern, RotationOrder, Source, Units, ids};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults};
@@ -97,7 +97,7 @@ impl Reading<'_> {
     }
 
     /// A point of the plane \[m\].
-    fn point(&self, at: &At<'_>, findings: &mut Findings) -> Option<P> {
+    fn point(&self, at: &At<'_>, findings: &mut Findings) -> Option<Point2> {
         let point = at.numbers::<2>(findings)?.map(|c| c * self.scale);
         if point.iter().all(|c| c.abs() <= FAR) {
             return Some(point);

@@ -6,13 +6,14 @@
 use super::Reading;
 use super::edge::Curve;
 use super::value::{At, Findings};
-use crate::pattern::outline::{P, bounds, crossing, length, signed_area};
+use crate::pattern::point::Point2;
+use crate::pattern::polyline::{bounds, crossing, length, signed_area};
 use crate::pattern::{Corner, Direction, Edge, Face, Panel};
 
 /// An edge as drawn.
 struct Drawn {
     ends: [usize; 2],
-    points: Vec<P>,
+    points: Vec<Point2>,
     label: Option<String>,
 }
 
@@ -21,7 +22,7 @@ pub(super) struct Loop {
     /// Without an id.
     pub(super) panel: Panel,
     /// Mean of its vertices \[m\].
-    pub(super) mean: P,
+    pub(super) mean: Point2,
     reversed: bool,
 }
 
@@ -65,12 +66,12 @@ pub(super) fn read(
     let label = label(at, reading, findings);
     let listed = at.need("edges", findings)?;
     let edges = edges(&listed, &vertices?, reading, findings)?;
-    let used: Vec<P> = edges.iter().map(|edge| edge.points[0]).collect();
+    let used: Vec<Point2> = edges.iter().map(|edge| edge.points[0]).collect();
     let sum = used
         .iter()
         .fold([0.0; 2], |s, p| [s[0] + p[0], s[1] + p[1]]);
     let mean = sum.map(|s| s / used.len() as f64);
-    let mut ring: Vec<P> = Vec::new();
+    let mut ring: Vec<Point2> = Vec::new();
     for edge in &edges {
         ring.extend(&edge.points[..edge.points.len() - 1]);
     }
@@ -111,18 +112,18 @@ fn label(at: &At<'_>, reading: &Reading<'_>, findings: &mut Findings) -> Option<
 }
 
 /// The vertices \[m\].
-fn vertices(at: &At<'_>, reading: &Reading<'_>, findings: &mut Findings) -> Option<Vec<P>> {
+fn vertices(at: &At<'_>, reading: &Reading<'_>, findings: &mut Findings) -> Option<Vec<Point2>> {
     let listed = at.need("vertices", findings)?;
     let items = listed.items(reading.limits.panel_vertices, findings)?;
     let points = items.iter().map(|item| reading.point(item, findings));
-    let points: Vec<Option<P>> = points.collect();
+    let points: Vec<Option<Point2>> = points.collect();
     points.into_iter().collect()
 }
 
 /// The edges, each of which begins where the one before it ends.
 fn edges(
     listed: &At<'_>,
-    vertices: &[P],
+    vertices: &[Point2],
     reading: &Reading<'_>,
     findings: &mut Findings,
 ) -> Option<Vec<Drawn>> {
@@ -160,7 +161,7 @@ fn edges(
 
 fn edge(
     at: &At<'_>,
-    vertices: &[P],
+    vertices: &[Point2],
     reading: &Reading<'_>,
     findings: &mut Findings,
 ) -> Option<Drawn> {
@@ -204,7 +205,7 @@ fn edge(
 }
 
 /// The outline is simple, has an area and a size within the limits.
-fn check(at: &At<'_>, ring: &[P], reading: &Reading<'_>, findings: &mut Findings) {
+fn check(at: &At<'_>, ring: &[Point2], reading: &Reading<'_>, findings: &mut Findings) {
     let limits = reading.limits;
     findings.points += ring.len();
     let most = limits.panel_vertices;

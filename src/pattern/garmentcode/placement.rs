@@ -6,7 +6,7 @@
 use super::Reading;
 use super::panel::Loop;
 use super::value::{At, Findings};
-use crate::pattern::outline::bounds;
+use crate::pattern::polyline::bounds;
 use crate::pattern::{Anchor, Placement, RotationOrder, Wrap};
 
 /// Coordinates and angles up to this are read \[m, degrees\].

@@ -1,41 +1,35 @@
-//! Plane geometry of closed polylines (a closed polyline does not repeat its first point) and open ones. Metres, y up.
+//! Plane geometry of polylines. A closed polyline (a ring) does not repeat its first point.
 
-/// A point of the pattern plane.
-pub(crate) type P = [f64; 2];
+use super::point::{Point2, cross, distance, dot, lerp, sub};
 
-/// Distance of two points.
-pub(crate) fn distance(a: P, b: P) -> f64 {
-    (b[0] - a[0]).hypot(b[1] - a[1])
-}
-
-/// Length of an open polyline.
-pub(crate) fn length(points: &[P]) -> f64 {
+/// Returns the length of an open polyline.
+pub(crate) fn length(points: &[Point2]) -> f64 {
     points.windows(2).map(|w| distance(w[0], w[1])).sum()
 }
 
-/// Length of a closed polyline.
-pub(crate) fn perimeter(ring: &[P]) -> f64 {
+/// Returns the length of a closed polyline.
+pub(crate) fn perimeter(ring: &[Point2]) -> f64 {
     segments(ring).map(|(a, b)| distance(a, b)).sum()
 }
 
-/// Area of a closed polyline, positive where it runs counter-clockwise. Taken about its first point, so that an
-/// outline far from the origin loses no precision.
-pub(crate) fn signed_area(ring: &[P]) -> f64 {
+/// Returns the area of a closed polyline, positive where it runs counter-clockwise. Taken about its
+/// first point, so that an outline far from the origin loses no precision.
+pub(crate) fn signed_area(ring: &[Point2]) -> f64 {
     let Some(&o) = ring.first() else { return 0.0 };
     0.5 * segments(ring)
         .map(|(a, b)| cross(sub(a, o), sub(b, o)))
         .sum::<f64>()
 }
 
-/// The segments of a closed polyline.
-pub(crate) fn segments(ring: &[P]) -> impl Iterator<Item = (P, P)> + '_ {
+/// Returns the segments of a closed polyline.
+pub(crate) fn segments(ring: &[Point2]) -> impl Iterator<Item = (Point2, Point2)> + '_ {
     ring.iter()
         .enumerate()
         .map(|(i, a)| (*a, ring[(i + 1) % ring.len()]))
 }
 
-/// Smallest and largest coordinates.
-pub(crate) fn bounds(points: &[P]) -> [P; 2] {
+/// Returns the smallest and the largest coordinates.
+pub(crate) fn bounds(points: &[Point2]) -> [Point2; 2] {
     points
         .iter()
         .fold([[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]], |b, p| {
@@ -46,8 +40,9 @@ pub(crate) fn bounds(points: &[P]) -> [P; 2] {
         })
 }
 
-/// Whether `p` lies inside a closed polyline (even-odd rule; the border itself belongs to either side).
-pub(crate) fn contains(ring: &[P], p: P) -> bool {
+/// Returns true if `p` lies inside a closed polyline (even-odd rule; the border itself belongs to
+/// either side).
+pub(crate) fn contains(ring: &[Point2], p: Point2) -> bool {
     let mut inside = false;
     for (a, b) in segments(ring) {
         if (a[1] > p[1]) != (b[1] > p[1])
@@ -59,44 +54,40 @@ pub(crate) fn contains(ring: &[P], p: P) -> bool {
     inside
 }
 
-/// Where a point comes nearest to a polyline.
+/// The foot of a point on a polyline: the nearest point of it.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Nearest {
+pub(crate) struct PolylineFoot {
     /// Index of the segment.
     pub(crate) segment: usize,
     /// Fraction of that segment.
     pub(crate) at: f64,
-    /// How far away it is.
+    /// Distance of the point from it.
     pub(crate) distance: f64,
 }
 
-/// Where `p` comes nearest to the given segments; `None` where there are none.
-pub(crate) fn nearest(segments: impl Iterator<Item = (P, P)>, p: P) -> Option<Nearest> {
+/// Returns the foot of `p` on the given segments; `None` where there are none.
+pub(crate) fn nearest(
+    segments: impl Iterator<Item = (Point2, Point2)>,
+    p: Point2,
+) -> Option<PolylineFoot> {
     segments
         .enumerate()
         .map(|(segment, (a, b))| {
             let d = sub(b, a);
             let at = (dot(sub(p, a), d) / dot(d, d).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-            let foot = [a[0] + at * d[0], a[1] + at * d[1]];
-            Nearest {
+            PolylineFoot {
                 segment,
                 at,
-                distance: distance(p, foot),
+                distance: distance(p, lerp(a, b, at)),
             }
         })
         .min_by(|a, b| a.distance.total_cmp(&b.distance))
 }
 
-/// The turn at `b` on the way `a`, `b`, `c`, counter-clockwise positive \[radians\].
-pub(crate) fn turn(a: P, b: P, c: P) -> f64 {
-    let (u, v) = (sub(b, a), sub(c, b));
-    cross(u, v).atan2(dot(u, v))
-}
-
-/// The first place found where a closed polyline crosses or touches itself; `None` for a simple one.
+/// Returns a point where a closed polyline crosses or touches itself; `None` for a simple one.
 ///
 /// Segments are sorted along the axis on which they are shorter, and only those whose boxes overlap are compared.
-pub(crate) fn crossing(ring: &[P]) -> Option<P> {
+pub(crate) fn crossing(ring: &[Point2]) -> Option<Point2> {
     let n = ring.len();
     let segment = |i: usize| (ring[i], ring[(i + 1) % n]);
     let extent = |k: usize| {
@@ -139,45 +130,33 @@ pub(crate) fn crossing(ring: &[P]) -> Option<P> {
     None
 }
 
-/// Where a polyline turns back on itself at `b`.
-fn folded_back(a: P, b: P, c: P) -> Option<P> {
+/// Returns `b` where the polyline `a`, `b`, `c` turns back on itself there.
+fn folded_back(a: Point2, b: Point2, c: Point2) -> Option<Point2> {
     let (u, v) = (sub(b, a), sub(c, b));
     (cross(u, v) == 0.0 && dot(u, v) < 0.0).then_some(b)
 }
 
-/// A point that two closed segments share.
-fn meeting(a: P, b: P, c: P, d: P) -> Option<P> {
-    let side = |p: P, q: P, r: P| cross(sub(q, p), sub(r, p));
+/// Returns a point that two closed segments share.
+fn meeting(a: Point2, b: Point2, c: Point2, d: Point2) -> Option<Point2> {
+    let side = |p: Point2, q: Point2, r: Point2| cross(sub(q, p), sub(r, p));
     let (s1, s2) = (side(a, b, c), side(a, b, d));
     let (s3, s4) = (side(c, d, a), side(c, d, b));
     if s1 * s2 < 0.0 && s3 * s4 < 0.0 {
         let t = s3 / (s3 - s4);
-        return Some([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
+        return Some(lerp(a, b, t));
     }
-    let within = |p: P, q: P, r: P| dot(sub(r, p), sub(r, q)) <= 0.0;
+    let within = |p: Point2, q: Point2, r: Point2| dot(sub(r, p), sub(r, q)) <= 0.0;
     [(s1, a, b, c), (s2, a, b, d), (s3, c, d, a), (s4, c, d, b)]
         .into_iter()
         .find(|(s, p, q, r)| *s == 0.0 && within(*p, *q, *r))
         .map(|(.., r)| r)
 }
 
-pub(crate) fn sub(a: P, b: P) -> P {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-pub(crate) fn dot(a: P, b: P) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
-}
-
-pub(crate) fn cross(a: P, b: P) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const SQUARE: [P; 4] = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+    const SQUARE: [Point2; 4] = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
 
     #[test]
     fn measures_of_a_square() {
@@ -189,7 +168,7 @@ mod tests {
 
     #[test]
     fn area_far_from_the_origin_keeps_its_digits() {
-        let far: Vec<P> = SQUARE.iter().map(|p| [p[0] + 1e9, p[1] - 1e9]).collect();
+        let far: Vec<Point2> = SQUARE.iter().map(|p| [p[0] + 1e9, p[1] - 1e9]).collect();
         assert_eq!(signed_area(&far), 4.0);
     }
 
