@@ -5,7 +5,7 @@
 //! the face that its source has.
 
 use super::point::Point2;
-use super::{Anchor, Corner, Edge, Grain, Hole, Panel, Pattern, Placement};
+use super::{Corner, Edge, Grain, Hole, Panel, Pattern, Placement, PlacementAnchor};
 use crate::fault::{Fault, Warning};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -52,12 +52,12 @@ impl Placement {
         let [about_x, about_y, about_z] = self.rotate_deg;
         Self {
             at: self.at.map(|at| match at {
-                Anchor::ArmLeft => Anchor::ArmRight,
-                Anchor::ArmRight => Anchor::ArmLeft,
-                Anchor::ArmLeftFront => Anchor::ArmRightFront,
-                Anchor::ArmRightFront => Anchor::ArmLeftFront,
-                Anchor::ArmLeftBack => Anchor::ArmRightBack,
-                Anchor::ArmRightBack => Anchor::ArmLeftBack,
+                PlacementAnchor::ArmLeft => PlacementAnchor::ArmRight,
+                PlacementAnchor::ArmRight => PlacementAnchor::ArmLeft,
+                PlacementAnchor::ArmLeftFront => PlacementAnchor::ArmRightFront,
+                PlacementAnchor::ArmRightFront => PlacementAnchor::ArmLeftFront,
+                PlacementAnchor::ArmLeftBack => PlacementAnchor::ArmRightBack,
+                PlacementAnchor::ArmRightBack => PlacementAnchor::ArmLeftBack,
                 other => other,
             }),
             up_deg: self.up_deg.map(|angle| 180.0 - angle),

@@ -17,9 +17,9 @@ mod spline;
 
 pub use copies::MIRROR;
 pub use panel::{Corner, Edge, Face, Grain, Hole, Notch, NotchKind, Panel, Quantity};
-pub use placement::{Anchor, Placement, Wrap};
+pub use placement::{Placement, PlacementAnchor, Wrap};
 pub use point::Point2;
-pub use seam_pair::{Direction, Match, Place, Run, SeamPair, Side};
+pub use seam_pair::{Direction, Match, OutlineRun, Place, SeamPair, Side};
 
 use crate::config::Limits;
 use crate::fault::{Faults, Warning};
@@ -64,7 +64,7 @@ impl Pattern {
 #[serde(deny_unknown_fields)]
 pub struct Source {
     /// The dialect.
-    pub format: Format,
+    pub format: PatternFormat,
     /// Name of the unit that coordinates were read in: `mm`, `cm`, `m` or `inch`.
     pub units: String,
     /// Metres per drawing unit.
@@ -82,7 +82,8 @@ pub struct Source {
 /// The dialect of a pattern file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "kebab-case")]
-pub enum Format {
+#[schema(as = Format)]
+pub enum PatternFormat {
     /// ANSI/AAMA-292 blocks.
     DxfAama,
     /// ASTM D6673 blocks.

@@ -9,7 +9,7 @@ use utoipa::ToSchema;
 pub struct Placement {
     /// Key point of the body that the panel's key point is put at; found from the panel's name if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub at: Option<Anchor>,
+    pub at: Option<PlacementAnchor>,
     /// Direction on the drawing that is up on the body, counter-clockwise from +x; 90 (+y) if absent \[degrees\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub up_deg: Option<f64>,
@@ -27,7 +27,8 @@ pub struct Placement {
 /// A key point of the body for placement.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum Anchor {
+#[schema(as = Anchor)]
+pub enum PlacementAnchor {
     /// In front of the torso, hung from the shoulders.
     TorsoFront,
     /// Behind the torso, hung from the shoulders.

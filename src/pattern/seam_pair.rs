@@ -41,14 +41,14 @@ pub struct SeamPair {
 #[serde(untagged)]
 pub enum Side {
     /// A single run.
-    One(Run),
+    One(OutlineRun),
     /// Runs one after another (M:N seams).
-    Many(Vec<Run>),
+    Many(Vec<OutlineRun>),
 }
 
 impl Side {
     /// The runs of this side, in order.
-    pub fn runs(&self) -> &[Run] {
+    pub fn runs(&self) -> &[OutlineRun] {
         match self {
             Self::One(run) => std::slice::from_ref(run),
             Self::Many(runs) => runs,
@@ -59,7 +59,8 @@ impl Side {
 /// A way along a panel's outline, along one of its holes or along one of its internal lines.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Run {
+#[schema(as = Run)]
+pub struct OutlineRun {
     /// Id of the panel.
     pub panel: String,
     /// Where it begins.

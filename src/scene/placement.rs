@@ -2,7 +2,7 @@
 
 use super::Avatar;
 use crate::fault::{Fault, Faults};
-use crate::pattern::{Anchor, Panel, Placement, Wrap};
+use crate::pattern::{Panel, Placement, PlacementAnchor, Wrap};
 use crate::seam::Face;
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -129,7 +129,7 @@ struct Spot {
 }
 
 impl Spot {
-    fn of(anchor: Anchor, body: &Body) -> Self {
+    fn of(anchor: PlacementAnchor, body: &Body) -> Self {
         let spot = |height: f64, hangs: bool, outward: f64, turn: Option<f64>| Self {
             axis: Vector3::new(0.0, height, body.centre),
             hangs,
@@ -143,23 +143,23 @@ impl Spot {
             ..spot(0.0, true, outward, Some(turn))
         };
         match anchor {
-            Anchor::TorsoFront => spot(body.shoulder, true, 0.0, None),
-            Anchor::TorsoBack => spot(body.shoulder, true, PI, None),
-            Anchor::SkirtFront => spot(body.waist, true, 0.0, None),
-            Anchor::SkirtBack => spot(body.waist, true, PI, None),
-            Anchor::Waist => spot(body.waist, false, 0.0, Some(1.0)),
-            Anchor::WaistFront => spot(body.waist, false, 0.0, Some(0.5)),
-            Anchor::WaistBack => spot(body.waist, false, PI, Some(0.5)),
-            Anchor::Neck => spot(body.neck, false, 0.0, Some(1.0)),
-            Anchor::NeckFront => spot(body.neck, false, 0.0, Some(0.5)),
-            Anchor::NeckBack => spot(body.neck, false, PI, Some(0.5)),
-            Anchor::ArmLeft => arm(1.0, FRAC_PI_2, 1.0),
-            Anchor::ArmRight => arm(-1.0, -FRAC_PI_2, 1.0),
-            Anchor::ArmLeftFront => arm(1.0, 0.0, 0.5),
-            Anchor::ArmRightFront => arm(-1.0, 0.0, 0.5),
-            Anchor::ArmLeftBack => arm(1.0, PI, 0.5),
-            Anchor::ArmRightBack => arm(-1.0, PI, 0.5),
-            Anchor::Origin => Self {
+            PlacementAnchor::TorsoFront => spot(body.shoulder, true, 0.0, None),
+            PlacementAnchor::TorsoBack => spot(body.shoulder, true, PI, None),
+            PlacementAnchor::SkirtFront => spot(body.waist, true, 0.0, None),
+            PlacementAnchor::SkirtBack => spot(body.waist, true, PI, None),
+            PlacementAnchor::Waist => spot(body.waist, false, 0.0, Some(1.0)),
+            PlacementAnchor::WaistFront => spot(body.waist, false, 0.0, Some(0.5)),
+            PlacementAnchor::WaistBack => spot(body.waist, false, PI, Some(0.5)),
+            PlacementAnchor::Neck => spot(body.neck, false, 0.0, Some(1.0)),
+            PlacementAnchor::NeckFront => spot(body.neck, false, 0.0, Some(0.5)),
+            PlacementAnchor::NeckBack => spot(body.neck, false, PI, Some(0.5)),
+            PlacementAnchor::ArmLeft => arm(1.0, FRAC_PI_2, 1.0),
+            PlacementAnchor::ArmRight => arm(-1.0, -FRAC_PI_2, 1.0),
+            PlacementAnchor::ArmLeftFront => arm(1.0, 0.0, 0.5),
+            PlacementAnchor::ArmRightFront => arm(-1.0, 0.0, 0.5),
+            PlacementAnchor::ArmLeftBack => arm(1.0, PI, 0.5),
+            PlacementAnchor::ArmRightBack => arm(-1.0, PI, 0.5),
+            PlacementAnchor::Origin => Self {
                 axis: Vector3::zeros(),
                 ..spot(0.0, true, 0.0, None)
             },
@@ -202,7 +202,7 @@ pub fn place(to_place: ToPlace<'_>, avatar: Option<&Avatar>) -> Result<Placed, F
         rotation: turn(Vector3::x(), rx) * turn(Vector3::y(), ry) * turn(Vector3::z(), rz),
         offset: Vector3::from(placement.offset_m),
     };
-    if anchor == Anchor::Origin {
+    if anchor == PlacementAnchor::Origin {
         placed.key[1] = centre_y;
         placed.sense = 1.0;
         return Ok(placed);
@@ -259,7 +259,7 @@ fn bounds(panel: &Panel, up: &Rotation2<f64>) -> [[f64; 2]; 2] {
 }
 
 /// The key point that a panel's name speaks of.
-fn guess(panel: &Panel) -> Option<Anchor> {
+fn guess(panel: &Panel) -> Option<PlacementAnchor> {
     let name = format!("{} {}", panel.id, panel.name).to_lowercase();
     let words: Vec<&str> = name.split(|c: char| !c.is_alphabetic()).collect();
     let any = |list: &[&str]| words.iter().any(|word| list.contains(word));
@@ -273,13 +273,13 @@ fn guess(panel: &Panel) -> Option<Anchor> {
         return None;
     }
     Some(match (band, skirt, front, back) {
-        (true, _, true, false) => Anchor::WaistFront,
-        (true, _, false, true) => Anchor::WaistBack,
-        (true, ..) => Anchor::Waist,
-        (false, true, _, true) => Anchor::SkirtBack,
-        (false, true, _, false) => Anchor::SkirtFront,
-        (false, false, true, false) => Anchor::TorsoFront,
-        (false, false, false, true) => Anchor::TorsoBack,
+        (true, _, true, false) => PlacementAnchor::WaistFront,
+        (true, _, false, true) => PlacementAnchor::WaistBack,
+        (true, ..) => PlacementAnchor::Waist,
+        (false, true, _, true) => PlacementAnchor::SkirtBack,
+        (false, true, _, false) => PlacementAnchor::SkirtFront,
+        (false, false, true, false) => PlacementAnchor::TorsoFront,
+        (false, false, false, true) => PlacementAnchor::TorsoBack,
         _ => return None,
     })
 }

@@ -5,7 +5,7 @@ use super::faces::SeamRelations;
 use super::parity::{FaceRelation, ParityUnionFind};
 use super::place::opposite;
 use super::{RoutedSeam, Track};
-use crate::pattern::{Panel, Place, Run, SeamPair, Side};
+use crate::pattern::{Panel, Place, OutlineRun, SeamPair, Side};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -76,7 +76,7 @@ impl SeamCheckContext<'_> {
     }
 
     /// The run along the mirror image of the edge that `side` is, if there is such an edge and nothing is sewn to it.
-    fn mirror_run(&self, side: &Side) -> Option<(Run, String)> {
+    fn mirror_run(&self, side: &Side) -> Option<(OutlineRun, String)> {
         let Side::One(run) = side else { return None };
         let (Place::Corner(from), Place::Corner(to)) = (run.from, run.to) else {
             return None;
@@ -101,7 +101,7 @@ impl SeamCheckContext<'_> {
             "take the edge on the other side of `{}`, from corner {from} to corner {to}",
             panel.id
         );
-        let run = Run {
+        let run = OutlineRun {
             panel: run.panel.clone(),
             from: Place::Corner(from),
             to: Place::Corner(to),
@@ -184,7 +184,7 @@ fn mirror_corner(panel: &Panel, corner: usize) -> Option<usize> {
 
 /// The same runs gone from the end to the start.
 pub(super) fn reversed_side(side: &Side) -> Side {
-    let turned = |run: &Run| Run {
+    let turned = |run: &OutlineRun| OutlineRun {
         panel: run.panel.clone(),
         from: run.to,
         to: run.from,

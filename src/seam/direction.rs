@@ -2,7 +2,7 @@
 
 use super::place::{self, TrackPosition, TrackTopology};
 use crate::fault::Fault;
-use crate::pattern::{Direction, Panel, Run};
+use crate::pattern::{Direction, Panel, OutlineRun};
 
 /// Which way `run` goes between places that lie on one track.
 ///
@@ -10,7 +10,7 @@ use crate::pattern::{Direction, Panel, Run};
 /// A direction that is needed and not given, or given and not that of the places.
 pub(super) fn direction(
     panel: &Panel,
-    run: &Run,
+    run: &OutlineRun,
     (topology, [from, to]): (TrackTopology, [TrackPosition; 2]),
     pointer: &str,
 ) -> Result<Direction, Fault> {

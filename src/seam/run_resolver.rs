@@ -5,7 +5,7 @@ use super::path::TrackPath;
 use super::place::{self, TrackPoint, TrackPosition, TrackTopology};
 use super::{Stretch, Track};
 use crate::fault::{Fault, nearest};
-use crate::pattern::{Direction, Panel, Pattern, Run, Side};
+use crate::pattern::{Direction, Panel, Pattern, OutlineRun, Side};
 use std::collections::BTreeMap;
 
 /// Stretches that all seams of one request may have together: bounds the memory that long runs laid many times over one another would take.
@@ -120,7 +120,7 @@ impl<'a> RunResolver<'a> {
     }
 
     /// The run with its panel's name and its direction put right, if that is all that is wrong with it.
-    fn corrected(&mut self, run: &Run) -> Option<Run> {
+    fn corrected(&mut self, run: &OutlineRun) -> Option<OutlineRun> {
         let mut corrected = run.clone();
         if !self.panels.contains_key(run.panel.as_str()) {
             if self.suggestions_left == 0 {
@@ -139,7 +139,7 @@ impl<'a> RunResolver<'a> {
         Some(corrected)
     }
 
-    fn run(&mut self, run: &Run, pointer: &str) -> Result<RoutedRun, Vec<Fault>> {
+    fn run(&mut self, run: &OutlineRun, pointer: &str) -> Result<RoutedRun, Vec<Fault>> {
         let Some(&index) = self.panels.get(run.panel.as_str()) else {
             return Err(vec![self.unknown_panel(&run.panel, pointer)]);
         };

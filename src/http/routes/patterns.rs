@@ -5,7 +5,7 @@ use crate::http::extract::{ListQuery, PathId, Upload, ValidatedQuery};
 use crate::http::respond::{Problem, respond_computed};
 use crate::http::state::{App, AppState};
 use crate::job::{DocumentKind, Stored};
-use crate::pattern::{self, Format, ImportOptions, Pattern, RotationOrder, Units};
+use crate::pattern::{self, PatternFormat, ImportOptions, Pattern, RotationOrder, Units};
 use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
@@ -53,7 +53,7 @@ pub(super) struct PatternItem {
     #[schema(value_type = String, format = DateTime)]
     pub created_at: Timestamp,
     /// The dialect of its file.
-    pub format: Format,
+    pub format: PatternFormat,
     /// Number of its panels.
     pub panel_count: usize,
 }

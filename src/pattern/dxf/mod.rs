@@ -36,7 +36,7 @@ use self::findings::{Findings, at_line};
 use self::label::Labels;
 use self::piece::Piece;
 use super::polyline::bounds;
-use super::{Allowance, Format, ImportOptions, Panel, Pattern, Source, copies, curve, ids};
+use super::{Allowance, ImportOptions, Panel, Pattern, PatternFormat, Source, copies, curve, ids};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults};
 use std::collections::BTreeMap;
@@ -209,7 +209,7 @@ fn is_space(name: &str) -> bool {
 }
 
 /// The dialect: ASTM where it says so or uses its layers, AAMA where pieces are blocks on layer 1, else general.
-fn format(drawing: &Drawing, labels: &Labels) -> Format {
+fn format(drawing: &Drawing, labels: &Labels) -> PatternFormat {
     let layers = || {
         drawing
             .blocks
@@ -218,11 +218,11 @@ fn format(drawing: &Drawing, labels: &Labels) -> Format {
             .map(|e| e.layer.trim().parse::<u32>().ok())
     };
     if labels.any_key("astm") || layers().any(|n| n.is_some_and(|n| n >= 80)) {
-        Format::DxfAstm
+        PatternFormat::DxfAstm
     } else if layers().any(|n| n == Some(1)) {
-        Format::DxfAama
+        PatternFormat::DxfAama
     } else {
-        Format::Dxf
+        PatternFormat::Dxf
     }
 }
 

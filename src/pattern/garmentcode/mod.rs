@@ -14,7 +14,9 @@ mod value;
 
 use self::value::{At, Findings};
 use super::point::Point2;
-use super::{Allowance, Format, ImportOptions, Panel, Pattern, RotationOrder, Source, Units, ids};
+use super::{
+    Allowance, ImportOptions, Panel, Pattern, PatternFormat, RotationOrder, Source, Units, ids,
+};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults};
 use serde_json::Value;
@@ -144,7 +146,7 @@ fn read(
     }
     let (reading, units) = reading(root, options, limits, findings);
     let source = Source {
-        format: Format::GarmentCode,
+        format: PatternFormat::GarmentCode,
         units,
         scale_to_m: reading.scale,
         sample_size: None,

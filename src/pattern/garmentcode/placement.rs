@@ -7,7 +7,7 @@ use super::Reading;
 use super::panel::Loop;
 use super::value::{At, Findings};
 use crate::pattern::polyline::bounds;
-use crate::pattern::{Anchor, Placement, RotationOrder, Wrap};
+use crate::pattern::{Placement, PlacementAnchor, RotationOrder, Wrap};
 
 /// Coordinates and angles up to this are read \[m, degrees\].
 const FAR: f64 = 1e4;
@@ -57,7 +57,7 @@ pub(super) fn read(
     };
     Some(Placement {
         up_deg: None,
-        at: Some(Anchor::Origin),
+        at: Some(PlacementAnchor::Origin),
         offset_m: offset.map(|c| c + 0.0),
         rotate_deg: rotate_deg.map(|angle| angle + 0.0),
         wrap: Some(Wrap::Flat),

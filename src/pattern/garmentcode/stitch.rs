@@ -4,7 +4,7 @@
 use super::panel::Loop;
 use super::value::{At, Findings};
 use crate::config::Limits;
-use crate::pattern::{Match, Place, Run, SeamPair, Side};
+use crate::pattern::{Match, OutlineRun, Place, SeamPair, Side};
 use std::collections::BTreeMap;
 
 /// Ease above which a stitch is one that is gathered: its file states which edges are sewn, whatever their lengths.
@@ -75,7 +75,7 @@ fn right_wrong(at: &At<'_>, findings: &mut Findings) -> Option<bool> {
 
 /// One side of a stitch, from the start to the end of its edge as drawn.
 struct End {
-    run: Run,
+    run: OutlineRun,
     right_wrong: bool,
     length: f64,
 }
@@ -103,7 +103,7 @@ fn end(at: &At<'_>, panels: &Panels<'_>, findings: &mut Findings) -> Option<End>
         return None;
     };
     Some(End {
-        run: Run {
+        run: OutlineRun {
             panel: drawn.panel.id.clone(),
             from: Place::Corner(from),
             to: Place::Corner(to),
@@ -115,10 +115,10 @@ fn end(at: &At<'_>, panels: &Panels<'_>, findings: &mut Findings) -> Option<End>
 }
 
 /// The same run the other way.
-fn turned(run: Run) -> Run {
+fn turned(run: OutlineRun) -> OutlineRun {
     use crate::pattern::Direction::{Ccw, Cw};
     let turn = |way| if way == Cw { Ccw } else { Cw };
-    Run {
+    OutlineRun {
         panel: run.panel,
         from: run.to,
         to: run.from,

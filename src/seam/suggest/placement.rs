@@ -3,7 +3,7 @@
 use super::garment_model::GarmentModel;
 use super::labeled_panel::LabeledPanel;
 use super::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
-use crate::pattern::{Anchor, Placement, Wrap};
+use crate::pattern::{PlacementAnchor, Placement, Wrap};
 
 /// The placement of each piece that has a place, with the number of its panel.
 pub(super) fn placements(garment: &GarmentModel) -> Vec<(usize, Placement)> {
@@ -21,26 +21,26 @@ fn placement(garment: &GarmentModel, part: &LabeledPanel) -> Option<Placement> {
     };
     let (at, offset_m) = match part.kind {
         PanelKind::Bodice | PanelKind::Yoke => (
-            pick(behind, Anchor::TorsoFront, Anchor::TorsoBack),
+            pick(behind, PlacementAnchor::TorsoFront, PlacementAnchor::TorsoBack),
             beside(part, side),
         ),
-        PanelKind::Skirt if is_all_round(garment, part) => (Anchor::SkirtFront, [0.0; 3]),
+        PanelKind::Skirt if is_all_round(garment, part) => (PlacementAnchor::SkirtFront, [0.0; 3]),
         PanelKind::Skirt if part.front_back.is_none() => gore(garment, part),
         PanelKind::Skirt | PanelKind::Trouser => {
             let [x, ..] = beside(part, side);
-            let at = pick(behind, Anchor::SkirtFront, Anchor::SkirtBack);
+            let at = pick(behind, PlacementAnchor::SkirtFront, PlacementAnchor::SkirtBack);
             (at, [x, -above(garment, part), 0.0])
         }
         PanelKind::Godet => {
-            let at = pick(behind, Anchor::SkirtFront, Anchor::SkirtBack);
+            let at = pick(behind, PlacementAnchor::SkirtFront, PlacementAnchor::SkirtBack);
             (at, [0.0, -0.4, 0.1 * if behind { -1.0 } else { 1.0 }])
         }
         PanelKind::Waistband => (
-            band(part, [Anchor::Waist, Anchor::WaistFront, Anchor::WaistBack]),
+            band(part, [PlacementAnchor::Waist, PlacementAnchor::WaistFront, PlacementAnchor::WaistBack]),
             [0.0; 3],
         ),
         PanelKind::NeckBand | PanelKind::Collar | PanelKind::CollarStand | PanelKind::Hood => {
-            let at = band(part, [Anchor::Neck, Anchor::NeckFront, Anchor::NeckBack]);
+            let at = band(part, [PlacementAnchor::Neck, PlacementAnchor::NeckFront, PlacementAnchor::NeckBack]);
             (
                 at,
                 if side == 0.0 {
@@ -52,7 +52,7 @@ fn placement(garment: &GarmentModel, part: &LabeledPanel) -> Option<Placement> {
         }
         PanelKind::Sleeve | PanelKind::ArmBand => (arm(part)?, [0.0; 3]),
         PanelKind::Cuff if on_leg(garment, part) => {
-            let at = pick(behind, Anchor::SkirtFront, Anchor::SkirtBack);
+            let at = pick(behind, PlacementAnchor::SkirtFront, PlacementAnchor::SkirtBack);
             let leg = tallest(garment, PanelKind::Trouser);
             (at, [side * 0.1, -leg, 0.0])
         }
@@ -78,11 +78,11 @@ fn is_all_round(garment: &GarmentModel, part: &LabeledPanel) -> bool {
         && garment.parts_of(PanelKind::Skirt).count() == 1
 }
 
-fn pick(behind: bool, front: Anchor, back: Anchor) -> Anchor {
+fn pick(behind: bool, front: PlacementAnchor, back: PlacementAnchor) -> PlacementAnchor {
     if behind { back } else { front }
 }
 
-fn band(part: &LabeledPanel, [whole, front, back]: [Anchor; 3]) -> Anchor {
+fn band(part: &LabeledPanel, [whole, front, back]: [PlacementAnchor; 3]) -> PlacementAnchor {
     match part.front_back {
         None => whole,
         Some(FrontBack::Front) => front,
@@ -90,14 +90,14 @@ fn band(part: &LabeledPanel, [whole, front, back]: [Anchor; 3]) -> Anchor {
     }
 }
 
-fn arm(part: &LabeledPanel) -> Option<Anchor> {
+fn arm(part: &LabeledPanel) -> Option<PlacementAnchor> {
     Some(match (part.laterality?, part.front_back) {
-        (Laterality::Left, None) => Anchor::ArmLeft,
-        (Laterality::Left, Some(FrontBack::Front)) => Anchor::ArmLeftFront,
-        (Laterality::Left, Some(FrontBack::Back)) => Anchor::ArmLeftBack,
-        (Laterality::Right, None) => Anchor::ArmRight,
-        (Laterality::Right, Some(FrontBack::Front)) => Anchor::ArmRightFront,
-        (Laterality::Right, Some(FrontBack::Back)) => Anchor::ArmRightBack,
+        (Laterality::Left, None) => PlacementAnchor::ArmLeft,
+        (Laterality::Left, Some(FrontBack::Front)) => PlacementAnchor::ArmLeftFront,
+        (Laterality::Left, Some(FrontBack::Back)) => PlacementAnchor::ArmLeftBack,
+        (Laterality::Right, None) => PlacementAnchor::ArmRight,
+        (Laterality::Right, Some(FrontBack::Front)) => PlacementAnchor::ArmRightFront,
+        (Laterality::Right, Some(FrontBack::Back)) => PlacementAnchor::ArmRightBack,
     })
 }
 
@@ -124,7 +124,7 @@ fn above(garment: &GarmentModel, part: &LabeledPanel) -> f64 {
 }
 
 /// Gores stand side by side, half of them in front.
-fn gore(garment: &GarmentModel, part: &LabeledPanel) -> (Anchor, [f64; 3]) {
+fn gore(garment: &GarmentModel, part: &LabeledPanel) -> (PlacementAnchor, [f64; 3]) {
     let mut gores: Vec<&LabeledPanel> = garment
         .parts_of(PanelKind::Skirt)
         .filter(|p| p.front_back.is_none())
@@ -136,10 +136,10 @@ fn gore(garment: &GarmentModel, part: &LabeledPanel) -> (Anchor, [f64; 3]) {
         .unwrap_or_default();
     let in_front = gores.len().div_ceil(2);
     let (anchor, place, of) = if at < in_front {
-        (Anchor::SkirtFront, at, in_front)
+        (PlacementAnchor::SkirtFront, at, in_front)
     } else {
         (
-            Anchor::SkirtBack,
+            PlacementAnchor::SkirtBack,
             gores.len() - 1 - at,
             gores.len() - in_front,
         )

@@ -3,7 +3,7 @@
 use super::edge_chain::{EdgeChain, EdgeStep};
 use super::garment_model::ProposedSeam;
 use super::suggestion::SuggestedSeam;
-use crate::pattern::{Direction, Match, Pattern, Place, Run, SeamPair, Side};
+use crate::pattern::{Direction, Match, Pattern, Place, OutlineRun, SeamPair, Side};
 
 /// Writes proposed seams as seam pairs; names panels, mirrored copies among them.
 pub(super) struct SeamPairWriter<'a>(pub(super) &'a Pattern);
@@ -37,7 +37,7 @@ impl SeamPairWriter<'_> {
                 _ => runs.push((*step, *step)),
             }
         }
-        let mut runs: Vec<Run> = runs
+        let mut runs: Vec<OutlineRun> = runs
             .iter()
             .map(|(first, last)| self.run(first, last))
             .collect();
@@ -65,12 +65,12 @@ impl SeamPairWriter<'_> {
             .max(1)
     }
 
-    fn run(&self, first: &EdgeStep, last: &EdgeStep) -> Run {
+    fn run(&self, first: &EdgeStep, last: &EdgeStep) -> OutlineRun {
         let count = self.edge_count(first);
         let corner = |edge: usize, forward: bool| {
             Place::Corner(if forward { edge } else { (edge + 1) % count })
         };
-        Run {
+        OutlineRun {
             panel: self.panel_id(first.panel),
             from: corner(first.edge, first.forward),
             to: corner(last.edge, !last.forward),

@@ -5,7 +5,7 @@
 use dxf::entities::EntityType;
 use seamster::config::Limits;
 use seamster::fit::{Garment, SeamsAsked};
-use seamster::pattern::{ImportOptions, Pattern, Place, Run, SeamPair};
+use seamster::pattern::{ImportOptions, OutlineRun, Pattern, Place, SeamPair};
 use seamster::seam::{self, Face};
 use seamster_fixtures::drafting::Sample;
 use std::collections::BTreeMap;
@@ -67,7 +67,7 @@ fn length(run: &[Point]) -> f64 {
 }
 
 /// The drawn run that a side between adjacent corners is, and whether it is walked as drawn.
-fn side(outlines: &BTreeMap<String, Runs>, run: &Run) -> (f64, bool) {
+fn side(outlines: &BTreeMap<String, Runs>, run: &OutlineRun) -> (f64, bool) {
     let runs = &outlines[&run.panel];
     let (Place::Corner(from), Place::Corner(to)) = (run.from, run.to) else {
         panic!("the samples name corners");

@@ -3,7 +3,7 @@
 use seamster::config::Limits;
 use seamster::fault::Faults;
 use seamster::fit::{self, Garment, Outcome, PatternAsked, Shipped};
-use seamster::pattern::{Pattern, Place, Run, SeamPair};
+use seamster::pattern::{OutlineRun, Pattern, Place, SeamPair};
 use seamster::progress::CancelToken;
 use seamster::solver::Context;
 use seamster_fixtures::panels::{
@@ -132,7 +132,7 @@ fn pocket_on_a_line_and_mirrored_sleeves_in_holes_are_sewn_shut() {
     let pattern = pattern(vec![front, sleeve, rectangle("pocket", 0.12, 0.12)]);
     let all_round = |hole, way| {
         let place = Place::HoleCorner { hole, corner: 0 };
-        Run {
+        OutlineRun {
             panel: "front".to_owned(),
             from: place,
             to: place,
@@ -141,7 +141,7 @@ fn pocket_on_a_line_and_mirrored_sleeves_in_holes_are_sewn_shut() {
     };
     use seamster::pattern::Direction::{Ccw, Cw};
     let place = |at| Place::OnLine { line: 0, at };
-    let on_line = Run {
+    let on_line = OutlineRun {
         panel: "front".to_owned(),
         from: place(0.0),
         to: place(1.0),

@@ -2,7 +2,7 @@
 
 use seamster::config::Limits;
 use seamster::mesh::{ClothMesh, Stitch, triangulate};
-use seamster::pattern::{Allowance, Corner, Edge, Format, Hole, Panel, Pattern, Source};
+use seamster::pattern::{Allowance, Corner, Edge, Hole, Panel, Pattern, PatternFormat, Source};
 use seamster::progress::CancelToken;
 use seamster::seam::{Face, Seam, SeamSet, Stretch, Track};
 use std::collections::BTreeSet;
@@ -155,7 +155,7 @@ fn pattern(panels: Vec<Panel>) -> Pattern {
         id: None,
         name: "test".into(),
         source: Source {
-            format: Format::Dxf,
+            format: PatternFormat::Dxf,
             units: "m".into(),
             scale_to_m: 1.0,
             sample_size: None,

@@ -3,8 +3,8 @@
 use seamster::config::Limits;
 use seamster::fault::Warning;
 use seamster::pattern::{
-    Anchor, Corner, Edge, Grain, Hole, ImportOptions, Notch, NotchKind, Panel, Pattern, Placement,
-    Quantity, Wrap, checked, import,
+    Corner, Edge, Grain, Hole, ImportOptions, Notch, NotchKind, Panel, Pattern, Placement,
+    PlacementAnchor, Quantity, Wrap, checked, import,
 };
 use seamster_fixtures::panels::{panel_of, pattern};
 use std::borrow::Cow;
@@ -136,7 +136,7 @@ fn a_copy_is_placed_as_the_mirror_image_of_its_source() {
     let mut stated = whole();
     let placement = Placement {
         up_deg: Some(80.0),
-        at: Some(Anchor::Origin),
+        at: Some(PlacementAnchor::Origin),
         offset_m: [0.4, 1.3, -0.1],
         rotate_deg: [10.0, 20.0, -45.0],
         wrap: Some(Wrap::Flat),

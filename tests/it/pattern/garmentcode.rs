@@ -3,8 +3,8 @@
 use seamster::config::Limits;
 use seamster::fault::Faults;
 use seamster::pattern::{
-    Anchor, Direction, Edge, Face, Format, ImportOptions, Pattern, Place, RotationOrder, Side,
-    Units, import,
+    Direction, Edge, Face, ImportOptions, Pattern, PatternFormat, Place, PlacementAnchor,
+    RotationOrder, Side, Units, import,
 };
 use seamster::seam::{self, FaceRequest};
 use serde_json::{Value, json};
@@ -59,7 +59,7 @@ fn area_of(curvature: Value) -> f64 {
 #[test]
 fn loop_drawn_counter_clockwise_is_stored_clockwise_with_its_face_up() {
     let pattern = imported(&spec(json!({ "p": square() }), json!([])));
-    assert_eq!(pattern.source.format, Format::GarmentCode);
+    assert_eq!(pattern.source.format, PatternFormat::GarmentCode);
     assert_eq!(
         (pattern.source.units.as_str(), pattern.source.scale_to_m),
         ("cm", 0.01)
@@ -171,7 +171,7 @@ fn units_are_those_of_the_file_or_of_the_caller() {
 fn placed(pattern: &Pattern, id: &str, [x, y]: [f64; 2]) -> [f64; 3] {
     let panel = &pattern.panels[pattern.panel_index(id).expect("a panel")];
     let placement = &pattern.placements[id];
-    assert_eq!(placement.at, Some(Anchor::Origin));
+    assert_eq!(placement.at, Some(PlacementAnchor::Origin));
     let points = || panel.edges.iter().flat_map(|edge| &edge.points);
     let middle = |k: usize| {
         let low = points().map(|p| p[k]).fold(f64::INFINITY, f64::min);

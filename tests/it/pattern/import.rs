@@ -4,7 +4,8 @@
 use seamster::config::Limits;
 use seamster::fault::Faults;
 use seamster::pattern::{
-    Allowance, Edge, Format, ImportOptions, NotchKind, Panel, Pattern, Units, checked, import,
+    Allowance, Edge, ImportOptions, NotchKind, Panel, Pattern, PatternFormat, Units, checked,
+    import,
 };
 use seamster_fixtures::dxf::DxfBuilder;
 use serde_json::Value;
@@ -75,7 +76,7 @@ fn piece_becomes_a_clockwise_panel_in_metres() {
         );
     let pattern = imported(file);
     assert_eq!(pattern.warnings, []);
-    assert_eq!(pattern.source.format, Format::DxfAstm);
+    assert_eq!(pattern.source.format, PatternFormat::DxfAstm);
     let panel = &pattern.panels[0];
     assert_eq!((panel.id.as_str(), panel.name.as_str()), ("front", "FRONT"));
     assert!(

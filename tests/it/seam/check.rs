@@ -2,7 +2,7 @@
 
 use seamster::config::Limits;
 use seamster::fault::Faults;
-use seamster::pattern::{Direction, Match, Panel, Pattern, Place, Run, SeamPair, Side};
+use seamster::pattern::{Direction, Match, Panel, Pattern, Place, OutlineRun, SeamPair, Side};
 use seamster::seam::{Face, FaceRequest, Seam, SeamCheck, SeamSet, Stretch, Track, check};
 use seamster_fixtures::panels::{
     darted, lens, many, notched, pattern, polygon, rectangle, run, seam, trapezoid,
@@ -53,7 +53,7 @@ fn assert_only_fault(pattern: &Pattern, pairs: &[SeamPair], code: &str, pointer:
     );
 }
 
-fn edge(panel: &str, [from, to]: [usize; 2]) -> Run {
+fn edge(panel: &str, [from, to]: [usize; 2]) -> OutlineRun {
     run(panel, from, to)
 }
 
@@ -61,8 +61,8 @@ fn pair(id: &str, a: (&str, [usize; 2]), b: (&str, [usize; 2])) -> SeamPair {
     seam(id, edge(a.0, a.1), edge(b.0, b.1))
 }
 
-fn with_direction(run: Run, direction: Direction) -> Run {
-    Run {
+fn with_direction(run: OutlineRun, direction: Direction) -> OutlineRun {
+    OutlineRun {
         direction: Some(direction),
         ..run
     }
@@ -92,7 +92,7 @@ fn tube_seams_in_one_view() -> [SeamPair; 2] {
 }
 
 fn turned(mut pair: SeamPair) -> SeamPair {
-    let turn = |run: &Run| Run {
+    let turn = |run: &OutlineRun| OutlineRun {
         from: run.to,
         to: run.from,
         ..run.clone()
@@ -265,7 +265,7 @@ fn seams_that_end_and_begin_at_nearly_the_same_place_share_it() {
         rectangle("front", 0.4, 0.4),
         rectangle("back", 0.4, 0.4),
     ]);
-    let along = |from, to| Run {
+    let along = |from, to| OutlineRun {
         panel: "band".to_owned(),
         from,
         to,
@@ -478,7 +478,7 @@ fn waistband_of_one_strip_is_sewn_to_front_and_back() {
     let [left, right] = tube_seams_both_face_up();
     let half = |at| Place::OnEdge { edge: 3, at };
     let onto = |id: &str, panel: &str, from: Place, to: Place| {
-        let band = Run {
+        let band = OutlineRun {
             panel: "band".to_owned(),
             from,
             to,
@@ -647,14 +647,14 @@ fn notches_and_fractions_are_places() {
         rectangle("b", 0.4, 0.4),
     ]);
     let notch = |notch| Place::AtNotch { notch };
-    let a = Run {
+    let a = OutlineRun {
         panel: "a".to_owned(),
         from: notch(0),
         to: notch(1),
         direction: None,
     };
     let on = |at| Place::OnEdge { edge: 2, at };
-    let b = Run {
+    let b = OutlineRun {
         panel: "b".to_owned(),
         from: on(0.75),
         to: on(0.25),
@@ -675,7 +675,7 @@ fn place_within_a_millimetre_of_a_corner_is_the_corner() {
         edge: 0,
         at: 0.9999,
     };
-    let a = Run {
+    let a = OutlineRun {
         panel: "a".to_owned(),
         from: Place::Corner(0),
         to: near,
@@ -688,7 +688,7 @@ fn place_within_a_millimetre_of_a_corner_is_the_corner() {
 #[test]
 fn both_halves_of_a_folded_edge_can_be_sewn_together() {
     let sheet = pattern(vec![rectangle("sheet", 0.4, 0.4)]);
-    let half = |from, to| Run {
+    let half = |from, to| OutlineRun {
         panel: "sheet".to_owned(),
         from: Place::OnEdge { edge: 1, at: from },
         to: Place::OnEdge { edge: 1, at: to },
@@ -797,7 +797,7 @@ fn faults_that_leave_no_doubt_come_with_the_corrected_seam() {
 fn places_that_are_not_there_are_refused() {
     let panels = tube();
     let at = |place| {
-        let b = Run {
+        let b = OutlineRun {
             panel: "back".to_owned(),
             from: place,
             to: Place::Corner(2),
@@ -839,7 +839,7 @@ fn places_that_are_not_there_are_refused() {
 fn direction_must_be_given_where_it_is_not_plain_and_agree_where_it_is() {
     let panels = tube();
     let b = edge("back", RIGHT_UP);
-    let case = |a: Run| [seam("s", a, b.clone())];
+    let case = |a: OutlineRun| [seam("s", a, b.clone())];
     assert_only_fault(
         &panels,
         &case(run("front", 0, 2)),

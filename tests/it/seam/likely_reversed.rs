@@ -177,7 +177,7 @@ fn auto_seams_that_only_each_other_decide_are_turned_together() {
     ]);
     let part = |panel: &str, from: f64, to: f64| {
         let at = |at| seamster::pattern::Place::OnEdge { edge: 1, at };
-        seamster::pattern::Run {
+        seamster::pattern::OutlineRun {
             from: at(from),
             to: at(to),
             ..run(panel, 1, 2)

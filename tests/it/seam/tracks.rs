@@ -3,7 +3,7 @@
 use seamster::config::Limits;
 use seamster::fault::Faults;
 use seamster::mesh::{ClothMesh, triangulate};
-use seamster::pattern::{Direction, Panel, Pattern, Place, Run, SeamPair};
+use seamster::pattern::{Direction, OutlineRun, Panel, Pattern, Place, SeamPair};
 use seamster::progress::CancelToken;
 use seamster::seam::{Face, SeamCheck, SeamSet, Track, check};
 use seamster_fixtures::panels::{
@@ -37,8 +37,8 @@ fn meshed(pattern: &Pattern, pairs: &[SeamPair]) -> ClothMesh {
     mesh(pattern, &sewn(pattern, pairs)).expect("the panels are sound")
 }
 
-fn between(panel: &str, from: Place, to: Place, direction: Option<Direction>) -> Run {
-    Run {
+fn between(panel: &str, from: Place, to: Place, direction: Option<Direction>) -> OutlineRun {
+    OutlineRun {
         panel: panel.to_owned(),
         from,
         to,
@@ -46,12 +46,12 @@ fn between(panel: &str, from: Place, to: Place, direction: Option<Direction>) ->
     }
 }
 
-fn on_line(panel: &str, [from, to]: [f64; 2]) -> Run {
+fn on_line(panel: &str, [from, to]: [f64; 2]) -> OutlineRun {
     let place = |at| Place::OnLine { line: 0, at };
     between(panel, place(from), place(to), None)
 }
 
-fn round_hole(panel: &str, corner: usize, direction: Direction) -> Run {
+fn round_hole(panel: &str, corner: usize, direction: Direction) -> OutlineRun {
     let place = Place::HoleCorner { hole: 0, corner };
     between(panel, place, place, Some(direction))
 }
@@ -131,7 +131,7 @@ fn shirt_with_mirrored_sleeve() -> (Pattern, Vec<SeamPair>) {
 }
 
 fn turned(pair: &SeamPair) -> SeamPair {
-    let turn = |run: &Run| between(&run.panel, run.to, run.from, run.direction);
+    let turn = |run: &OutlineRun| between(&run.panel, run.to, run.from, run.direction);
     let b = pair.b.runs().iter().rev().map(turn).collect();
     SeamPair {
         b: many("", b, vec![run("", 0, 0)]).a,
