@@ -1,20 +1,20 @@
-//! A closed polyline with flagged corners as corners and edges, and marks put on edges.
+//! A closed polyline with marked corners as corners and edges, and notches put on edges.
 
 use super::point::{Point2, distance};
 use super::polyline::{PolylineFoot, length};
 use super::{Corner, Edge, Notch, NotchKind};
 
-/// The corners of an outline and the edges between them.
+/// An outline: its corners and the edges between them.
 pub(crate) struct Outline {
-    /// Where it turns.
+    /// Its corners.
     pub(crate) corners: Vec<Corner>,
     /// From corner to corner, as many as corners.
     pub(crate) edges: Vec<Edge>,
 }
 
-/// Cuts a closed polyline at its flagged points, the first of which must be point 0.
-pub(crate) fn outline(points: &[Point2], corner: &[bool]) -> Outline {
-    let at: Vec<usize> = (0..points.len()).filter(|i| corner[*i]).collect();
+/// Cuts a closed polyline at its corners, the first of which must be point 0.
+pub(crate) fn outline(points: &[Point2], is_corner: &[bool]) -> Outline {
+    let at: Vec<usize> = (0..points.len()).filter(|i| is_corner[*i]).collect();
     let count = at.len();
     let corners = at
         .iter()
@@ -43,7 +43,7 @@ pub(crate) fn outline(points: &[Point2], corner: &[bool]) -> Outline {
     Outline { corners, edges }
 }
 
-/// The closed polyline that edges make up.
+/// Returns the closed polyline that edges make up.
 pub(crate) fn ring(edges: &[Edge]) -> Vec<Point2> {
     edges
         .iter()
@@ -55,7 +55,7 @@ pub(crate) fn ring(edges: &[Edge]) -> Vec<Point2> {
         .collect()
 }
 
-/// A notch at a place of the closed polyline that `edges` make up.
+/// Returns the notch at a foot on the closed polyline that `edges` make up.
 pub(crate) fn notch(edges: &[Edge], foot: PolylineFoot, kind: NotchKind, index: usize) -> Notch {
     let mut segment = foot.segment;
     for edge in edges {

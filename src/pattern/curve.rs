@@ -1,18 +1,18 @@
-//! Arcs and ellipses as polylines, cut every degree: the chord error stays below 4e-5 of the (larger) radius, the length
-//! error below 1.3e-5 of the length.
+//! Arcs and ellipses as polylines, cut every degree: the chord error stays below 4e-5 of the (larger)
+//! radius, the length error below 1.3e-5 of the length.
 
 use super::point::Point2;
 use std::f64::consts::{PI, TAU};
 
-/// Largest turn between two chords \[radians\].
+/// Largest turn between two chords \[rad\].
 const STEP: f64 = PI / 180.0;
 
-/// Points of an arc from `from` over `sweep` (radians, counter-clockwise positive), both ends included.
+/// Returns the points of an arc from `from` over `sweep` (radians, counter-clockwise positive), both ends included.
 pub(super) fn arc(center: Point2, radius: f64, from: f64, sweep: f64) -> Vec<Point2> {
     ellipse(center, [radius, 0.0], [0.0, radius], [from, sweep])
 }
 
-/// Points of the ellipse `center + cos(t) major + sin(t) minor`, `t` from `range[0]` over `range[1]`, both ends included.
+/// Returns the points of the ellipse `center + cos(t) major + sin(t) minor`, `t` from `range[0]` over `range[1]`, both ends included.
 pub(super) fn ellipse(
     center: Point2,
     major: Point2,
@@ -31,7 +31,7 @@ pub(super) fn ellipse(
         .collect()
 }
 
-/// Points of the arc from `a` to `b` with a bulge (tangent of a quarter of its sweep), `b` left out.
+/// Returns the points of the arc from `a` to `b` with a bulge (tangent of a quarter of its sweep), `b` left out.
 pub(super) fn bulge(a: Point2, b: Point2, bulge: f64) -> Vec<Point2> {
     let chord = [b[0] - a[0], b[1] - a[1]];
     if bulge == 0.0 || chord == [0.0, 0.0] {
@@ -50,13 +50,13 @@ pub(super) fn bulge(a: Point2, b: Point2, bulge: f64) -> Vec<Point2> {
     points
 }
 
-/// Sweep of an arc counter-clockwise from `start` to `end` (radians), in (0, 2 pi].
+/// Returns the sweep of an arc counter-clockwise from `start` to `end` (radians), in (0, 2 pi].
 pub(super) fn sweep(start: f64, end: f64) -> f64 {
     let turn = (end - start).rem_euclid(TAU);
     if turn < 1e-12 { TAU } else { turn }
 }
 
-/// How many steps of at most [`STEP`] make up `angle`, within bounds.
+/// Returns the number of steps of at most [`STEP`] that make up `angle`, within bounds.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

@@ -7,18 +7,18 @@ use utoipa::ToSchema;
 /// One flat part of a garment.
 ///
 /// The outline is a simple closed polyline stored clockwise (y up): `corners[i]`, then `edges[i]` from
-/// corner `i` to corner `i + 1` (the last edge back to corner 0). Coordinates are in metres.
+/// corner `i` to corner `i + 1` (the last edge back to corner 0). Coordinates are in meters.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Panel {
-    /// Unique in the pattern: made from the name (lower case, `-` for what is not a letter or digit).
+    /// Id, unique in the pattern: made from the name (lower case, `-` for what is not a letter or digit).
     pub id: String,
-    /// The name as the file has it.
+    /// Name, as the file has it.
     pub name: String,
-    /// What part of the body or garment the file says that it is (`GarmentCode`: `body`, `arm`, `leg`).
+    /// Part of the body or garment, where the file gives it (`GarmentCode`: `body`, `arm`, `leg`).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub label: Option<String>,
-    /// Which of its sides is out, where the file says (`GarmentCode`).
+    /// Side that is out, where the file gives it (`GarmentCode`).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub face: Option<Face>,
     /// Area inside the outline less the holes \[m²\].
@@ -27,24 +27,25 @@ pub struct Panel {
     pub perimeter_m: f64,
     /// Area of the outline as drawn, before unfolding \[m²\].
     pub drawn_area_m2: f64,
-    /// Whether half of it was drawn and it was unfolded about its mirror line.
+    /// True if half of it was drawn and it was unfolded about its mirror line.
     #[serde(default)]
     pub unfolded: bool,
-    /// For a mirrored copy: the id of its source. Its outline is that one reflected x -> -x with the same numbers, so
-    /// it runs counter-clockwise in coordinates and its holes clockwise.
+    /// Id of the source of a mirrored copy. The outline of a copy is that of its source reflected
+    /// x -> -x with the same numbers, so that it runs counter-clockwise in coordinates and its holes
+    /// clockwise.
     #[serde(default)]
     pub copy_of: Option<String>,
-    /// How many are cut, as the file says.
+    /// Number that is cut, where the file gives it.
     #[serde(default)]
     pub quantity: Option<Quantity>,
-    /// Where the outline turns, clockwise.
+    /// Corners of the outline, clockwise.
     pub corners: Vec<Corner>,
-    /// The stretches between corners: as many as corners.
+    /// Stretches between corners: as many as corners.
     pub edges: Vec<Edge>,
     /// Outlines inside the outline whose inside is not cloth.
     #[serde(default)]
     pub holes: Vec<Hole>,
-    /// What is cut, where that differs from the outline (which is sewn).
+    /// Line along which it is cut, where that differs from the outline (which is sewn).
     #[serde(default)]
     #[schema(value_type = Vec<[f64; 2]>)]
     pub cut_line: Vec<Point2>,
@@ -55,7 +56,7 @@ pub struct Panel {
     /// Alignment marks on the outline.
     #[serde(default)]
     pub notches: Vec<Notch>,
-    /// Direction of the warp; `None` where the file does not say (then warp is +y).
+    /// Direction of the warp; `None` where the file does not give it (then warp is +y).
     #[serde(default)]
     pub grain: Option<Grain>,
     /// Lines drawn inside that are not cut.
@@ -64,7 +65,7 @@ pub struct Panel {
     pub internal_lines: Vec<Vec<Point2>>,
 }
 
-/// Which side of a panel's cloth is out.
+/// Side of a panel's cloth that is out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Face {
@@ -74,7 +75,7 @@ pub enum Face {
     Down,
 }
 
-/// Where an outline turns.
+/// Point at which an outline turns.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Corner {
@@ -101,16 +102,17 @@ pub struct Edge {
     /// Its polyline, both corners included, at least two points \[m\].
     #[schema(value_type = Vec<[f64; 2]>)]
     pub points: Vec<Point2>,
-    /// What the file calls it (`GarmentCode`: `left_armhole`).
+    /// Name, where the file gives it (`GarmentCode`: `left_armhole`).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub label: Option<String>,
 }
 
-/// An outline inside a panel whose inside is not cloth, stored counter-clockwise so that cloth lies to the right of every edge.
+/// An outline inside a panel whose inside is not cloth, stored counter-clockwise so that cloth lies to
+/// the right of every edge.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Hole {
-    /// Where it turns.
+    /// Its corners.
     pub corners: Vec<Corner>,
     /// The stretches between its corners.
     pub edges: Vec<Edge>,
@@ -128,7 +130,7 @@ pub struct Notch {
     pub at: f64,
     /// Its shape.
     pub kind: NotchKind,
-    /// How deep it is cut, where the file says \[m\].
+    /// Depth to which it is cut, where the file gives it \[m\].
     #[serde(default)]
     pub depth_m: Option<f64>,
 }
@@ -159,7 +161,7 @@ pub struct Grain {
     pub angle_deg: f64,
 }
 
-/// How many of a panel are cut.
+/// Number of a panel that is cut.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Quantity {

@@ -1,9 +1,9 @@
-//! Placement as a file or a client states it: where a panel starts in space (P7).
+//! Placement as a file or a client states it: the first position of a panel in space (P7).
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-/// Where a panel starts in space.
+/// First position of a panel in space.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Placement {
@@ -13,13 +13,13 @@ pub struct Placement {
     /// Direction on the drawing that is up on the body, counter-clockwise from +x; 90 (+y) if absent \[degrees\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub up_deg: Option<f64>,
-    /// Moved by this after all else \[m\].
+    /// Translation, after all else \[m\].
     #[serde(default)]
     pub offset_m: [f64; 3],
-    /// Turned about the panel's centre, R = Rx Ry Rz \[degrees\].
+    /// Rotation about the panel's center, R = Rx Ry Rz \[degrees\].
     #[serde(default)]
     pub rotate_deg: [f64; 3],
-    /// Whether it lies flat or is rolled about the body; chosen from the key point if absent.
+    /// Flat, or rolled about the body; chosen from the key point if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wrap: Option<Wrap>,
 }
@@ -61,11 +61,11 @@ pub enum PlacementAnchor {
     NeckFront,
     /// Behind the neck.
     NeckBack,
-    /// The origin of space, between the feet: the panel's centre is put there, flat, facing +z, never mirrored.
+    /// The origin of space, between the feet: the panel's center is put there, flat, facing +z, never mirrored.
     Origin,
 }
 
-/// Whether a panel starts flat or rolled.
+/// Shape in which a panel starts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Wrap {

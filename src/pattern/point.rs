@@ -36,3 +36,11 @@ pub(crate) fn turn(a: Point2, b: Point2, c: Point2) -> f64 {
     let (u, v) = (sub(b, a), sub(c, b));
     cross(u, v).atan2(dot(u, v))
 }
+
+/// Coordinates up to this are read \[m\].
+pub(crate) const FARTHEST: f64 = 1e4;
+
+/// Returns true if both coordinates are finite and within [`FARTHEST`].
+pub(crate) fn is_readable(p: Point2) -> bool {
+    p.iter().all(|c| c.abs() <= FARTHEST)
+}

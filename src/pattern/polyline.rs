@@ -40,6 +40,12 @@ pub(crate) fn bounds(points: &[Point2]) -> [Point2; 2] {
         })
 }
 
+/// Returns the longer side of the box of some points.
+pub(crate) fn longest_side(points: &[Point2]) -> f64 {
+    let [low, high] = bounds(points);
+    (high[0] - low[0]).max(high[1] - low[1])
+}
+
 /// Returns true if `p` lies inside a closed polyline (even-odd rule; the border itself belongs to
 /// either side).
 pub(crate) fn contains(ring: &[Point2], p: Point2) -> bool {

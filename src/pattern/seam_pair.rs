@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-/// Two stretches of outline that are to be sewn together, as asked.
+/// Two stretches of outline that are to be sewn together, unchecked.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SeamPair {
@@ -13,25 +13,25 @@ pub struct SeamPair {
     pub a: Side,
     /// The other side.
     pub b: Side,
-    /// How the points of the two sides are put together.
+    /// Order in which the points of the two sides are put together.
     #[serde(default, rename = "match")]
     pub matching: Match,
     /// Order of sewing: lower stages are sewn first.
     #[serde(default)]
     pub stage: u32,
-    /// Whether much ease is wanted.
+    /// True if much ease is wanted.
     #[serde(default)]
     pub gather: bool,
-    /// Whether it may lie over another seam.
+    /// True if it may lie over another seam.
     #[serde(default)]
     pub layered: bool,
-    /// Whether it may make the surface one-sided.
+    /// True if it may make the surface one-sided.
     #[serde(default)]
     pub allow_twist: bool,
-    /// Of a suggested seam: how sure it is, from 0 (a guess) to 1 (certain).
+    /// Confidence of a suggested seam, from 0 (a guess) to 1 (certain).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub confidence: Option<f64>,
-    /// Of a suggested seam: why, in words.
+    /// Reason of a suggested seam, in words.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub because: Option<String>,
 }
@@ -47,7 +47,7 @@ pub enum Side {
 }
 
 impl Side {
-    /// The runs of this side, in order.
+    /// Returns the runs of this side, in order.
     pub fn runs(&self) -> &[OutlineRun] {
         match self {
             Self::One(run) => std::slice::from_ref(run),
@@ -56,18 +56,18 @@ impl Side {
     }
 }
 
-/// A way along a panel's outline, along one of its holes or along one of its internal lines.
+/// A stretch of a panel's outline, of one of its holes or of one of its internal lines.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 #[schema(as = Run)]
 pub struct OutlineRun {
     /// Id of the panel.
     pub panel: String,
-    /// Where it begins.
+    /// Its first point.
     pub from: Place,
-    /// Where it ends.
+    /// Its last point.
     pub to: Place,
-    /// Which way round; needed only where the places do not say.
+    /// Direction; needed only where the places do not determine it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub direction: Option<Direction>,
 }
@@ -115,7 +115,7 @@ pub enum Place {
     },
 }
 
-/// Which way round an outline or a hole, or along an internal line.
+/// Direction round an outline or a hole, or along an internal line.
 ///
 /// Going `cw` keeps the cloth on one and the same side of the way, on the outline as on holes (which are stored the
 /// other way round in space for that reason).
@@ -128,7 +128,7 @@ pub enum Direction {
     Ccw,
 }
 
-/// How the points of the two sides of a seam are put together.
+/// Order in which the points of the two sides of a seam are put together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Match {

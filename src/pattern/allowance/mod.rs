@@ -1,28 +1,33 @@
 //! Seam allowance cut away: the outline of a panel, given as cut, moved inwards by a width.
 //!
-//! Every segment of the outline moves in parallel, neighbours meet where their lines do (a mitre, as patterns are
-//! marked), and a segment that has shrunk to nothing is left out from then on: the edge events of the straight skeleton
-//! (O. Aichholzer, F. Aurenhammer, "Straight skeletons for general polygonal figures", COCOON 1996), in the order in
-//! which they happen. Its other events, parts of the outline that run into each other, are found as crossings at the
-//! end and refused. For a smooth convex outline of area A and length L the area left is A - p L + pi p² (Steiner).
+//! Every segment of the outline moves in parallel, neighbors meet where their lines do (a miter, as
+//! patterns are marked), and a segment that has shrunk to nothing is left out from then on: the
+//! edge events of the straight skeleton (O. Aichholzer, F. Aurenhammer, "Straight skeletons for general
+//! polygonal figures", COCOON 1996), in the order in which they happen. Its other events, parts of the
+//! outline that run into each other, are found as crossings at the end and refused. For a smooth convex
+//! outline of area A and length L the area left is A - p L + pi p² (Steiner).
 //!
 //! O(n log n) for n points, besides the search for crossings.
 
-mod front;
+mod faults;
+mod moving_outline;
 
+use super::mirror::mirrored;
 use super::point::{Point2, distance, sub};
-use super::polyline::{bounds, contains, crossing, length, nearest, signed_area};
-use super::{Corner, Edge, Notch, Panel, assemble, copies};
+use super::polyline::{contains, crossing, length, longest_side, nearest, signed_area};
+use super::{Corner, Edge, Notch, Panel, assemble};
 use crate::fault::Fault;
-use front::Front;
+use faults::{nothing_left, refuse};
+use moving_outline::MovingOutline;
 
 impl Panel {
-    /// The panel with `allowance_m` cut away inside its outline, which becomes its cut line. Corners, edges and
-    /// notches keep their numbers; holes, internal lines and drill holes stay where they are.
+    /// Returns the panel with `allowance_m` cut away inside its outline, which becomes its cut line.
+    /// Corners, edges and notches keep their numbers; holes, internal lines and drill holes stay where
+    /// they are.
     ///
     /// # Errors
-    /// A panel that has a cut line already, an edge of which nothing is left, parts that run into each other, a corner
-    /// that juts in too sharply. The pointer is empty.
+    /// A panel that has a cut line already, an edge of which nothing is left, parts that run into each
+    /// other, a corner that juts in too sharply. The pointer is empty.
     pub fn without_allowance(&self, allowance_m: f64) -> Result<Self, Fault> {
         if allowance_m == 0.0 {
             return Ok(self.clone());
@@ -35,12 +40,12 @@ impl Panel {
             // Reflected it runs clockwise like every other panel.
             let drawn = Self {
                 copy_of: None,
-                ..copies::mirrored(self)
+                ..mirrored(self)
             };
             return Ok(Self {
                 id: self.id.clone(),
                 copy_of: self.copy_of.clone(),
-                ..copies::mirrored(&drawn.without_allowance(allowance_m)?)
+                ..mirrored(&drawn.without_allowance(allowance_m)?)
             });
         }
         if !self.cut_line.is_empty() {
@@ -54,15 +59,12 @@ impl Panel {
     }
 }
 
-fn refuse(detail: String, fix: &str) -> Fault {
-    Fault::new("pattern/allowance", "", detail).fix(fix)
-}
-
+/// Returns the panel inside its allowance, by its moving outline.
 fn net(panel: &Panel, width: f64) -> Result<Panel, Fault> {
-    let mut front = Front::of(&panel.edges);
-    front.sharpest(panel)?;
-    front.advance(width);
-    let edges = front.edges(panel, width)?;
+    let mut moving = MovingOutline::of(&panel.edges);
+    moving.check_corners(panel)?;
+    moving.advance(width);
+    let edges = moving.edges(panel, width)?;
     let ring = assemble::ring(&edges);
     if let Some([x, y]) = crossing(&ring) {
         let detail = format!(
@@ -79,12 +81,11 @@ fn net(panel: &Panel, width: f64) -> Result<Panel, Fault> {
             .map(|hole| signed_area(&assemble::ring(&hole.edges)))
             .sum(),
     ];
-    let side = |points: &[Point2]| {
-        let [low, high] = bounds(points);
-        (high[0] - low[0]).max(high[1] - low[1])
-    };
     // Turned inside out, or larger than before: nothing of it is left.
-    if ring.len() < 3 || area <= 0.0 || side(&ring) >= side(&assemble::ring(&panel.edges)) {
+    if ring.len() < 3
+        || area <= 0.0
+        || longest_side(&ring) >= longest_side(&assemble::ring(&panel.edges))
+    {
         return Err(nothing_left(panel, width));
     }
     let in_hole = panel.holes.iter().flat_map(|hole| &hole.edges);
@@ -109,21 +110,13 @@ fn net(panel: &Panel, width: f64) -> Result<Panel, Fault> {
     })
 }
 
-fn nothing_left(panel: &Panel, width: f64) -> Fault {
-    let detail = format!(
-        "with {width} m cut away, nothing of panel {} is left",
-        panel.id
-    );
-    refuse(detail, "give a smaller allowance")
-}
-
 fn corner(edge: &Edge) -> Corner {
     let [x, y] = edge.points[0];
     let index = edge.index;
     Corner { index, x, y }
 }
 
-/// The notches, each at the place of its edge that is straight inwards.
+/// Returns the notches, each at the place of its edge that is straight inwards.
 fn notches(panel: &Panel, edges: &[Edge], width: f64) -> Vec<Notch> {
     let moved = |notch: &Notch| {
         let cut = &panel.edges[notch.edge];
@@ -140,21 +133,21 @@ fn notches(panel: &Panel, edges: &[Edge], width: f64) -> Vec<Notch> {
     panel.notches.iter().map(moved).collect()
 }
 
-/// The point `width` inwards from an edge at a fraction of its length.
+/// Returns the point `width` inwards from an edge at a fraction of its length.
 fn inwards(edge: &Edge, at: f64, width: f64) -> Point2 {
     let mut left = at * edge.length_m;
     let last = edge.points.len() - 2;
     for (i, pair) in edge.points.windows(2).enumerate() {
-        let long = distance(pair[0], pair[1]);
-        if left <= long || i == last {
-            let d = sub(pair[1], pair[0]).map(|c| c / long);
-            let way = left.min(long);
+        let length = distance(pair[0], pair[1]);
+        if left <= length || i == last {
+            let d = sub(pair[1], pair[0]).map(|c| c / length);
+            let way = left.min(length);
             return [
                 pair[0][0] + way * d[0] + width * d[1],
                 pair[0][1] + way * d[1] - width * d[0],
             ];
         }
-        left -= long;
+        left -= length;
     }
     edge.points[0]
 }

@@ -1,4 +1,4 @@
-//! What was noticed on the way: faults, warnings, and counts of what was left out.
+//! Findings of an import: faults, warnings, and counts of the entities that are not read.
 
 use crate::fault::{Fault, Faults, Warning};
 use std::collections::BTreeMap;
@@ -6,28 +6,33 @@ use std::collections::BTreeMap;
 /// At most this many faults, and as many warnings, are told of one file.
 const MOST: usize = 100;
 
-/// A place in a file.
+/// Returns the pointer of a line of the file.
 pub(super) fn at_line(line: usize) -> String {
     format!("line {line}")
 }
 
-/// Everything noticed in one file.
+/// Returns at most 40 characters of a text of the file, for a message.
+pub(super) fn excerpt(text: &str) -> String {
+    text.trim().chars().take(40).collect()
+}
+
+/// The faults and warnings of one file.
 #[derive(Default)]
-pub(super) struct Findings {
-    /// What keeps the file from being read.
+pub(super) struct DxfFindings {
+    /// Faults that keep the file from being read.
     pub(super) faults: Vec<Fault>,
-    /// What the user should know.
+    /// Warnings for the user.
     pub(super) warnings: Vec<Warning>,
-    /// How many warnings there are beyond those.
+    /// Number of warnings beyond those.
     more: usize,
-    /// How many entities of a kind were left out, and the line of the first.
-    left_out: BTreeMap<String, (usize, usize)>,
-    /// How many entities were not flat, and the line of the first.
+    /// Number of entities of a kind that were not read, and the line of the first.
+    skipped: BTreeMap<String, (usize, usize)>,
+    /// Number of entities that were not flat, and the line of the first.
     projected: Option<(usize, usize)>,
 }
 
-impl Findings {
-    /// Notes something that the user should know.
+impl DxfFindings {
+    /// Adds a warning.
     pub(super) fn warn(&mut self, code: &str, line: usize, detail: impl Into<String>) {
         if self.warnings.len() < MOST {
             self.warnings
@@ -38,35 +43,35 @@ impl Findings {
     }
 
     /// Notes an entity that is not read.
-    pub(super) fn left_out(&mut self, kind: &str, line: usize) {
-        self.left_out_many(kind, line, 1);
+    pub(super) fn skip(&mut self, kind: &str, line: usize) {
+        self.skip_many(kind, line, 1);
     }
 
     /// Notes several entities of a kind that are not read.
-    pub(super) fn left_out_many(&mut self, kind: &str, line: usize, count: usize) {
-        let kind = super::tags::shown(kind);
-        let kind = if self.left_out.len() < MOST || self.left_out.contains_key(&kind) {
+    pub(super) fn skip_many(&mut self, kind: &str, line: usize, count: usize) {
+        let kind = excerpt(kind);
+        let kind = if self.skipped.len() < MOST || self.skipped.contains_key(&kind) {
             kind
         } else {
             "other kinds".to_owned()
         };
-        self.left_out.entry(kind).or_insert((0, line)).0 += count;
+        self.skipped.entry(kind).or_insert((0, line)).0 += count;
     }
 
     /// Notes an entity whose z is not 0.
-    pub(super) fn projected(&mut self, line: usize) {
+    pub(super) fn note_projected(&mut self, line: usize) {
         self.projected.get_or_insert((0, line)).0 += 1;
     }
 
-    /// Whether anything keeps the file from being read.
-    pub(super) fn refused(&self) -> bool {
+    /// Returns true if anything keeps the file from being read.
+    pub(super) fn has_faults(&self) -> bool {
         !self.faults.is_empty()
     }
 
-    /// All warnings, those with counts too.
+    /// Takes out all warnings, those with counts too.
     pub(super) fn take_warnings(&mut self) -> Vec<Warning> {
         let mut warnings = std::mem::take(&mut self.warnings);
-        for (kind, (count, line)) in std::mem::take(&mut self.left_out) {
+        for (kind, (count, line)) in std::mem::take(&mut self.skipped) {
             let detail = format!("{count} of {kind} left out, the first here");
             warnings.push(Warning::new(
                 "pattern/entity_ignored",
@@ -87,36 +92,29 @@ impl Findings {
         warnings
     }
 
-    /// `value`, unless there is a fault.
-    pub(super) fn or<T>(self, value: T) -> Result<T, Faults> {
+    /// Returns `value`, unless there is a fault.
+    pub(super) fn into_result<T>(self, value: T) -> Result<T, Faults> {
         Faults(capped(self.faults)).or(value)
     }
 
-    /// The faults with `fault` after them.
-    pub(super) fn and(self, fault: Fault) -> Faults {
+    /// Returns the faults with `fault` after them.
+    pub(super) fn into_faults_with(self, fault: Fault) -> Faults {
         let mut faults = self.faults;
         faults.push(fault);
         Faults(capped(faults))
     }
 
-    /// The fault for a file without pieces: an outline that is wrong, else that there is none.
-    pub(super) fn none_found(&mut self) -> Fault {
+    /// Returns the fault of a file without pieces: an outline that is wrong, else that there is none.
+    pub(super) fn no_outline(&mut self) -> Fault {
         if let Some(last) = self.faults.pop() {
             return last;
         }
-        let hint = self
-            .left_out
-            .keys()
-            .next()
-            .map_or_else(String::new, |kind| {
-                format!(" (it has {kind}, which is not read)")
-            });
-        Fault::new(
-            "pattern/no_outline",
-            "line 1",
-            format!("the file holds no closed outline{hint}"),
-        )
-        .fix("export the pieces as closed polylines, in blocks on layer 1 (AAMA or ASTM)")
+        let hint = self.skipped.keys().next().map_or_else(String::new, |kind| {
+            format!(" (it has {kind}, which is not read)")
+        });
+        let detail = format!("the file holds no closed outline{hint}");
+        Fault::new("pattern/no_outline", "line 1", detail)
+            .fix("export the pieces as closed polylines, in blocks on layer 1 (AAMA or ASTM)")
     }
 }
 
@@ -124,11 +122,8 @@ fn capped(mut faults: Vec<Fault>) -> Vec<Fault> {
     let more = faults.len().saturating_sub(MOST);
     faults.truncate(MOST);
     if more > 0 {
-        faults.push(Fault::new(
-            "pattern/more",
-            "line 1",
-            format!("and {more} more faults"),
-        ));
+        let detail = format!("and {more} more faults");
+        faults.push(Fault::new("pattern/more", "line 1", detail));
     }
     faults
 }

@@ -1,133 +1,70 @@
-//! DXF bytes to a pattern. The way through: bytes are told from other files ([`sniff`]), decoded ([`encoding`]), split
-//! into tags ([`tags`]), sorted into blocks and entities ([`structure`]), cleaned ([`clean`]), read by the `dxf` crate
-//! a thousand at a time ([`load`]), put in place ([`expand`]), joined to outlines ([`chain`]), told apart ([`sort`],
-//! [`nest`]), chosen by size ([`size`]) and made into panels ([`panel`]).
+//! DXF bytes to a pattern, in six calls; each takes what the one before it gave.
+//!
+//! 1. [`read::text`] decodes the file, text or binary, to text.
+//! 2. [`DxfDrawing::parse`] splits the text into tags and records ([`read`]) and makes entities of
+//!    them ([`entity`]): blocks and a model space, in drawing units.
+//! 3. [`blocks::place`] puts the blocks in place: sheets of entities, in meters ([`drawing`]).
+//! 4. [`classify::pieces`] joins their lines to outlines and gives every other line, mark and text
+//!    to the piece that it lies in ([`piece`]).
+//! 5. [`select::one_size`] keeps the pieces of one size of a graded file.
+//! 6. [`build_panels`] makes a panel of each piece.
+//!
+//! Source of the dialects: ANSI/AAMA-292 and ASTM D6673 (layers, labels), and the DXF reference of
+//! Autodesk (group codes). Assumption: the drawing is flat; what is not is seen from above.
 
-mod binary;
-mod chain;
-mod clean;
-mod encoding;
+mod drawing;
 mod entity;
-mod expand;
 mod findings;
-mod fold;
-mod joint;
-mod label;
-mod layer;
-mod load;
-mod marks;
-mod nest;
-mod notch;
-mod panel;
 mod piece;
-mod quantity;
-mod ring;
-mod size;
-mod sniff;
-mod sort;
-mod spline;
-mod structure;
-mod tags;
-mod units;
+mod read;
 
-use self::entity::Entity;
-use self::expand::Block;
-use self::findings::{Findings, at_line};
-use self::label::Labels;
-use self::piece::Piece;
-use super::polyline::bounds;
-use super::{Allowance, ImportOptions, Panel, Pattern, PatternFormat, Source, copies, curve, ids};
+use self::drawing::contents::DxfDrawing;
+use self::drawing::labels::DxfLabels;
+use self::drawing::{blocks, dialect, units};
+use self::findings::DxfFindings;
+use self::piece::dxf_piece::DxfPiece;
+use self::piece::{classify, panel, select};
+use super::{Allowance, ImportOptions, Panel, Pattern, Source, copies, ids};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults};
 use std::collections::BTreeMap;
 
 /// Reads a pattern from the bytes of a DXF file.
+///
+/// # Errors
+/// Every fault that keeps the file from being read, each with its line.
 pub(super) fn import(
     bytes: &[u8],
     options: &ImportOptions,
     limits: &Limits,
 ) -> Result<Pattern, Faults> {
-    let mut findings = Findings::default();
-    match read(bytes, options, limits, &mut findings) {
-        Ok(pattern) => findings.or(pattern),
-        Err(fault) => Err(findings.and(fault)),
+    let mut findings = DxfFindings::default();
+    match read_pattern(bytes, options, limits, &mut findings) {
+        Ok(pattern) => findings.into_result(pattern),
+        Err(fault) => Err(findings.into_faults_with(fault)),
     }
 }
 
-fn read(
+/// Reads a pattern; stops at a fault after which nothing could be read.
+fn read_pattern(
     bytes: &[u8],
     options: &ImportOptions,
     limits: &Limits,
-    findings: &mut Findings,
+    findings: &mut DxfFindings,
 ) -> Result<Pattern, Fault> {
-    if bytes.len() > limits.dxf_bytes {
-        return Err(Fault::new(
-            "pattern/too_large",
-            "line 1",
-            format!(
-                "the file has {} bytes; at most {} are read",
-                bytes.len(),
-                limits.dxf_bytes
-            ),
-        )
-        .fix("export fewer pieces or sizes"));
-    }
-    sniff::refuse_other(bytes)?;
-    let converted = bytes
-        .strip_prefix(sniff::BINARY)
-        .map(binary::to_text)
-        .transpose()?;
-    let text = encoding::decode(converted.as_deref().unwrap_or(bytes));
-    let drawing = Drawing::read(&text, limits, findings)?;
-    if let Some(last) = findings.faults.pop() {
-        return Err(last);
-    }
-    let labels = Labels::of(drawing.model.iter());
-    let units = units::of(options.units, &labels, drawing.insunits, findings);
-    let sheets = expand::sheets(
-        &drawing.blocks,
-        &drawing.model,
-        units.in_metres(),
-        limits,
-        findings,
-    )?;
-    let format = format(&drawing, &labels);
+    let text = read::text(bytes, limits)?;
+    let drawing = DxfDrawing::parse(&text, limits, findings)?;
+    let labels = DxfLabels::of(drawing.model.iter());
+    let unit = units::determine(options.units, &labels, drawing.insunits, findings);
+    let sheets = blocks::place(&drawing, unit, limits, findings)?;
+    let format = dialect::detect(&drawing, &labels);
     drop(drawing);
-    let pieces: Vec<Piece> = sheets
-        .iter()
-        .flat_map(|sheet| sort::pieces(sheet, limits.panels, findings))
-        .collect();
-    let chosen = size::choose(
-        options.size.as_deref(),
-        &labels,
-        &pieces.iter().map(|p| &p.labels).collect::<Vec<_>>(),
-        findings,
-    )?;
-    let keep = size::keep(
-        &chosen,
-        &pieces
-            .iter()
-            .map(|p| (p.name.as_str(), p.labels.get("size")))
-            .collect::<Vec<_>>(),
-    );
-    let pieces: Vec<Piece> = pieces
-        .into_iter()
-        .zip(keep)
-        .filter_map(|(piece, keep)| keep.then_some(piece))
-        .collect();
-    if pieces.is_empty() {
-        return Err(findings.none_found());
-    }
-    if pieces.len() > limits.panels {
-        return Err(nest::too_many(pieces.len(), limits.panels, pieces[0].line));
-    }
-    units::check(units, longest(&pieces), limits.panel_size_m, findings)?;
-    let name = labels
-        .get("style name")
-        .map(str::to_owned)
-        .or_else(|| options.name.clone())
-        .unwrap_or_else(|| "pattern".to_owned());
-    let mut panels = panels(&pieces, &name, limits, findings);
+    let pieces = classify::pieces(&sheets, limits, findings);
+    let (pieces, sizes) = select::one_size(pieces, options.size.as_deref(), &labels, findings)?;
+    select::check(&pieces, unit, limits, findings)?;
+    let name = labels.get("style name").or(options.name.as_deref());
+    let name = name.unwrap_or("pattern");
+    let mut panels = build_panels(&pieces, name, limits, findings);
     let allowance = allowance(&pieces, &panels, findings);
     let mut warnings = findings.take_warnings();
     warnings.extend(copies::add_stated(&mut panels));
@@ -135,10 +72,10 @@ fn read(
         id: None,
         source: Source {
             format,
-            units: units.name().to_owned(),
-            scale_to_m: units.in_metres(),
-            sample_size: chosen.chosen,
-            sizes: chosen.all,
+            units: unit.name().to_owned(),
+            scale_to_m: unit.in_meters(),
+            sample_size: sizes.chosen,
+            sizes: sizes.all,
             allowance,
         },
         name: name.chars().take(limits.name_chars).collect(),
@@ -149,98 +86,16 @@ fn read(
     })
 }
 
-/// A drawing read, in drawing units.
-struct Drawing {
-    insunits: Option<i32>,
-    blocks: Vec<Block>,
-    model: Vec<Entity>,
-}
-
-impl Drawing {
-    fn read(text: &str, limits: &Limits, findings: &mut Findings) -> Result<Self, Fault> {
-        let tags = tags::read(text, limits)?;
-        let structure = structure::read(&tags, limits, findings)?;
-        let mut points_left = limits.dxf_vertices;
-        let mut entities = |records: &[structure::Record<'_, '_>]| {
-            let mut found = Vec::new();
-            for part in clean::parts(records) {
-                let cleaned = clean::clean(part, findings);
-                if !findings.refused() {
-                    found.extend(load::load(&cleaned, &mut points_left, findings));
-                }
-            }
-            found
-        };
-        let mut blocks = Vec::with_capacity(structure.blocks.len());
-        for block in &structure.blocks {
-            let name = block.head.value(2).unwrap_or_default();
-            if is_space(name) {
-                continue;
-            }
-            let coordinate = |code| {
-                block
-                    .head
-                    .value(code)
-                    .and_then(|v| v.parse().ok())
-                    .filter(|v: &f64| v.is_finite())
-                    .unwrap_or(0.0)
-            };
-            blocks.push(Block {
-                name: name.to_owned(),
-                base: [coordinate(10), coordinate(20)],
-                line: block.head.line,
-                entities: entities(&block.entities),
-            });
-        }
-        let model = entities(&structure.entities);
-        Ok(Self {
-            insunits: structure.insunits,
-            blocks,
-            model,
-        })
-    }
-}
-
-/// Whether a block stands for the model or paper space, whose entities are in the ENTITIES section.
-fn is_space(name: &str) -> bool {
-    let name = name.to_lowercase();
-    name.strip_prefix(['*', '$'])
-        .is_some_and(|rest| rest.starts_with("model_space") || rest.starts_with("paper_space"))
-}
-
-/// The dialect: ASTM where it says so or uses its layers, AAMA where pieces are blocks on layer 1, else general.
-fn format(drawing: &Drawing, labels: &Labels) -> PatternFormat {
-    let layers = || {
-        drawing
-            .blocks
-            .iter()
-            .flat_map(|b| &b.entities)
-            .map(|e| e.layer.trim().parse::<u32>().ok())
-    };
-    if labels.any_key("astm") || layers().any(|n| n.is_some_and(|n| n >= 80)) {
-        PatternFormat::DxfAstm
-    } else if layers().any(|n| n == Some(1)) {
-        PatternFormat::DxfAama
-    } else {
-        PatternFormat::Dxf
-    }
-}
-
-fn longest(pieces: &[Piece]) -> f64 {
-    pieces
-        .iter()
-        .filter(|piece| piece.outline.chain.points.len() > 2)
-        .map(|piece| {
-            let [low, high] = bounds(&piece.outline.chain.points);
-            (high[0] - low[0]).max(high[1] - low[1])
-        })
-        .fold(0.0, f64::max)
-}
-
-fn panels(pieces: &[Piece], style: &str, limits: &Limits, findings: &mut Findings) -> Vec<Panel> {
+/// Makes the panels, with ids made from the names of the pieces.
+fn build_panels(
+    pieces: &[DxfPiece],
+    style: &str,
+    limits: &Limits,
+    findings: &mut DxfFindings,
+) -> Vec<Panel> {
     let mut panels: Vec<Panel> = pieces
         .iter()
-        .filter_map(|piece| panel::panel(piece, limits, findings))
+        .filter_map(|piece| panel::build(piece, limits, findings))
         .collect();
     let names: Vec<String> = panels.iter().map(|panel| panel.name.clone()).collect();
     for (panel, id) in panels.iter_mut().zip(ids::from_names(&names, style)) {
@@ -249,12 +104,12 @@ fn panels(pieces: &[Piece], style: &str, limits: &Limits, findings: &mut Finding
     panels
 }
 
-/// Sew lines became outlines on every panel, or the file does not say. Where only some panels have one, the user is told.
-fn allowance(pieces: &[Piece], panels: &[Panel], findings: &mut Findings) -> Allowance {
-    let sewn = pieces
-        .iter()
-        .zip(panels)
-        .filter(|(piece, panel)| piece.sewn || piece.sew.is_some() && !panel.cut_line.is_empty());
+/// Returns `SewLine` where sew lines became the outlines of all panels. Where only some panels have
+/// one, the user is told.
+fn allowance(pieces: &[DxfPiece], panels: &[Panel], findings: &mut DxfFindings) -> Allowance {
+    let sewn = pieces.iter().zip(panels).filter(|(piece, panel)| {
+        piece.is_sewn || piece.sew.is_some() && !panel.cut_line.is_empty()
+    });
     match sewn.count() {
         0 => Allowance::Unknown,
         count if count == panels.len() => Allowance::SewLine,

@@ -4,25 +4,27 @@
 //! [radius, large, right] as in SVG: `right` where it lies to the right of the way from `a` to `b` (the smaller one).
 //! Source: `GarmentCode`, pygarment/garmentcode/edge.py and pygarment/pattern/utils.py.
 
+use super::super::bspline::BSpline;
 use super::super::curve;
 use super::super::point::{Point2, distance, sub};
-use super::super::spline::Spline;
-use super::value::{At, Findings};
+use super::findings::SpecFindings;
+use super::node::JsonNode;
 
 /// A chord may be longer than the diameter of its arc by this share: writers round.
 const ROUNDING: f64 = 1e-6;
 
-/// The way from one end of an edge to the other.
+/// The course of an edge from one end to the other.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) enum Curve {
+pub(super) enum EdgeCurve {
     /// Straight.
     Line,
-    /// Its one or two control points, relative to the edge or in the panel's coordinates.
+    /// A Bézier curve with one or two control points, relative to the edge or in the panel's
+    /// coordinates.
     Bezier {
         controls: Vec<Point2>,
         relative: bool,
     },
-    /// Of a circle.
+    /// An arc of a circle.
     Arc {
         radius: f64,
         large: bool,
@@ -30,16 +32,20 @@ pub(super) enum Curve {
     },
 }
 
-impl Curve {
+impl EdgeCurve {
     /// Reads the curvature of an edge. `relative`: control points are relative to their edge.
-    pub(super) fn read(at: &At<'_>, relative: bool, findings: &mut Findings) -> Option<Self> {
+    pub(super) fn read(
+        at: &JsonNode<'_>,
+        relative: bool,
+        findings: &mut SpecFindings,
+    ) -> Option<Self> {
         if at.value.is_array() {
             let controls = vec![at.numbers::<2>(findings)?];
             return Some(Self::Bezier { controls, relative });
         }
         at.fields(&["type", "params"], findings)?;
-        let kind = at.need("type", findings);
-        let params = at.need("params", findings);
+        let kind = at.require("type", findings);
+        let params = at.require("params", findings);
         let (kind, params) = (kind?, params?);
         match kind.text(findings)? {
             "circle" => Self::arc(&params, findings),
@@ -48,22 +54,22 @@ impl Curve {
             _ => {
                 let detail = format!("{} is not a kind of curve", kind.value);
                 let fix = "the kinds are quadratic, cubic and circle";
-                findings.fault(kind.wrong("pattern/field", detail, fix));
+                findings.fault(kind.fault("pattern/field", detail, fix));
                 None
             }
         }
     }
 
     fn bezier(
-        params: &At<'_>,
+        params: &JsonNode<'_>,
         count: usize,
         relative: bool,
-        findings: &mut Findings,
+        findings: &mut SpecFindings,
     ) -> Option<Self> {
         let items = params.items(2, findings)?;
         if items.len() != count {
             let detail = format!("{} control points where {count} are needed", items.len());
-            findings.fault(params.wrong(
+            findings.fault(params.fault(
                 "pattern/field",
                 detail,
                 "one for quadratic, two for cubic",
@@ -76,12 +82,12 @@ impl Curve {
         Some(Self::Bezier { controls, relative })
     }
 
-    fn arc(params: &At<'_>, findings: &mut Findings) -> Option<Self> {
+    fn arc(params: &JsonNode<'_>, findings: &mut SpecFindings) -> Option<Self> {
         let items = params.items(3, findings)?;
         let [radius, large, right] = items.as_slice() else {
             let detail = format!("{} parameters where 3 are needed", items.len());
             let fix = "give [radius, large arc, right]";
-            findings.fault(params.wrong("pattern/field", detail, fix));
+            findings.fault(params.fault("pattern/field", detail, fix));
             return None;
         };
         let given = radius.number(findings);
@@ -89,7 +95,7 @@ impl Curve {
         let size = given.filter(|r| *r > 0.0);
         if size.is_none() && given.is_some() {
             let detail = "the radius of an arc is above 0";
-            findings.fault(radius.wrong("pattern/field", detail, "correct it"));
+            findings.fault(radius.fault("pattern/field", detail, "correct it"));
         }
         Some(Self::Arc {
             radius: size?,
@@ -98,7 +104,7 @@ impl Curve {
         })
     }
 
-    /// The same in metres: radii and absolute points are in units of the file.
+    /// Returns the same in meters: radii and absolute points are in units of the file.
     pub(super) fn scaled(mut self, scale: f64) -> Self {
         match &mut self {
             Self::Bezier {
@@ -111,7 +117,8 @@ impl Curve {
         self
     }
 
-    /// The polyline from `a` to `b`, both included, no point twice in a row; `None` where no such arc exists.
+    /// Returns the polyline from `a` to `b`, both included, no point twice in a row; `None` where no
+    /// such arc exists.
     pub(super) fn points(&self, a: Point2, b: Point2) -> Option<Vec<Point2>> {
         let mut points = match self {
             Self::Line => vec![a, b],
@@ -135,7 +142,7 @@ impl Curve {
     }
 }
 
-/// The panel's coordinates of a point relative to the edge from `a` to `b`.
+/// Returns the panel's coordinates of a point relative to the edge from `a` to `b`.
 fn absolute(a: Point2, b: Point2, [x, y]: Point2) -> Point2 {
     let e = sub(b, a);
     [a[0] + x * e[0] - y * e[1], a[1] + x * e[1] + y * e[0]]
@@ -147,7 +154,7 @@ fn bezier(a: Point2, b: Point2, between: Vec<Point2>) -> Vec<Point2> {
     let knots: Vec<f64> = (0..2 * controls.len())
         .map(|i| if i < controls.len() { 0.0 } else { 1.0 })
         .collect();
-    let spline = Spline {
+    let spline = BSpline {
         degree,
         knots: &knots,
         controls: &controls,
@@ -159,18 +166,19 @@ fn bezier(a: Point2, b: Point2, between: Vec<Point2>) -> Vec<Point2> {
     points
 }
 
-/// Tangent of a quarter of the sweep of an arc over a chord: twice its height over the chord.
+/// Returns the tangent of a quarter of the sweep of an arc over a chord: twice its height over the
+/// chord.
 fn bulge(chord: f64, radius: f64, large: bool) -> Option<f64> {
     let half = 0.5 * chord;
     if half > radius * (1.0 + ROUNDING) || half == 0.0 {
         return None;
     }
-    let to_centre = (radius * radius - half * half).max(0.0).sqrt();
-    // The height of the small arc is half² / (radius + to_centre): no digits are lost to a difference.
+    let to_center = (radius * radius - half * half).max(0.0).sqrt();
+    // The height of the small arc is half² / (radius + to_center): no digits are lost to a difference.
     let height = if large {
-        radius + to_centre
+        radius + to_center
     } else {
-        half * half / (radius + to_centre)
+        half * half / (radius + to_center)
     };
     Some(height / half)
 }
@@ -184,8 +192,8 @@ mod tests {
     const A: Point2 = [1.0, 2.0];
     const B: Point2 = [1.0, 4.0];
 
-    fn arc(radius: f64, large: bool, right: bool) -> Curve {
-        Curve::Arc {
+    fn arc(radius: f64, large: bool, right: bool) -> EdgeCurve {
+        EdgeCurve::Arc {
             radius,
             large,
             right,
@@ -212,23 +220,23 @@ mod tests {
     #[test]
     fn relative_control_points_lie_along_and_left_of_the_edge() {
         assert_eq!(absolute(A, B, [0.5, 0.25]), [0.5, 3.0]);
-        let relative = Curve::Bezier {
+        let relative = EdgeCurve::Bezier {
             controls: vec![[0.5, 0.25]],
             relative: true,
         };
-        let given = Curve::Bezier {
+        let given = EdgeCurve::Bezier {
             controls: vec![[0.5, 3.0]],
             relative: false,
         };
         let points = relative.points(A, B).expect("a curve");
         assert_eq!(Some(&points), given.points(A, B).as_ref());
-        // At half of the way: (a + 2 c + b) / 4.
+        // JsonNode half of the way: (a + 2 c + b) / 4.
         assert!(points.contains(&[0.75, 3.0]), "{points:?}");
     }
 
     #[test]
     fn cubic_edge_matches_its_polynomial() {
-        let cubic = Curve::Bezier {
+        let cubic = EdgeCurve::Bezier {
             controls: vec![[0.2, 0.4], [0.9, -0.1]],
             relative: true,
         };

@@ -3,32 +3,35 @@
 //! The sign of the loop's area is the face: a loop that runs counter-clockwise shows the side that is out. Outlines
 //! are stored clockwise, so such a loop is gone backwards; the panel is never mirrored.
 
-use super::Reading;
-use super::edge::Curve;
-use super::value::{At, Findings};
+use super::conventions::Conventions;
+use super::edge::EdgeCurve;
+use super::findings::SpecFindings;
+use super::node::JsonNode;
 use crate::pattern::point::Point2;
-use crate::pattern::polyline::{bounds, crossing, length, signed_area};
+use crate::pattern::polyline::{crossing, length, longest_side, signed_area};
 use crate::pattern::{Corner, Direction, Edge, Face, Panel};
 
 /// An edge as drawn.
-struct Drawn {
+struct DrawnEdge {
     ends: [usize; 2],
     points: Vec<Point2>,
     label: Option<String>,
 }
 
-/// A panel, and how the numbers of its drawn edges became those of the stored ones.
-pub(super) struct Loop {
-    /// Without an id.
+/// A panel, with the relation of its drawn edges to the stored ones.
+pub(super) struct DrawnPanel {
+    /// The panel, without an id.
     pub(super) panel: Panel,
     /// Mean of its vertices \[m\].
     pub(super) mean: Point2,
+    /// True if it was drawn counter-clockwise and its edges are stored backwards.
     reversed: bool,
 }
 
-impl Loop {
-    /// The stored corners from and to which drawn edge `edge` runs, and the way; `None` if there is no such edge.
-    pub(super) fn way(&self, edge: usize) -> Option<(usize, usize, Direction)> {
+impl DrawnPanel {
+    /// Returns the stored corners from and to which drawn edge `edge` runs, and its direction; `None`
+    /// if there is no such edge.
+    pub(super) fn corners_of(&self, edge: usize) -> Option<(usize, usize, Direction)> {
         let count = self.panel.edges.len();
         if edge >= count {
             return None;
@@ -41,7 +44,7 @@ impl Loop {
         })
     }
 
-    /// Length of drawn edge `edge` \[m\].
+    /// Returns the length of drawn edge `edge` \[m\].
     pub(super) fn length(&self, edge: usize) -> f64 {
         let count = self.panel.edges.len();
         let index = if self.reversed {
@@ -53,19 +56,19 @@ impl Loop {
     }
 }
 
-/// Reads a panel. What is wrong with it is noted.
+/// Reads a panel. Its faults are added to `findings`.
 pub(super) fn read(
-    (name, at): (&str, &At<'_>),
-    reading: &Reading<'_>,
-    findings: &mut Findings,
-) -> Option<Loop> {
+    (name, at): (&str, &JsonNode<'_>),
+    conventions: &Conventions<'_>,
+    findings: &mut SpecFindings,
+) -> Option<DrawnPanel> {
     let known = ["translation", "rotation", "vertices", "edges", "label"];
     at.fields(&known, findings)?;
     let before = findings.faults.len();
-    let vertices = vertices(at, reading, findings);
-    let label = label(at, reading, findings);
-    let listed = at.need("edges", findings)?;
-    let edges = edges(&listed, &vertices?, reading, findings)?;
+    let vertices = vertices(at, conventions, findings);
+    let label = label(at, conventions, findings);
+    let listed = at.require("edges", findings)?;
+    let edges = edges(&listed, &vertices?, conventions, findings)?;
     let used: Vec<Point2> = edges.iter().map(|edge| edge.points[0]).collect();
     let sum = used
         .iter()
@@ -75,7 +78,7 @@ pub(super) fn read(
     for edge in &edges {
         ring.extend(&edge.points[..edge.points.len() - 1]);
     }
-    check(&listed, &ring, reading, findings);
+    check(&listed, &ring, conventions, findings);
     if findings.faults.len() > before {
         return None;
     }
@@ -83,11 +86,11 @@ pub(super) fn read(
     let reversed = area > 0.0;
     let outline = stored(edges, reversed);
     let face = if reversed { Face::Up } else { Face::Down };
-    Some(Loop {
+    Some(DrawnPanel {
         panel: Panel {
-            name: reading.short(name),
+            name: conventions.short(name),
             label,
-            face: reading.states_faces.then_some(face),
+            face: conventions.states_faces.then_some(face),
             area_m2: area.abs(),
             drawn_area_m2: area.abs(),
             perimeter_m: outline.iter().map(|edge| edge.length_m).sum(),
@@ -106,38 +109,46 @@ fn corner(edge: &Edge) -> Corner {
     Corner { index, x, y }
 }
 
-fn label(at: &At<'_>, reading: &Reading<'_>, findings: &mut Findings) -> Option<String> {
+fn label(
+    at: &JsonNode<'_>,
+    conventions: &Conventions<'_>,
+    findings: &mut SpecFindings,
+) -> Option<String> {
     let text = at.get("label")?.text(findings)?;
-    (!text.is_empty()).then(|| reading.short(text))
+    (!text.is_empty()).then(|| conventions.short(text))
 }
 
-/// The vertices \[m\].
-fn vertices(at: &At<'_>, reading: &Reading<'_>, findings: &mut Findings) -> Option<Vec<Point2>> {
-    let listed = at.need("vertices", findings)?;
-    let items = listed.items(reading.limits.panel_vertices, findings)?;
-    let points = items.iter().map(|item| reading.point(item, findings));
+/// Reads the vertices \[m\].
+fn vertices(
+    at: &JsonNode<'_>,
+    conventions: &Conventions<'_>,
+    findings: &mut SpecFindings,
+) -> Option<Vec<Point2>> {
+    let listed = at.require("vertices", findings)?;
+    let items = listed.items(conventions.limits.panel_vertices, findings)?;
+    let points = items.iter().map(|item| conventions.point(item, findings));
     let points: Vec<Option<Point2>> = points.collect();
     points.into_iter().collect()
 }
 
-/// The edges, each of which begins where the one before it ends.
+/// Reads the edges, each of which begins where the one before it ends.
 fn edges(
-    listed: &At<'_>,
+    listed: &JsonNode<'_>,
     vertices: &[Point2],
-    reading: &Reading<'_>,
-    findings: &mut Findings,
-) -> Option<Vec<Drawn>> {
-    let items = listed.items(reading.limits.panel_vertices, findings)?;
+    conventions: &Conventions<'_>,
+    findings: &mut SpecFindings,
+) -> Option<Vec<DrawnEdge>> {
+    let items = listed.items(conventions.limits.panel_vertices, findings)?;
     if items.is_empty() {
         let detail = "the panel has no edges";
-        findings.fault(listed.wrong("pattern/no_outline", detail, "give its outline"));
+        findings.fault(listed.fault("pattern/no_outline", detail, "give its outline"));
         return None;
     }
-    let read: Vec<Option<Drawn>> = items
+    let read: Vec<Option<DrawnEdge>> = items
         .iter()
-        .map(|item| edge(item, vertices, reading, findings))
+        .map(|item| edge(item, vertices, conventions, findings))
         .collect();
-    let edges = read.into_iter().collect::<Option<Vec<Drawn>>>()?;
+    let edges = read.into_iter().collect::<Option<Vec<DrawnEdge>>>()?;
     let mut used = vec![false; vertices.len()];
     for (i, item) in items.iter().enumerate() {
         let next = &edges[(i + 1) % edges.len()];
@@ -149,7 +160,7 @@ fn edges(
                 next.ends[0]
             );
             let fix = "list the edges of one closed loop in order";
-            findings.fault(item.wrong("pattern/open_outline", detail, fix));
+            findings.fault(item.fault("pattern/open_outline", detail, fix));
         }
     }
     if let Some(unused) = used.iter().position(|used| !used) {
@@ -160,53 +171,58 @@ fn edges(
 }
 
 fn edge(
-    at: &At<'_>,
+    at: &JsonNode<'_>,
     vertices: &[Point2],
-    reading: &Reading<'_>,
-    findings: &mut Findings,
-) -> Option<Drawn> {
+    conventions: &Conventions<'_>,
+    findings: &mut SpecFindings,
+) -> Option<DrawnEdge> {
     at.fields(&["endpoints", "curvature", "label"], findings)?;
-    let label = label(at, reading, findings);
+    let label = label(at, conventions, findings);
     let curve = match at.get("curvature") {
         Some(given) => {
-            let curve = Curve::read(&given, reading.relative, findings);
-            curve.map(|curve| curve.scaled(reading.scale))
+            let curve = EdgeCurve::read(&given, conventions.relative, findings);
+            curve.map(|curve| curve.scaled(conventions.scale))
         }
-        None => Some(Curve::Line),
+        None => Some(EdgeCurve::Line),
     };
-    let ends = at.need("endpoints", findings)?;
+    let ends = at.require("endpoints", findings)?;
     let items = ends.items(2, findings)?;
     let indices: Vec<Option<usize>> = items.iter().map(|item| item.index(findings)).collect();
     let ends_at = match indices.as_slice() {
         [Some(a), Some(b)] if *a < vertices.len() && *b < vertices.len() => [*a, *b],
         _ => {
             let detail = format!("two vertices from 0 to {} are needed", vertices.len() - 1);
-            findings.fault(ends.wrong("pattern/edge", detail, "name the vertices of the edge"));
+            findings.fault(ends.fault("pattern/edge", detail, "name the vertices of the edge"));
             return None;
         }
     };
     let [a, b] = ends_at.map(|i| vertices[i]);
     if a == b {
         let detail = "both ends of the edge are at the same place";
-        findings.fault(ends.wrong("pattern/edge", detail, "leave the edge out"));
+        findings.fault(ends.fault("pattern/edge", detail, "leave the edge out"));
         return None;
     }
     let Some(points) = curve?.points(a, b) else {
         let detail = "the ends of the edge are farther apart than the diameter of its arc";
-        findings.fault(at.wrong("pattern/edge", detail, "give a larger radius"));
+        findings.fault(at.fault("pattern/edge", detail, "give a larger radius"));
         return None;
     };
     let ends = ends_at;
-    Some(Drawn {
+    Some(DrawnEdge {
         ends,
         points,
         label,
     })
 }
 
-/// The outline is simple, has an area and a size within the limits.
-fn check(at: &At<'_>, ring: &[Point2], reading: &Reading<'_>, findings: &mut Findings) {
-    let limits = reading.limits;
+/// Checks that the outline is simple and has an area and a size within the limits.
+fn check(
+    at: &JsonNode<'_>,
+    ring: &[Point2],
+    conventions: &Conventions<'_>,
+    findings: &mut SpecFindings,
+) {
+    let limits = conventions.limits;
     findings.points += ring.len();
     let most = limits.panel_vertices;
     if ring.len() > most {
@@ -214,28 +230,27 @@ fn check(at: &At<'_>, ring: &[Point2], reading: &Reading<'_>, findings: &mut Fin
             "the outline has {} points; at most {most} are read",
             ring.len()
         );
-        findings.fault(at.wrong("pattern/too_large", detail, "draw it with fewer edges"));
+        findings.fault(at.fault("pattern/too_large", detail, "draw it with fewer edges"));
         return;
     }
-    let [low, high] = bounds(ring);
-    let side = (high[0] - low[0]).max(high[1] - low[1]);
+    let side = longest_side(ring);
     let [least, most] = limits.panel_size_m;
     if !(least..=most).contains(&side) {
         let detail =
             format!("the panel is {side:.3e} m long; sizes from {least} to {most} m are read");
         let fix = "correct units_in_meter, or say the units with units=mm|cm|m|inch";
-        findings.fault(at.wrong("pattern/implausible_size", detail, fix));
+        findings.fault(at.fault("pattern/implausible_size", detail, fix));
     } else if ring.len() < 3 || signed_area(ring).abs() < 1e-6 * side * side {
-        findings.fault(at.wrong("pattern/no_area", "the panel has no area", "draw it anew"));
+        findings.fault(at.fault("pattern/no_area", "the panel has no area", "draw it anew"));
     } else if let Some([x, y]) = crossing(ring) {
-        let [x, y] = [x, y].map(|c| c / reading.scale);
+        let [x, y] = [x, y].map(|c| c / conventions.scale);
         let detail = format!("the outline crosses or touches itself at ({x:.4}, {y:.4})");
-        findings.fault(at.wrong("pattern/self_intersecting", detail, "mend the outline"));
+        findings.fault(at.fault("pattern/self_intersecting", detail, "mend the outline"));
     }
 }
 
-/// The edges as stored: clockwise from the same first corner.
-fn stored(drawn: Vec<Drawn>, reversed: bool) -> Vec<Edge> {
+/// Returns the edges as stored: clockwise from the same first corner.
+fn stored(drawn: Vec<DrawnEdge>, reversed: bool) -> Vec<Edge> {
     let count = drawn.len();
     let mut drawn = drawn;
     if reversed {
@@ -244,7 +259,7 @@ fn stored(drawn: Vec<Drawn>, reversed: bool) -> Vec<Edge> {
             edge.points.reverse();
         }
     }
-    let edge = |(index, edge): (usize, Drawn)| Edge {
+    let edge = |(index, edge): (usize, DrawnEdge)| Edge {
         index,
         from: index,
         to: (index + 1) % count,

@@ -1,0 +1,11 @@
+//! Entities to sheets in meters: blocks put in place, units, and the meaning of layers, labels and sizes.
+
+pub(super) mod blocks;
+pub(super) mod contents;
+pub(super) mod dialect;
+pub(super) mod labels;
+pub(super) mod layers;
+pub(super) mod quantity;
+pub(super) mod sheet;
+pub(super) mod sizes;
+pub(super) mod units;

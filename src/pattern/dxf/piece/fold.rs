@@ -1,0 +1,166 @@
+//! Half pieces unfolded about their mirror line.
+
+use super::corners::CorneredRing;
+use crate::pattern::point::{Point2, distance, dot, sub};
+
+/// Points this near to the mirror line lie on it \[m\].
+const ON: f64 = 2e-4;
+
+/// A fold line.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct FoldLine {
+    /// A point on it.
+    at: Point2,
+    /// Unit vector along it.
+    along: Point2,
+}
+
+impl FoldLine {
+    /// Returns the fold through two points; `None` where they are one.
+    pub(super) fn new([a, b]: [Point2; 2]) -> Option<Self> {
+        let length = distance(a, b);
+        (length > ON).then(|| Self {
+            at: a,
+            along: [(b[0] - a[0]) / length, (b[1] - a[1]) / length],
+        })
+    }
+
+    /// Returns the mirror image of a point.
+    pub(super) fn mirror(&self, p: Point2) -> Point2 {
+        let foot = self.foot(p);
+        [2.0 * foot[0] - p[0], 2.0 * foot[1] - p[1]]
+    }
+
+    /// Returns the signed distance of a point from the fold, positive to the left \[m\].
+    pub(super) fn side(&self, p: Point2) -> f64 {
+        let d = sub(p, self.at);
+        self.along[0] * d[1] - self.along[1] * d[0]
+    }
+
+    fn foot(&self, p: Point2) -> Point2 {
+        let t = dot(sub(p, self.at), self.along);
+        [
+            self.at[0] + t * self.along[0],
+            self.at[1] + t * self.along[1],
+        ]
+    }
+
+    fn contains(&self, p: Point2) -> bool {
+        self.side(p).abs() <= ON
+    }
+
+    /// Returns the mirror image of a mark; `None` where it lies on the fold.
+    pub(super) fn image(&self, points: &[Point2]) -> Option<Vec<Point2>> {
+        let is_off = points.iter().any(|p| !self.contains(*p));
+        is_off.then(|| points.iter().map(|p| self.mirror(*p)).collect())
+    }
+
+    /// Adds the mirror images of marks to them; what lies on the fold stays single.
+    pub(super) fn add_images(&self, points: &mut Vec<Point2>) {
+        let images: Vec<Point2> = points
+            .iter()
+            .filter(|p| !self.contains(**p))
+            .map(|p| self.mirror(*p))
+            .collect();
+        points.extend(images);
+    }
+
+    /// Returns the whole outline of which `half` is drawn: without its stretch on the fold, joined to
+    /// its mirror image. Where both halves go on straight over the fold there is no corner. `None`
+    /// where no stretch of `half` lies on the fold, or `half` lies on both sides of it.
+    pub(super) fn unfold(&self, half: &CorneredRing) -> Option<CorneredRing> {
+        let n = half.points.len();
+        let (start, count) = self.stretch(half)?;
+        let drawn: Vec<usize> = (0..=n - count + 1)
+            .map(|k| (start + count - 1 + k) % n)
+            .collect();
+        let sides: Vec<f64> = drawn.iter().map(|i| self.side(half.points[*i])).collect();
+        if sides.iter().any(|s| *s > ON) && sides.iter().any(|s| *s < -ON) {
+            return None;
+        }
+        let inner = &drawn[1..drawn.len() - 1];
+        let ends = [
+            self.foot(half.points[drawn[0]]),
+            self.foot(half.points[drawn[drawn.len() - 1]]),
+        ];
+        let mut points = vec![ends[0]];
+        points.extend(inner.iter().map(|i| half.points[*i]));
+        points.push(ends[1]);
+        points.extend(inner.iter().rev().map(|i| self.mirror(half.points[*i])));
+        let mut is_corner = vec![true];
+        is_corner.extend(inner.iter().map(|i| half.is_corner[*i]));
+        is_corner.push(true);
+        is_corner.extend(inner.iter().rev().map(|i| half.is_corner[*i]));
+        let mut whole = CorneredRing { points, is_corner };
+        for end in [0, inner.len() + 1] {
+            whole.is_corner[end] = whole.is_sharp(end);
+        }
+        Some(whole)
+    }
+
+    /// Returns the longest stretch of consecutive points on the fold: the first and the number, at
+    /// least two.
+    fn stretch(&self, half: &CorneredRing) -> Option<(usize, usize)> {
+        let n = half.points.len();
+        let on: Vec<bool> = half.points.iter().map(|p| self.contains(*p)).collect();
+        let starts = (0..n).filter(|i| on[*i] && !on[(*i + n - 1) % n]);
+        let stretches =
+            starts.map(|start| (start, (0..n).take_while(|k| on[(start + k) % n]).count()));
+        stretches
+            .filter(|(_, count)| (2..n - 1).contains(count))
+            .max_by(|a, b| {
+                self.stretch_length(half, *a)
+                    .total_cmp(&self.stretch_length(half, *b))
+            })
+    }
+
+    fn stretch_length(&self, half: &CorneredRing, (start, count): (usize, usize)) -> f64 {
+        distance(
+            half.points[start],
+            half.points[(start + count - 1) % half.points.len()],
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::polyline::signed_area;
+
+    #[test]
+    fn half_piece_is_unfolded_about_its_edge() {
+        let half = CorneredRing {
+            points: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [0.0, 1.5], [0.0, 1.0]],
+            is_corner: vec![true, true, true, true, false],
+        };
+        let fold = FoldLine::new([[0.0, 0.2], [0.0, 1.0]]).expect("two points");
+        let whole = fold.unfold(&half).expect("on the fold");
+        assert_eq!(signed_area(&whole.points), 2.0 * signed_area(&half.points));
+        let corners: Vec<Point2> = whole
+            .points
+            .iter()
+            .zip(&whole.is_corner)
+            .filter(|(_, c)| **c)
+            .map(|(p, _)| *p)
+            .collect();
+        assert_eq!(
+            corners,
+            [[1.0, 0.0], [1.0, 2.0], [0.0, 1.5], [-1.0, 2.0], [-1.0, 0.0]],
+            "straight at the hem, a V at the neck"
+        );
+    }
+
+    #[test]
+    fn line_that_is_not_on_the_outline_unfolds_nothing() {
+        let half = CorneredRing {
+            points: vec![[0.0, 0.0], [1.0, 0.0], [1.0, 2.0]],
+            is_corner: vec![true; 3],
+        };
+        assert!(
+            FoldLine::new([[0.5, 0.0], [0.5, 1.0]])
+                .expect("two points")
+                .unfold(&half)
+                .is_none()
+        );
+    }
+}

@@ -1,0 +1,163 @@
+//! Pieces to panels: the outline chosen, unfolded, checked, cut into edges, with its marks put on.
+
+use super::corners::CorneredRing;
+use super::dxf_piece::DxfPiece;
+use super::fold::FoldLine;
+use super::{holes, notch, rings};
+use crate::config::Limits;
+use crate::pattern::assemble;
+use crate::pattern::dxf::findings::DxfFindings;
+use crate::pattern::point::{Point2, cross, distance, sub};
+use crate::pattern::polyline::signed_area;
+use crate::pattern::{Grain, Panel};
+
+/// A grain line at least this share of the longest as long is one of its own, no arrow head.
+const SECOND_GRAIN: f64 = 0.5;
+
+/// Sine of the angle by which directions of the warp differ at least.
+const OTHER_WAY: f64 = 0.02;
+
+/// Builds the panel of a piece, without an id. What keeps it from being one becomes a fault at its
+/// line.
+///
+/// The outline is the sew line where there is one, else the line as drawn.
+pub(crate) fn build(
+    piece: &DxfPiece,
+    limits: &Limits,
+    findings: &mut DxfFindings,
+) -> Option<Panel> {
+    let drawn = rings::checked(piece, &piece.outline.chain, limits, findings)?;
+    let sew = piece.sew.as_ref();
+    let sew = sew.and_then(|sew| rings::of_sew_line(piece, sew, limits, findings));
+    let fold = fold(piece, &drawn, findings);
+    let cut = unfolded(&drawn, fold);
+    let ring = sew
+        .as_ref()
+        .map_or_else(|| cut.clone(), |sew| unfolded(sew, fold));
+    let ring = ring.into_clockwise();
+    if !rings::is_simple(piece, &ring, findings) {
+        return None;
+    }
+    let outline = assemble::outline(&ring.points, &ring.is_corner);
+    let holes = holes::holes(piece, fold, limits, findings);
+    let hole_area: f64 = holes
+        .iter()
+        .map(|hole| signed_area(&assemble::ring(&hole.edges)))
+        .sum();
+    Some(Panel {
+        id: String::new(),
+        name: piece.name.chars().take(limits.name_chars).collect(),
+        label: None,
+        face: None,
+        area_m2: signed_area(&ring.points).abs() - hole_area.abs(),
+        perimeter_m: outline.edges.iter().map(|edge| edge.length_m).sum(),
+        drawn_area_m2: signed_area(&drawn.points).abs(),
+        unfolded: fold.is_some(),
+        copy_of: None,
+        quantity: piece.labels.quantity(),
+        notches: notch::notches(piece, &outline, fold, findings),
+        corners: outline.corners,
+        edges: outline.edges,
+        holes,
+        cut_line: if sew.is_some() {
+            cut.points
+        } else {
+            drawn_cut_line(piece, fold)
+        },
+        drill_holes: drill_holes(piece, fold),
+        grain: grain(piece, findings),
+        internal_lines: internal_lines(piece, sew.is_some(), fold),
+    })
+}
+
+/// Returns the fold line about which the outline is to be unfolded, if it has one.
+fn fold(piece: &DxfPiece, drawn: &CorneredRing, findings: &mut DxfFindings) -> Option<FoldLine> {
+    let lines = &piece.marks.folds;
+    let found = lines
+        .iter()
+        .filter_map(|line| FoldLine::new(*line))
+        .find(|fold| fold.unfold(drawn).is_some());
+    if found.is_none() && !lines.is_empty() {
+        let detail = format!(
+            "the fold line of {:?} is not an edge of it; the piece was not unfolded",
+            piece.name
+        );
+        findings.warn("pattern/fold_ignored", piece.line, detail);
+    }
+    found
+}
+
+/// Returns a ring unfolded, or as it is where it does not lie on the fold.
+fn unfolded(ring: &CorneredRing, fold: Option<FoldLine>) -> CorneredRing {
+    fold.and_then(|fold| fold.unfold(ring))
+        .unwrap_or_else(|| ring.clone())
+}
+
+fn drill_holes(piece: &DxfPiece, fold: Option<FoldLine>) -> Vec<Point2> {
+    let mut points = piece.marks.drills.clone();
+    if let Some(fold) = fold {
+        fold.add_images(&mut points);
+    }
+    points
+}
+
+/// Returns the cut line drawn about a sewn outline; an open one is unfolded like the piece.
+fn drawn_cut_line(piece: &DxfPiece, fold: Option<FoldLine>) -> Vec<Point2> {
+    let Some(cut) = &piece.cut else {
+        return Vec::new();
+    };
+    let mut line = cut.points.clone();
+    if let Some(fold) = fold.filter(|_| !cut.closed) {
+        line.extend(cut.points.iter().rev().map(|p| fold.mirror(*p)));
+    }
+    line
+}
+
+/// Returns the direction of the longest grain line. Another one in another direction that is no
+/// arrow head is warned about.
+fn grain(piece: &DxfPiece, findings: &mut DxfFindings) -> Option<Grain> {
+    let lines = &piece.marks.grains;
+    let length = |line: &[Point2; 2]| distance(line[0], line[1]);
+    let longest = lines
+        .iter()
+        .max_by(|a, b| length(a).total_cmp(&length(b)))?;
+    let [a, b] = *longest;
+    let differs = |line: &[Point2; 2]| {
+        length(line) >= SECOND_GRAIN * length(longest)
+            && cross(sub(b, a), sub(line[1], line[0])).abs()
+                > OTHER_WAY * length(line) * length(longest)
+    };
+    if lines.iter().any(differs) {
+        let detail = format!(
+            "{:?} has grain lines in several directions; the longest was taken",
+            piece.name
+        );
+        findings.warn("pattern/grain_ignored", piece.line, detail);
+    }
+    let angle = (b[1] - a[1]).atan2(b[0] - a[0]);
+    let angle_deg = angle.to_degrees().rem_euclid(180.0);
+    Some(Grain {
+        angle_deg: if angle_deg >= 180.0 { 0.0 } else { angle_deg },
+    })
+}
+
+/// Returns the lines that are not cut: those drawn on the cloth, and a sew or cut line that is not
+/// used otherwise. A closed one ends at its first point.
+fn internal_lines(piece: &DxfPiece, is_sewn: bool, fold: Option<FoldLine>) -> Vec<Vec<Point2>> {
+    let unused_sew = piece.sew.iter().filter(|_| !is_sewn);
+    let second_cut = piece.cut.iter().filter(|_| is_sewn);
+    let mut lines: Vec<Vec<Point2>> = Vec::new();
+    for chain in piece.internal.iter().chain(unused_sew).chain(second_cut) {
+        let mut line = chain.points.clone();
+        line.extend(chain.points.first().filter(|_| chain.closed));
+        if line.len() > 1 {
+            lines.push(line);
+        }
+    }
+    if let Some(fold) = fold {
+        let image = |line: &Vec<Point2>| line.iter().map(|p| fold.mirror(*p)).collect();
+        let images: Vec<Vec<Point2>> = lines.iter().map(image).collect();
+        lines.extend(images);
+    }
+    lines
+}

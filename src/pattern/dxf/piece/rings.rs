@@ -1,0 +1,124 @@
+//! The closed lines of a piece as rings: within the limits, and simple.
+
+use super::chain::PathChain;
+use super::corners::CorneredRing;
+use super::dxf_piece::DxfPiece;
+use super::fold::FoldLine;
+use crate::config::Limits;
+use crate::fault::Fault;
+use crate::pattern::dxf::findings::{DxfFindings, at_line};
+use crate::pattern::point::{Point2, cross, distance, sub};
+use crate::pattern::polyline::{crossing, longest_side, segments};
+
+/// Ends of a sew line this near to a fold line lie on it \[m\].
+const ON_FOLD: f64 = 2e-4;
+
+/// A piece whose triangles sweep less than this share of its length squared has no area.
+const LEAST_SWEPT: f64 = 1e-6;
+
+/// Returns the ring of a line that has an area and a size within the limits; else adds a fault.
+pub(super) fn checked(
+    piece: &DxfPiece,
+    chain: &PathChain,
+    limits: &Limits,
+    findings: &mut DxfFindings,
+) -> Option<CorneredRing> {
+    if let Some(gap) = chain.closed_gap {
+        let detail = format!(
+            "a gap of {:.3} mm in the outline of {:?} was closed",
+            1000.0 * gap,
+            piece.name
+        );
+        findings.warn("pattern/gap_closed", chain.line, detail);
+    }
+    match ring(piece, chain, limits) {
+        Ok(ring) => Some(ring),
+        Err(fault) => {
+            findings.faults.push(fault);
+            None
+        }
+    }
+}
+
+/// Returns the sew line as an outline; one that is open along a fold is closed there. Another open
+/// one is warned about.
+pub(super) fn of_sew_line(
+    piece: &DxfPiece,
+    sew: &PathChain,
+    limits: &Limits,
+    findings: &mut DxfFindings,
+) -> Option<CorneredRing> {
+    let ends = [*sew.points.first()?, *sew.points.last()?];
+    let is_on_fold = |p: Point2| {
+        let folds = piece.marks.folds.iter();
+        let mut folds = folds.filter_map(|line| FoldLine::new(*line));
+        folds.any(|fold| fold.side(p).abs() < ON_FOLD)
+    };
+    if sew.closed || ends.into_iter().all(is_on_fold) && distance(ends[0], ends[1]) > 0.0 {
+        return checked(piece, sew, limits, findings);
+    }
+    let detail = format!(
+        "the sew line of {:?} does not close; its outline is the cut line",
+        piece.name
+    );
+    findings.warn("pattern/open_sew_line", sew.line, detail);
+    None
+}
+
+/// Returns true if a ring is simple; else adds a fault.
+pub(super) fn is_simple(piece: &DxfPiece, ring: &CorneredRing, findings: &mut DxfFindings) -> bool {
+    let Some([x, y]) = crossing(&ring.points) else {
+        return true;
+    };
+    let detail = format!("has an outline that crosses or touches itself at ({x:.4}, {y:.4}) m");
+    let fix = "mend the outline in the CAD program";
+    findings
+        .faults
+        .push(refuse(piece, "pattern/self_intersecting", &detail, fix));
+    false
+}
+
+fn ring(piece: &DxfPiece, chain: &PathChain, limits: &Limits) -> Result<CorneredRing, Fault> {
+    let count = chain.points.len();
+    if count > limits.panel_vertices {
+        let detail = format!(
+            "has {count} outline points; at most {} are read",
+            limits.panel_vertices
+        );
+        let fix = "export curves with fewer points";
+        return Err(refuse(piece, "pattern/too_large", &detail, fix));
+    }
+    if count < 3 {
+        return Err(no_area(piece));
+    }
+    let side = longest_side(&chain.points);
+    let [least, most] = limits.panel_size_m;
+    if !(least..=most).contains(&side) {
+        let detail = format!("is {side:.3e} m long; sizes from {least} to {most} m are read");
+        let fix = "say the units of the file with units=mm|cm|m|inch, or mend the drawing";
+        return Err(refuse(piece, "pattern/implausible_size", &detail, fix));
+    }
+    let ring = CorneredRing::new(chain, &piece.marks.turns);
+    if swept_area(&ring.points) < LEAST_SWEPT * side * side {
+        return Err(no_area(piece));
+    }
+    Ok(ring)
+}
+
+fn no_area(piece: &DxfPiece) -> Fault {
+    let fix = "delete it, or draw its outline anew";
+    refuse(piece, "pattern/no_area", "has no area", fix)
+}
+
+fn refuse(piece: &DxfPiece, code: &str, detail: &str, fix: &str) -> Fault {
+    let detail = format!("the piece {:?} {detail}", piece.name);
+    Fault::new(code, at_line(piece.line), detail).fix(fix)
+}
+
+/// Returns the sum of the areas of the triangles from the first point to each segment, none taken
+/// from another: 0 only where all points lie on one line.
+fn swept_area(ring: &[Point2]) -> f64 {
+    segments(ring)
+        .map(|(a, b)| 0.5 * cross(sub(a, ring[0]), sub(b, ring[0])).abs())
+        .sum()
+}

@@ -1,0 +1,37 @@
+//! Bytes of a DXF file to records: the kind of file, its encoding, its tags, and the records that
+//! the tags make up.
+
+pub(super) mod binary;
+pub(super) mod encoding;
+pub(super) mod file_type;
+pub(super) mod records;
+pub(super) mod tags;
+
+use crate::config::Limits;
+use crate::fault::Fault;
+use std::borrow::Cow;
+
+/// Decodes a DXF file, text or binary, to text.
+///
+/// # Errors
+/// More bytes than `limits.dxf_bytes`, a file of another kind, a binary DXF that is cut off.
+pub(super) fn text<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Cow<'a, str>, Fault> {
+    if bytes.len() > limits.dxf_bytes {
+        let detail = format!(
+            "the file has {} bytes; at most {} are read",
+            bytes.len(),
+            limits.dxf_bytes
+        );
+        return Err(
+            Fault::new("pattern/too_large", "line 1", detail).fix("export fewer pieces or sizes")
+        );
+    }
+    file_type::reject_other(bytes)?;
+    match bytes.strip_prefix(file_type::BINARY) {
+        Some(binary) => {
+            let text = binary::to_text(binary)?;
+            Ok(Cow::Owned(encoding::decode(&text).into_owned()))
+        }
+        None => Ok(encoding::decode(bytes)),
+    }
+}
