@@ -5,7 +5,7 @@ use super::faces::SeamRelations;
 use super::parity::{FaceRelation, ParityUnionFind};
 use super::place::opposite;
 use super::{RoutedSeam, Track};
-use crate::pattern::{Panel, Place, OutlineRun, SeamPair, Side};
+use crate::pattern::{OutlineRun, Panel, Place, SeamPair, Side};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 

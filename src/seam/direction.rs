@@ -2,7 +2,7 @@
 
 use super::place::{self, TrackPosition, TrackTopology};
 use crate::fault::Fault;
-use crate::pattern::{Direction, Panel, OutlineRun};
+use crate::pattern::{Direction, OutlineRun, Panel};
 
 /// Which way `run` goes between places that lie on one track.
 ///

@@ -5,7 +5,7 @@ use super::path::TrackPath;
 use super::place::{self, TrackPoint, TrackPosition, TrackTopology};
 use super::{Stretch, Track};
 use crate::fault::{Fault, nearest};
-use crate::pattern::{Direction, Panel, Pattern, OutlineRun, Side};
+use crate::pattern::{Direction, OutlineRun, Panel, Pattern, Side};
 use std::collections::BTreeMap;
 
 /// Stretches that all seams of one request may have together: bounds the memory that long runs laid many times over one another would take.

@@ -5,7 +5,7 @@ use crate::http::extract::{ListQuery, PathId, Upload, ValidatedQuery};
 use crate::http::respond::{Problem, respond_computed};
 use crate::http::state::{App, AppState};
 use crate::job::{DocumentKind, Stored};
-use crate::pattern::{self, PatternFormat, ImportOptions, Pattern, RotationOrder, Units};
+use crate::pattern::{self, ImportOptions, Pattern, PatternFormat, RotationOrder, Units};
 use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};

@@ -3,7 +3,7 @@
 use super::garment_model::GarmentModel;
 use super::labeled_panel::LabeledPanel;
 use super::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
-use crate::pattern::{PlacementAnchor, Placement, Wrap};
+use crate::pattern::{Placement, PlacementAnchor, Wrap};
 
 /// The placement of each piece that has a place, with the number of its panel.
 pub(super) fn placements(garment: &GarmentModel) -> Vec<(usize, Placement)> {
@@ -21,26 +21,52 @@ fn placement(garment: &GarmentModel, part: &LabeledPanel) -> Option<Placement> {
     };
     let (at, offset_m) = match part.kind {
         PanelKind::Bodice | PanelKind::Yoke => (
-            pick(behind, PlacementAnchor::TorsoFront, PlacementAnchor::TorsoBack),
+            pick(
+                behind,
+                PlacementAnchor::TorsoFront,
+                PlacementAnchor::TorsoBack,
+            ),
             beside(part, side),
         ),
         PanelKind::Skirt if is_all_round(garment, part) => (PlacementAnchor::SkirtFront, [0.0; 3]),
         PanelKind::Skirt if part.front_back.is_none() => gore(garment, part),
         PanelKind::Skirt | PanelKind::Trouser => {
             let [x, ..] = beside(part, side);
-            let at = pick(behind, PlacementAnchor::SkirtFront, PlacementAnchor::SkirtBack);
+            let at = pick(
+                behind,
+                PlacementAnchor::SkirtFront,
+                PlacementAnchor::SkirtBack,
+            );
             (at, [x, -above(garment, part), 0.0])
         }
         PanelKind::Godet => {
-            let at = pick(behind, PlacementAnchor::SkirtFront, PlacementAnchor::SkirtBack);
+            let at = pick(
+                behind,
+                PlacementAnchor::SkirtFront,
+                PlacementAnchor::SkirtBack,
+            );
             (at, [0.0, -0.4, 0.1 * if behind { -1.0 } else { 1.0 }])
         }
         PanelKind::Waistband => (
-            band(part, [PlacementAnchor::Waist, PlacementAnchor::WaistFront, PlacementAnchor::WaistBack]),
+            band(
+                part,
+                [
+                    PlacementAnchor::Waist,
+                    PlacementAnchor::WaistFront,
+                    PlacementAnchor::WaistBack,
+                ],
+            ),
             [0.0; 3],
         ),
         PanelKind::NeckBand | PanelKind::Collar | PanelKind::CollarStand | PanelKind::Hood => {
-            let at = band(part, [PlacementAnchor::Neck, PlacementAnchor::NeckFront, PlacementAnchor::NeckBack]);
+            let at = band(
+                part,
+                [
+                    PlacementAnchor::Neck,
+                    PlacementAnchor::NeckFront,
+                    PlacementAnchor::NeckBack,
+                ],
+            );
             (
                 at,
                 if side == 0.0 {
@@ -52,7 +78,11 @@ fn placement(garment: &GarmentModel, part: &LabeledPanel) -> Option<Placement> {
         }
         PanelKind::Sleeve | PanelKind::ArmBand => (arm(part)?, [0.0; 3]),
         PanelKind::Cuff if on_leg(garment, part) => {
-            let at = pick(behind, PlacementAnchor::SkirtFront, PlacementAnchor::SkirtBack);
+            let at = pick(
+                behind,
+                PlacementAnchor::SkirtFront,
+                PlacementAnchor::SkirtBack,
+            );
             let leg = tallest(garment, PanelKind::Trouser);
             (at, [side * 0.1, -leg, 0.0])
         }

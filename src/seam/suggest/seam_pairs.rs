@@ -3,7 +3,7 @@
 use super::edge_chain::{EdgeChain, EdgeStep};
 use super::garment_model::ProposedSeam;
 use super::suggestion::SuggestedSeam;
-use crate::pattern::{Direction, Match, Pattern, Place, OutlineRun, SeamPair, Side};
+use crate::pattern::{Direction, Match, OutlineRun, Pattern, Place, SeamPair, Side};
 
 /// Writes proposed seams as seam pairs; names panels, mirrored copies among them.
 pub(super) struct SeamPairWriter<'a>(pub(super) &'a Pattern);

@@ -2,7 +2,7 @@
 
 use seamster::config::Limits;
 use seamster::fault::Faults;
-use seamster::pattern::{Direction, Match, Panel, Pattern, Place, OutlineRun, SeamPair, Side};
+use seamster::pattern::{Direction, Match, OutlineRun, Panel, Pattern, Place, SeamPair, Side};
 use seamster::seam::{Face, FaceRequest, Seam, SeamCheck, SeamSet, Stretch, Track, check};
 use seamster_fixtures::panels::{
     darted, lens, many, notched, pattern, polygon, rectangle, run, seam, trapezoid,
