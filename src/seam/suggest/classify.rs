@@ -2,6 +2,7 @@
 
 use super::labeled_panel::LabeledPanel;
 use super::labels::{Laterality, PanelKind};
+use super::lexicon::Lexicon;
 use super::outline_features::OutlineFeatures;
 use super::penalties::{drawing_penalty, half_penalty, upright};
 use super::{align, assignment, edge_templates, names, orientation};
@@ -29,6 +30,7 @@ pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
     let names: Vec<&str> = pattern.panels.iter().map(|p| p.name.as_str()).collect();
     let common = names::common_start(&names);
     let shared = names::shared(&names);
+    let lexicon = Lexicon::new();
     let hints: Vec<names::NameHints> = pattern
         .panels
         .iter()
@@ -39,7 +41,7 @@ pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
                 &panel.name
             };
             let code = panel.name.get(common..).unwrap_or_default();
-            let mut hints = names::hints(name, code, &shared);
+            let mut hints = names::hints(&lexicon, name, code, &shared);
             if panel.copy_of.is_some() {
                 hints.laterality = hints.laterality.map(Laterality::other);
             }

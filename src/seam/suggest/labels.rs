@@ -1,7 +1,10 @@
 //! Labels of panels and edges: kind, front or back, left or right, edge role.
 
+use serde::Deserialize;
+
 /// What a panel is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub(super) enum PanelKind {
     Bodice,
     Skirt,

@@ -13,6 +13,7 @@ mod garment_model;
 mod join;
 mod labeled_panel;
 mod labels;
+mod lexicon;
 mod names;
 mod orientation;
 mod outline_features;
@@ -22,6 +23,8 @@ mod rules;
 mod seam_pairs;
 mod select;
 mod suggestion;
+mod vocabulary;
+mod words;
 
 pub use suggestion::{SuggestedPanel, SuggestedSeam, Suggestion};
 

@@ -1,13 +1,19 @@
-//! What the name of a panel says of it: pattern makers' words in several languages, and the short codes of pattern CAD.
+//! Hints in the name of a panel: its name split into words, and what the lexicon says of them.
 
 use super::labels::{FrontBack, Laterality, PanelKind};
+use super::lexicon::Lexicon;
+use super::vocabulary::{Meaning, PRECEDENCE};
+use super::words::split;
 use std::collections::BTreeSet;
 
-/// What a name says.
+/// Longest code, in letters, that may have grown together with what stands before it.
+const MAX_CODE: usize = 4;
+
+/// Hints that a name gives.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(super) struct NameHints {
     pub(super) kind: Option<PanelKind>,
-    /// What else it names: the sleeve or the leg of a cuff.
+    /// Other kinds that it names: the sleeve or the leg of a cuff.
     pub(super) of: Vec<PanelKind>,
     /// The number it ends with, counted from 1; 0 where there is none.
     pub(super) number: u32,
@@ -15,269 +21,116 @@ pub(super) struct NameHints {
     pub(super) laterality: Option<Laterality>,
 }
 
-/// A kind with the parts of words that say it, and the whole words and codes that do.
-type Entry = (PanelKind, &'static [&'static str], &'static [&'static str]);
-
-/// In order: the first that fits counts, so that "collar interfacing" is no collar and "arm binding" no sleeve.
-const KINDS: [Entry; 16] = [
-    (
-        PanelKind::Layer,
-        &[
-            "interfac",
-            "facing",
-            "interlin",
-            "lining",
-            "fusible",
-            "einlage",
-            "futter",
-            "doublure",
-            "entretela",
-            "包条",
-        ],
-        &["iy", "ix"],
-    ),
-    (
-        PanelKind::Godet,
-        &["godet", "gusset", "insert", "zwickel"],
-        &["ins"],
-    ),
-    (
-        PanelKind::Pocket,
-        &[
-            "pocket",
-            "flap",
-            "tasche",
-            "poche",
-            "bolsillo",
-            "welt",
-            "карман",
-            "口袋",
-        ],
-        &["pkt", "pk"],
-    ),
-    (
-        PanelKind::Placket,
-        &[
-            "placket", "button", "zip", "fly", "loop", "belt", "strap", "tie", "blende", "patte",
-        ],
-        &[],
-    ),
-    (
-        PanelKind::ArmBand,
-        &[
-            "armbinding",
-            "armholebinding",
-            "armholeband",
-            "sleeveband",
-            "armband",
-            "armrib",
-        ],
-        &["bia"],
-    ),
-    (
-        PanelKind::NeckBand,
-        &[
-            "neckbinding",
-            "neckband",
-            "neckrib",
-            "neckline",
-            "ribcollar",
-            "罗纹领",
-            "领",
-        ],
-        &["bin", "nr", "nb", "rib"],
-    ),
-    (
-        PanelKind::Cuff,
-        &[
-            "cuff",
-            "manschette",
-            "poignet",
-            "puño",
-            "polsino",
-            "манжет",
-            "袖口",
-        ],
-        &["cu", "cuf"],
-    ),
-    (
-        PanelKind::Waistband,
-        &[
-            "waistband",
-            "bund",
-            "ceinture",
-            "pretina",
-            "cintura",
-            "пояс",
-            "腰",
-        ],
-        &["wb", "wa", "waist", "band"],
-    ),
-    (
-        PanelKind::Hood,
-        &[
-            "hood",
-            "kapuze",
-            "capuche",
-            "capucha",
-            "cappuccio",
-            "капюшон",
-            "帽",
-        ],
-        &["ho"],
-    ),
-    (
-        PanelKind::CollarStand,
-        &["collarstand", "collarbase", "collarband", "steg"],
-        &["stand"],
-    ),
-    (
-        PanelKind::Collar,
-        &[
-            "collar",
-            "kragen",
-            "cuello",
-            "colletto",
-            "воротник",
-            "turtle",
-            "lapel",
-        ],
-        &["co", "clr", "col"],
-    ),
-    (
-        PanelKind::Yoke,
-        &["yoke", "passe", "empiècement", "canesú", "sprone", "кокетк"],
-        &["yk", "yl", "yp"],
-    ),
-    (
-        PanelKind::Sleeve,
-        &[
-            "sleeve",
-            "ärmel",
-            "aermel",
-            "manche",
-            "manga",
-            "manica",
-            "рукав",
-            "袖",
-        ],
-        &["sl", "sls", "slv", "ss", "ls", "sa"],
-    ),
-    (
-        PanelKind::Trouser,
-        &["pant", "trouser", "legging", "jeans", "hose", "брюк", "裤"],
-        &["leg", "ll", "short", "shorts"],
-    ),
-    (
-        PanelKind::Skirt,
-        &["skirt", "jupe", "falda", "gonna", "юбк", "裙"],
-        &["rock"],
-    ),
-    (
-        PanelKind::Bodice,
-        &["torso", "bodice", "shirt", "corpiño", "лиф"],
-        &["body", "tank", "top"],
-    ),
-];
-
-const FRONT: (&[&str], &[&str]) = (
-    &[
-        "front",
-        "frnt",
-        "vorder",
-        "devant",
-        "delantero",
-        "davanti",
-        "перед",
-        "前",
-        "ftorso",
-    ],
-    &["fr", "frt", "f", "fa", "ft", "vt"],
-);
-const BACK: (&[&str], &[&str]) = (
-    &[
-        "back", "rücken", "rueck", "hinter", "dos", "espalda", "trasero", "dietro", "спин", "задн",
-        "后", "後", "btorso",
-    ],
-    &["bk", "bck", "b", "ba", "rear", "ht"],
-);
-const LEFT: (&[&str], &[&str]) = (
-    &["left", "links", "gauche", "izquierd", "sinistr", "左"],
-    &["l", "lft", "lh"],
-);
-const RIGHT: (&[&str], &[&str]) = (
-    &["right", "rechts", "droit", "derech", "destr", "右"],
-    &["r", "rgt", "rh"],
-);
-
-/// What `name` says; `code` is what is left of it without what all names of the pattern begin with, `shared` are the words
-/// that all of them have: those are the garment's and say nothing of one panel, but for the kind of body panels.
-pub(super) fn hints(name: &str, code: &str, shared: &BTreeSet<String>) -> NameHints {
+/// Returns the hints of `name`.
+///
+/// `code` is what is left of the name without what all names of the pattern begin with. `shared`
+/// are the words that all of them have: those are the garment's and say nothing of one panel, but
+/// for the kind of body panels.
+pub(super) fn hints(
+    lexicon: &Lexicon,
+    name: &str,
+    code: &str,
+    shared: &BTreeSet<String>,
+) -> NameHints {
     let mut words = split(name);
     words.retain(|word| !shared.contains(word));
-    let joined: String = words.concat();
-    words.extend(split(code));
-    let says = |(parts, codes): (&[&str], &[&str])| {
-        let part =
-            |p: &&str| words.iter().any(|w| w.contains(*p)) || p.len() > 6 && joined.contains(*p);
-        parts.iter().any(part) || words.iter().any(|w| codes.contains(&w.as_str()))
+    let codes = split(code);
+    let mut meanings = lexicon.meanings(&words);
+    meanings.extend(lexicon.meanings(&codes));
+    meanings.extend(codes.iter().flat_map(|word| grown_code(word)));
+    meanings.extend(words.iter().chain(&codes).flat_map(|w| side_prefix(w)));
+    let has = |meaning| meanings.contains(&meaning);
+    let mut kinds = kinds(&meanings);
+    let kind = if kinds.is_empty() {
+        body_kind(&lexicon.meanings(&shared.iter().cloned().collect::<Vec<_>>()))
+    } else {
+        Some(kinds.remove(0))
     };
-    // A code grown together with a name before it: "RACERBK" after "RACE".
-    let ends = |codes: &[&str]| {
-        split(code)
-            .iter()
-            .any(|w| w.len() <= 4 && codes.iter().any(|c| w.ends_with(c)))
-    };
-    let before = letters_before(&words);
-    let (front, back) = (
-        says(FRONT) || ends(&["fr"]) || before.contains('f'),
-        says(BACK) || ends(&["bk"]) || before.contains('b'),
-    );
-    let (left, right) = (
-        says(LEFT) || before.contains('l'),
-        says(RIGHT) || before.contains('r'),
-    );
-    let mut kinds = KINDS
-        .iter()
-        .filter(|(_, parts, codes)| says((parts, codes)))
-        .map(|(kind, ..)| *kind);
-    let kind = kinds
-        .next()
-        .or_else(|| ends(&["co"]).then_some(PanelKind::Collar))
-        .or_else(|| body_kind(shared));
-    let mut of: Vec<PanelKind> = kinds.collect();
-    if of.contains(&PanelKind::Sleeve) {
-        of.retain(|kind| *kind != PanelKind::Trouser); // "short sleeve cuff"
-    }
     NameHints {
         kind,
-        of,
+        of: kinds,
         number: number(name),
-        front_back: either(front, back, FrontBack::Front, FrontBack::Back),
-        laterality: either(left, right, Laterality::Left, Laterality::Right),
+        front_back: either(
+            has(Meaning::Front),
+            has(Meaning::Back),
+            FrontBack::Front,
+            FrontBack::Back,
+        ),
+        laterality: either(
+            has(Meaning::Left),
+            has(Meaning::Right),
+            Laterality::Left,
+            Laterality::Right,
+        ),
     }
 }
 
-/// One or two letters grown together with a kind that they stand before: `lf` in `lfsleeve`, `r` in `rhood`.
-fn letters_before(words: &[String]) -> &str {
-    let kinds = ["sleeve", "hood", "cuff", "collar", "pocket"];
-    words
-        .iter()
-        .filter_map(|word| kinds.iter().find_map(|kind| word.strip_suffix(kind)))
-        .find(|rest| (1..=2).contains(&rest.len()) && rest.chars().all(|c| "lrfb".contains(c)))
-        .unwrap_or_default()
+/// Returns the kinds among `meanings`, the one that counts first.
+fn kinds(meanings: &BTreeSet<Meaning>) -> Vec<PanelKind> {
+    let named = |of: fn(PanelKind) -> Meaning| -> Vec<PanelKind> {
+        let all = PRECEDENCE.iter().copied();
+        all.filter(|kind| meanings.contains(&of(*kind))).collect()
+    };
+    let found = named(Meaning::Kind);
+    if !found.is_empty() {
+        return found;
+    }
+    let only = named(Meaning::KindIfOnly);
+    let alone = !meanings.contains(&Meaning::Front) && !meanings.contains(&Meaning::Back);
+    if only.is_empty() && alone {
+        return named(Meaning::KindIfAlone);
+    }
+    only
 }
 
-/// The kind of body panel that words say.
-fn body_kind(words: &BTreeSet<String>) -> Option<PanelKind> {
-    let says = |parts: &[&str], codes: &[&str]| {
-        let part = |p: &&str| words.iter().any(|w| w.contains(*p));
-        parts.iter().any(part) || words.iter().any(|w| codes.contains(&w.as_str()))
+/// Returns the kind of body panel among the meanings of words that all names share.
+fn body_kind(meanings: &BTreeSet<Meaning>) -> Option<PanelKind> {
+    let found = kinds(meanings).into_iter();
+    let mut body = found.filter(|kind| matches!(kind, PanelKind::Trouser | PanelKind::Skirt));
+    body.next()
+}
+
+/// Meanings of a code grown together with a name before it: "RACERBK" after "RACE".
+fn grown_code(word: &str) -> Option<Meaning> {
+    let ends = |code: &str| word.chars().count() <= MAX_CODE && word.ends_with(code);
+    match () {
+        () if ends("fr") => Some(Meaning::Front),
+        () if ends("bk") => Some(Meaning::Back),
+        () if ends("co") => Some(Meaning::KindIfOnly(PanelKind::Collar)),
+        () => None,
+    }
+}
+
+/// Meanings of one or two letters grown together with a kind that they stand before: `lf` in
+/// `lfsleeve`, `r` in `rhood`.
+fn side_prefix(word: &str) -> Vec<Meaning> {
+    let kinds = [
+        ("sleeve", PanelKind::Sleeve),
+        ("hood", PanelKind::Hood),
+        ("cuff", PanelKind::Cuff),
+        ("collar", PanelKind::Collar),
+        ("pocket", PanelKind::Pocket),
+    ];
+    let mut found = kinds
+        .iter()
+        .filter_map(|(end, kind)| Some((word.strip_suffix(end)?, *kind)));
+    let sides = |letters: &&(&str, PanelKind)| {
+        (1..=2).contains(&letters.0.len()) && letters.0.chars().all(|c| "lrfb".contains(c))
     };
-    let body = [PanelKind::Trouser, PanelKind::Skirt];
-    let found = KINDS.iter().filter(|(kind, ..)| body.contains(kind));
-    let mut found = found.filter(|(_, parts, codes)| says(parts, codes));
-    found.next().map(|(kind, ..)| *kind)
+    let Some((letters, kind)) = found.find(|found| sides(&found)) else {
+        return vec![];
+    };
+    let side = |letter| match letter {
+        'l' => Meaning::Left,
+        'r' => Meaning::Right,
+        'f' => Meaning::Front,
+        _ => Meaning::Back,
+    };
+    letters
+        .chars()
+        .map(side)
+        .chain([Meaning::Kind(kind)])
+        .collect()
 }
 
 fn either<T>(first: bool, second: bool, a: T, b: T) -> Option<T> {
@@ -288,7 +141,7 @@ fn either<T>(first: bool, second: bool, a: T, b: T) -> Option<T> {
     }
 }
 
-/// The number that a name ends with, and 1; 0 where it ends with none.
+/// Returns the number that a name ends with, and 1; 0 where it ends with none.
 fn number(name: &str) -> u32 {
     let digits = name.len() - name.trim_end_matches(|c: char| c.is_ascii_digit()).len();
     name[name.len() - digits..]
@@ -296,7 +149,7 @@ fn number(name: &str) -> u32 {
         .map_or(0, |n| n.saturating_add(1))
 }
 
-/// Words that all names have, where there are several names.
+/// Returns the words that all names have, where there are several names.
 pub(super) fn shared(names: &[&str]) -> BTreeSet<String> {
     let mut all = names
         .iter()
@@ -307,28 +160,7 @@ pub(super) fn shared(names: &[&str]) -> BTreeSet<String> {
     })
 }
 
-/// Words of a name: parted at what is no letter and where a capital follows a small letter.
-fn split(name: &str) -> Vec<String> {
-    let mut words = vec![String::new()];
-    let mut small = false;
-    for c in name.chars() {
-        let ends = !c.is_alphabetic() || small && c.is_uppercase();
-        if ends {
-            words.push(String::new());
-        }
-        if c.is_alphabetic() {
-            words
-                .last_mut()
-                .expect("begun with one")
-                .extend(c.to_lowercase());
-        }
-        small = c.is_lowercase();
-    }
-    words.retain(|word| !word.is_empty());
-    words
-}
-
-/// What all names begin with, in bytes: the style's code before the piece's.
+/// Returns what all names begin with, in bytes: the style's code before the piece's.
 pub(super) fn common_start(names: &[&str]) -> usize {
     let Some((first, rest)) = names.split_first().filter(|(_, rest)| !rest.is_empty()) else {
         return 0;
@@ -347,55 +179,130 @@ pub(super) fn common_start(names: &[&str]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use FrontBack::{Back, Front};
+    use Laterality::{Left, Right};
+    use PanelKind::{
+        ArmBand, Bodice, Collar, CollarStand, Cuff, Hood, Layer, NeckBand, Placket, Pocket, Skirt,
+        Sleeve, Trouser, Waistband, Yoke,
+    };
+
+    type Row = (
+        &'static str,
+        Option<PanelKind>,
+        Option<FrontBack>,
+        Option<Laterality>,
+    );
+
+    fn assert_hints(rows: &[Row], code_of: fn(&str) -> &str) {
+        let lexicon = Lexicon::new();
+        for (name, kind, front_back, laterality) in rows {
+            let found = hints(&lexicon, name, code_of(name), &BTreeSet::new());
+            assert_eq!(
+                (found.kind, found.front_back, found.laterality),
+                (*kind, *front_back, *laterality),
+                "{name}"
+            );
+        }
+    }
+
+    #[test]
+    fn words_that_only_begin_alike_mean_nothing() {
+        let rows: &[Row] = &[
+            ("strapless_front", None, Some(Front), None),
+            ("button_front_left", None, Some(Front), Some(Left)),
+            ("zip_front", None, Some(Front), None),
+            ("skirt_tier_2", Some(Skirt), None, None),
+            ("butterfly_sleeve", Some(Sleeve), None, None),
+            ("pattern_front", None, Some(Front), None),
+            ("Pattern2D_768516", None, None, None),
+            ("bundle_front", None, Some(Front), None),
+            ("sleeveless_back", None, Some(Back), None),
+            ("background", None, None, None),
+            ("frontier", None, None, None),
+            ("cufflink", None, None, None),
+            ("Rocker_Back", None, Some(Back), None),
+            ("leftover", None, None, None),
+            ("hooded_front", None, Some(Front), None),
+            ("waistcoat_front", None, Some(Front), None),
+            ("flyer", None, None, None),
+            ("Bundfalte", None, None, None),
+        ];
+        assert_hints(rows, |_| "");
+    }
 
     #[test]
     fn names_of_many_tools_are_understood() {
-        let all = |name: &str, code: &str| {
-            let s = hints(name, code, &BTreeSet::new());
-            (s.kind, s.front_back, s.laterality)
-        };
-        assert_eq!(
-            all("right_sleeve_f", ""),
-            (
-                Some(PanelKind::Sleeve),
-                Some(FrontBack::Front),
-                Some(Laterality::Right)
-            )
-        );
-        assert_eq!(
-            all("aaron.armBinding", ""),
-            (Some(PanelKind::ArmBand), None, None)
-        );
-        assert_eq!(all("GMH1006FBK", "BK"), (None, Some(FrontBack::Back), None));
-        assert_eq!(
-            all("COLLARTOPINTERFACE", ""),
-            (Some(PanelKind::Layer), None, None)
-        );
-        assert_eq!(
-            all("pant_b_l", ""),
-            (
-                Some(PanelKind::Trouser),
-                Some(FrontBack::Back),
-                Some(Laterality::Left)
-            )
-        );
-        assert_eq!(
-            all("wb_front", ""),
-            (Some(PanelKind::Waistband), Some(FrontBack::Front), None)
-        );
-        assert_eq!(all("后片", ""), (None, Some(FrontBack::Back), None));
+        let rows: &[Row] = &[
+            ("right_sleeve_f", Some(Sleeve), Some(Front), Some(Right)),
+            ("lfsleeve", Some(Sleeve), Some(Front), Some(Left)),
+            ("left_btorso", Some(Bodice), Some(Back), Some(Left)),
+            ("pant_b_l", Some(Trouser), Some(Back), Some(Left)),
+            ("wb_front", Some(Waistband), Some(Front), None),
+            ("aaron.armBinding", Some(ArmBand), None, None),
+            ("aaron.neckBinding", Some(NeckBand), None, None),
+            ("sandy.waistband", Some(Waistband), None, None),
+            ("COLLARTOPINTERFACE", Some(Layer), None, None),
+            ("COLLARBASE", Some(CollarStand), None, None),
+            ("CollarTop", Some(Collar), None, None),
+            ("FRONTPANEL", None, Some(Front), None),
+            ("PocketFlapRound", Some(Pocket), None, None),
+            ("PLACKETUNDER", Some(Placket), None, None),
+            ("SHORTSLEEVE", Some(Sleeve), None, None),
+            ("short", Some(Trouser), None, None),
+            ("FT SLV", Some(Sleeve), Some(Front), None),
+            ("LFSleeve", Some(Sleeve), Some(Front), Some(Left)),
+        ];
+        assert_hints(rows, |_| "");
+        let codes: &[Row] = &[
+            ("GMH1006FBK", None, Some(Back), None),
+            ("GMH1006FSL", Some(Sleeve), None, None),
+            ("GMH1006FNR", Some(NeckBand), None, None),
+            ("GMH1006FVCO", Some(Collar), None, None),
+        ];
+        assert_hints(codes, |name| &name["GMH1006F".len()..]);
+    }
+
+    #[test]
+    fn names_of_many_languages_are_understood() {
+        let rows: &[Row] = &[
+            ("Vorderhose_links", Some(Trouser), Some(Front), Some(Left)),
+            ("Rückenteil", None, Some(Back), None),
+            ("Ru\u{308}ckenteil", None, Some(Back), None),
+            ("Ärmelbündchen", Some(Cuff), None, None),
+            ("Halsbündchen", Some(NeckBand), None, None),
+            ("Taschenbeutel", Some(Pocket), None, None),
+            ("Kragensteg", Some(CollarStand), None, None),
+            ("mouwboord", Some(Cuff), None, None),
+            ("voorpand links", None, Some(Front), Some(Left)),
+            ("broekband", Some(Waistband), None, None),
+            ("devant droite", None, Some(Front), Some(Right)),
+            ("pied_de_col", Some(CollarStand), None, None),
+            ("Espalda izquierda", None, Some(Back), Some(Left)),
+            ("puños", Some(Cuff), None, None),
+            ("manica_dx", Some(Sleeve), None, Some(Right)),
+            ("передняя кокетка", Some(Yoke), Some(Front), None),
+            ("капюшон", Some(Hood), None, None),
+            ("后片", None, Some(Back), None),
+            ("后包条", Some(Layer), Some(Back), None),
+            ("罗纹领", Some(NeckBand), None, None),
+            ("袖口", Some(Cuff), None, None),
+            ("右後ろ身頃", Some(Bodice), Some(Back), Some(Right)),
+            ("소매", Some(Sleeve), None, None),
+        ];
+        assert_hints(rows, |_| "");
     }
 
     #[test]
     fn words_that_all_names_share_say_nothing_of_one_panel() {
         let names = ["HOODIE-FRONT_L", "HOODIE-SLEEVE_L"];
         let shared = shared(&names);
-        let front = hints(names[0], "", &shared);
+        let of = |name| hints(&Lexicon::new(), name, "", &shared);
+        let front = of(names[0]);
         assert_eq!(
             (front.kind, front.front_back, front.laterality),
-            (None, Some(FrontBack::Front), None)
+            (None, Some(Front), None)
         );
-        assert_eq!(hints(names[1], "", &shared).kind, Some(PanelKind::Sleeve));
+        assert_eq!(of(names[1]).kind, Some(Sleeve));
     }
 
     #[test]
