@@ -8,6 +8,7 @@ use super::edge_templates::{EdgeTemplate, PanelTemplate};
 use super::labeled_panel::RoleSegment;
 use super::labels::{DrawnSide, EdgeRole};
 use super::outline_features::{MOST_EDGES, OutlineFeatures};
+use serde::Deserialize;
 
 /// An outline divided.
 #[derive(Clone, Debug)]
@@ -17,18 +18,62 @@ pub(super) struct Alignment {
     pub(super) cost: f64,
 }
 
-/// No single feature may count for more than this.
-const MOST: f64 = 3.0;
-/// A corner inside a role costs nothing up to this turn, then grows in these steps \[degrees\].
-const SMOOTH: f64 = 20.0;
-const SHARP: f64 = 14.0;
-/// How much two sides of a panel usually differ, as a logarithm.
-const UNEVEN: f64 = 0.12;
-/// How much more that counts for a symmetric panel.
-const SYMMETRIC: f64 = 4.0;
+/// Weights of the misfit of an alignment.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct AlignmentWeights {
+    /// Most that a single feature may cost.
+    max_misfit: f64,
+    /// Turn up to which a corner inside a role costs nothing \[degrees\].
+    smooth_corner_deg: f64,
+    /// Turn beyond that which costs one half; the cost grows with its square \[degrees\].
+    sharp_corner_deg: f64,
+    /// Most that a sharp corner inside a role may cost, as a share of `max_misfit`: necks may be
+    /// square and hems and waists have slits, shoulders are straight.
+    sharp_corner_neck: f64,
+    sharp_corner_hem: f64,
+    sharp_corner_other: f64,
+    /// Usual difference of two sides of a panel, as a logarithm.
+    unevenness: f64,
+    /// Weight of that difference for a symmetric panel.
+    symmetric_weight: f64,
+}
+
+impl AlignmentWeights {
+    fn misfit(&self, value: f64, [mean, spread]: [f64; 2]) -> f64 {
+        (0.5 * ((value - mean) / spread).powi(2)).min(self.max_misfit)
+    }
+
+    /// Returns the cost of a corner inside an edge of this role \[turn in degrees\].
+    fn corner_cost(&self, role: EdgeRole, turn: f64) -> f64 {
+        let sharp = (turn.abs() - self.smooth_corner_deg).max(0.0) / self.sharp_corner_deg;
+        let share = match role {
+            EdgeRole::Neck => self.sharp_corner_neck,
+            EdgeRole::Hem | EdgeRole::Waist => self.sharp_corner_hem,
+            _ => self.sharp_corner_other,
+        };
+        (0.5 * sharp.powi(2)).min(share * self.max_misfit)
+    }
+
+    /// Returns the cost of segments of one role that differ in length.
+    fn unevenness_cost(&self, features: &OutlineFeatures, segments: &[RoleSegment]) -> f64 {
+        let mut cost = 0.0;
+        for (i, a) in segments.iter().enumerate() {
+            for b in segments[i + 1..].iter().filter(|b| b.role == a.role) {
+                let ratio = (features.length(&a.edges) / features.length(&b.edges)).ln();
+                cost += self.misfit(ratio, [0.0, self.unevenness]);
+            }
+        }
+        cost
+    }
+}
 
 /// The divisions of `features` into the roles of `template`, the best first: one for each edge to begin with and direction.
-pub(super) fn align(features: &OutlineFeatures, template: &PanelTemplate) -> Vec<Alignment> {
+pub(super) fn align(
+    features: &OutlineFeatures,
+    template: &PanelTemplate,
+    weights: &AlignmentWeights,
+) -> Vec<Alignment> {
     let ring_edges = features.ring.len();
     let roles = template.edges.len();
     if ring_edges < roles || ring_edges > MOST_EDGES {
@@ -43,7 +88,8 @@ pub(super) fn align(features: &OutlineFeatures, template: &PanelTemplate) -> Vec
     let ways = readings.iter().flat_map(|forward| {
         (0..ring_edges).map(move |start| SegmentalAligner {
             features,
-            templates: template.edges,
+            templates: &template.edges,
+            weights,
             forward: *forward,
             start,
             symmetric,
@@ -60,7 +106,8 @@ pub(super) fn align(features: &OutlineFeatures, template: &PanelTemplate) -> Vec
 #[derive(Clone, Copy)]
 struct SegmentalAligner<'a> {
     features: &'a OutlineFeatures,
-    templates: &'static [EdgeTemplate],
+    templates: &'a [EdgeTemplate],
+    weights: &'a AlignmentWeights,
     forward: bool,
     start: usize,
     /// Whether the panel is mirrored onto itself.
@@ -161,8 +208,12 @@ impl SegmentalAligner<'_> {
         }
         let segments = self.segments(ends, half);
         if !half {
-            let weight = if self.symmetric { SYMMETRIC } else { 1.0 };
-            cost += weight * unevenness(self.features, &segments);
+            let weight = if self.symmetric {
+                self.weights.symmetric_weight
+            } else {
+                1.0
+            };
+            cost += weight * self.weights.unevenness_cost(self.features, &segments);
         }
         #[expect(clippy::cast_precision_loss, reason = "a handful of roles")]
         let count = self.templates.len() as f64;
@@ -180,8 +231,8 @@ impl SegmentalAligner<'_> {
         if to - 1 > from {
             let joint = self.features.joints[self.ring(to - 2)];
             run.bend += joint;
-            let sharp = (joint.to_degrees().abs() - SMOOTH).max(0.0) / SHARP;
-            run.corners += (0.5 * sharp.powi(2)).min(corner_cost(self.edge_template(k).role));
+            let role = self.edge_template(k).role;
+            run.corners += self.weights.corner_cost(role, joint.to_degrees());
         }
     }
 
@@ -191,9 +242,9 @@ impl SegmentalAligner<'_> {
         let corner = self.features.joints[self.ring(to - 1)].to_degrees();
         let length = (run.length.max(1e-6) / self.features.size.max(1e-6)).ln();
         run.corners
-            + misfit(length, template.length)
-            + misfit(run.bend.to_degrees(), template.bend)
-            + misfit(corner, self.corner(k))
+            + self.weights.misfit(length, template.length)
+            + self.weights.misfit(run.bend.to_degrees(), template.bend)
+            + self.weights.misfit(corner, self.corner(k))
     }
 
     fn segments(&self, ends: &[usize], half: bool) -> Vec<RoleSegment> {
@@ -269,29 +320,4 @@ struct SegmentFeatures {
     bend: f64,
     /// Misfit of the corners inside it.
     corners: f64,
-}
-
-/// What a sharp corner inside a role costs at most: necks may be square and hems have slits, shoulders are straight.
-fn corner_cost(role: EdgeRole) -> f64 {
-    match role {
-        EdgeRole::Neck => 0.4 * MOST,
-        EdgeRole::Hem | EdgeRole::Waist => 0.7 * MOST,
-        _ => 2.0 * MOST,
-    }
-}
-
-fn misfit(value: f64, [mean, spread]: [f64; 2]) -> f64 {
-    (0.5 * ((value - mean) / spread).powi(2)).min(MOST)
-}
-
-/// How much two segments of one role differ in length.
-fn unevenness(features: &OutlineFeatures, segments: &[RoleSegment]) -> f64 {
-    let mut cost = 0.0;
-    for (i, a) in segments.iter().enumerate() {
-        for b in segments[i + 1..].iter().filter(|b| b.role == a.role) {
-            let ratio = (features.length(&a.edges) / features.length(&b.edges)).ln();
-            cost += misfit(ratio, [0.0, UNEVEN]);
-        }
-    }
-    cost
 }

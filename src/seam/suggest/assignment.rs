@@ -5,33 +5,46 @@
 
 use super::labeled_panel::LabeledPanel;
 use super::labels::{EdgeRole, PanelKind};
+use serde::Deserialize;
 
 /// Rounds at most: each lowers the misfit, so that few are needed.
 const ROUNDS: usize = 8;
-/// How much edges that are sewn together, edges that mirror each other, and the same edges of front and back usually
-/// differ, as a logarithm.
-const SEWN: f64 = 0.06;
-const ALIKE: f64 = 0.3;
-const MIRRORED: f64 = 0.03;
-/// The same for an edge that goes round an opening, where the longer one is usually gathered and where it is not,
-/// and what that may cost at most.
-const GATHERED: f64 = 0.7;
-const JOINED: f64 = 0.12;
-const EASED: f64 = 0.3;
-const FULL: f64 = 0.45;
-const MOST_JOINED: f64 = 2.5;
 /// The edges of a band that may be sewn.
 const BAND_EDGES: [EdgeRole; 3] = [EdgeRole::Long, EdgeRole::Hem, EdgeRole::Waist];
-/// What it costs if a front is half and its back whole.
-const UNLIKE: f64 = 0.5;
-/// What disagreement of two panels may cost at most.
-const MOST: f64 = 3.0;
+/// Weights of how little two panels fit each other. Spreads are logarithms of ratios of lengths.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct AssignmentWeights {
+    /// Of edges that are sewn together.
+    sewn_spread: f64,
+    /// Of the same edges of front and back, and how much these count.
+    alike_spread: f64,
+    alike_weight: f64,
+    /// Of edges that mirror each other.
+    mirrored_spread: f64,
+    /// Of an edge and the opening that it goes round, where the longer one is usually gathered
+    /// and where it is not.
+    gathered_spread: f64,
+    joined_spread: f64,
+    /// The same for waistbands.
+    gathered_waist_spread: f64,
+    eased_waist_spread: f64,
+    /// Most that an opening may cost.
+    max_opening_cost: f64,
+    /// Cost of a front that is half and its back whole.
+    half_to_whole: f64,
+    /// Most that disagreement of two panels may cost.
+    max_pair_cost: f64,
+}
 
 /// One reading for each panel that has any.
-pub(super) fn assign(candidates: Vec<Vec<LabeledPanel>>) -> Vec<LabeledPanel> {
+pub(super) fn assign(
+    candidates: Vec<Vec<LabeledPanel>>,
+    weights: &AssignmentWeights,
+) -> Vec<LabeledPanel> {
     let candidates: Vec<Vec<LabeledPanel>> =
         candidates.into_iter().filter(|c| !c.is_empty()).collect();
-    let table = CostTable::new(&candidates);
+    let table = CostTable::new(&candidates, weights);
     let mut chosen = vec![0; candidates.len()];
     for _ in 0..ROUNDS {
         let before = chosen.clone();
@@ -68,7 +81,7 @@ struct PairCosts {
 }
 
 impl CostTable {
-    fn new(candidates: &[Vec<LabeledPanel>]) -> Self {
+    fn new(candidates: &[Vec<LabeledPanel>], weights: &AssignmentWeights) -> Self {
         let unary = candidates
             .iter()
             .map(|c| c.iter().map(|p| p.cost).collect())
@@ -77,8 +90,12 @@ impl CostTable {
         let mut of = vec![vec![]; candidates.len()];
         for i in 0..candidates.len() {
             for j in i + 1..candidates.len() {
-                let row =
-                    |a: &LabeledPanel| candidates[j].iter().map(|b| pair_cost(a, b)).collect();
+                let row = |a: &LabeledPanel| {
+                    candidates[j]
+                        .iter()
+                        .map(|b| weights.pair_cost(a, b))
+                        .collect()
+                };
                 let cost: Vec<Vec<f64>> = candidates[i].iter().map(row).collect();
                 if cost.iter().flatten().any(|c| *c > 0.0) {
                     of[i].push(pairs.len());
@@ -141,21 +158,136 @@ impl CostTable {
     }
 }
 
-/// How little two panels fit each other.
-fn pair_cost(a: &LabeledPanel, b: &LabeledPanel) -> f64 {
-    if a.kind != b.kind {
-        let mixed = !a.kind_named && !b.kind_named && a.named && b.named;
-        let misfits = f64::from(u8::from(is_misfit(a, b)) + u8::from(mixed));
-        return opening_cost(a, b) + opening_cost(b, a) + misfits * MOST;
+impl AssignmentWeights {
+    /// How little two panels fit each other.
+    fn pair_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
+        if a.kind != b.kind {
+            let mixed = !a.kind_named && !b.kind_named && a.named && b.named;
+            let misfits = f64::from(u8::from(is_misfit(a, b)) + u8::from(mixed));
+            return self.opening_cost(a, b)
+                + self.opening_cost(b, a)
+                + misfits * self.max_pair_cost;
+        }
+        if a.number != b.number {
+            return 0.0;
+        }
+        let same_side = a.laterality == b.laterality;
+        match (a.front_back, b.front_back) {
+            (Some(x), Some(y)) if x != y && same_side => self.sewn_edges_cost(a, b),
+            (x, y) if x == y && !same_side => self.mirror_cost(a, b),
+            _ => 0.0,
+        }
     }
-    if a.number != b.number {
-        return 0.0;
+
+    /// How little an edge of `a` fits the opening of `b` that it goes round: 0 where the two are not sewn together.
+    fn opening_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
+        let same = a.front_back == b.front_back
+            && a.front_back.is_some()
+            && (a.laterality == b.laterality
+                || a.kind == PanelKind::Waistband
+                || b.kind == PanelKind::Waistband);
+        let (edges, opening): (&[EdgeRole], EdgeRole) = match (a.kind, b.kind) {
+            (PanelKind::Sleeve, PanelKind::Bodice) => (&[EdgeRole::Cap], EdgeRole::Armhole),
+            (PanelKind::Cuff, PanelKind::Sleeve) if !a.of.contains(&PanelKind::Trouser) => {
+                (&BAND_EDGES, EdgeRole::Hem)
+            }
+            (PanelKind::Cuff, PanelKind::Trouser) if a.of.contains(&PanelKind::Trouser) => {
+                (&BAND_EDGES, EdgeRole::Hem)
+            }
+            (PanelKind::Waistband, PanelKind::Skirt | PanelKind::Trouser) => {
+                (&BAND_EDGES, EdgeRole::Waist)
+            }
+            (PanelKind::Waistband, PanelKind::Bodice) => (&BAND_EDGES, EdgeRole::Hem),
+            _ => return 0.0,
+        };
+        let (Some(opening), true) = (role_length(b, opening), same) else {
+            return 0.0;
+        };
+        let fits = edges
+            .iter()
+            .filter_map(|role| a.segment(*role, None))
+            .map(|s| {
+                let longer = (a.features.length(&s.edges) / opening).ln();
+                // Sleeves are gathered into armholes, skirts into waistbands and sleeves into cuffs: not the other way round.
+                let gathered = if a.kind == PanelKind::Sleeve {
+                    longer > 0.0
+                } else {
+                    longer < 0.0
+                };
+                let spread = match (gathered, a.kind) {
+                    (true, PanelKind::Waistband) => self.gathered_waist_spread,
+                    (true, _) => self.gathered_spread,
+                    (false, PanelKind::Waistband) => self.eased_waist_spread,
+                    (false, _) => self.joined_spread,
+                };
+                (0.5 * (longer / spread).powi(2)).min(self.max_opening_cost)
+            });
+        fits.fold(self.max_opening_cost, f64::min)
     }
-    let same_side = a.laterality == b.laterality;
-    match (a.front_back, b.front_back) {
-        (Some(x), Some(y)) if x != y && same_side => sewn_edges_cost(a, b),
-        (x, y) if x == y && !same_side => mirror_cost(a, b),
-        _ => 0.0,
+
+    /// What of a front and a back is sewn together.
+    fn sewn_edges_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
+        if a.half != b.half {
+            return if a.kind == PanelKind::Sleeve {
+                self.max_pair_cost
+            } else {
+                self.half_to_whole
+            };
+        }
+        let roles: &[EdgeRole] = match a.kind {
+            PanelKind::Bodice => &[EdgeRole::Side, EdgeRole::Shoulder],
+            PanelKind::Skirt => &[EdgeRole::Side],
+            PanelKind::Trouser => &[EdgeRole::Side, EdgeRole::Inseam],
+            PanelKind::Sleeve => &[EdgeRole::Top, EdgeRole::Underarm],
+            _ => &[],
+        };
+        let alike: &[EdgeRole] = match a.kind {
+            PanelKind::Skirt => &[EdgeRole::Waist, EdgeRole::Hem],
+            PanelKind::Bodice => &[EdgeRole::Hem],
+            _ => &[],
+        };
+        self.length_cost(a, b, roles, self.sewn_spread)
+            + self.alike_weight * self.length_cost(a, b, alike, self.alike_spread)
+    }
+
+    /// How much two halves are no mirror images.
+    fn mirror_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
+        if a.half != b.half {
+            return self.max_pair_cost;
+        }
+        let roles: Vec<EdgeRole> = a.segments.iter().map(|s| s.role).collect();
+        self.length_cost(a, b, &roles, self.mirrored_spread)
+    }
+
+    /// Mean difference in length of the segments of some roles.
+    fn length_cost(
+        &self,
+        a: &LabeledPanel,
+        b: &LabeledPanel,
+        roles: &[EdgeRole],
+        spread: f64,
+    ) -> f64 {
+        if roles.is_empty() {
+            return 0.0;
+        }
+        let length = |p: &LabeledPanel, role| -> Option<f64> {
+            let all: Vec<f64> = p
+                .segments_of(role)
+                .map(|s| p.features.length(&s.edges))
+                .collect();
+            (!all.is_empty()).then(|| all.iter().sum())
+        };
+        let of = |role: &EdgeRole| match (length(a, *role), length(b, *role)) {
+            (Some(x), Some(y)) => {
+                Some((0.5 * ((x / y).ln() / spread).powi(2)).min(self.max_pair_cost))
+            }
+            (None, None) => None,
+            _ => Some(self.max_pair_cost),
+        };
+        let all: Vec<f64> = roles.iter().filter_map(of).collect();
+        #[expect(clippy::cast_precision_loss, reason = "a handful of roles")]
+        let count = all.len().max(1) as f64;
+        all.iter().sum::<f64>() / count
     }
 }
 
@@ -171,52 +303,6 @@ fn is_misfit(a: &LabeledPanel, b: &LabeledPanel) -> bool {
     !armhole || shoulder == sleeve.segment(EdgeRole::Neck, None).is_some()
 }
 
-/// How little an edge of `a` fits the opening of `b` that it goes round: 0 where the two are not sewn together.
-fn opening_cost(a: &LabeledPanel, b: &LabeledPanel) -> f64 {
-    let same = a.front_back == b.front_back
-        && a.front_back.is_some()
-        && (a.laterality == b.laterality
-            || a.kind == PanelKind::Waistband
-            || b.kind == PanelKind::Waistband);
-    let (edges, opening): (&[EdgeRole], EdgeRole) = match (a.kind, b.kind) {
-        (PanelKind::Sleeve, PanelKind::Bodice) => (&[EdgeRole::Cap], EdgeRole::Armhole),
-        (PanelKind::Cuff, PanelKind::Sleeve) if !a.of.contains(&PanelKind::Trouser) => {
-            (&BAND_EDGES, EdgeRole::Hem)
-        }
-        (PanelKind::Cuff, PanelKind::Trouser) if a.of.contains(&PanelKind::Trouser) => {
-            (&BAND_EDGES, EdgeRole::Hem)
-        }
-        (PanelKind::Waistband, PanelKind::Skirt | PanelKind::Trouser) => {
-            (&BAND_EDGES, EdgeRole::Waist)
-        }
-        (PanelKind::Waistband, PanelKind::Bodice) => (&BAND_EDGES, EdgeRole::Hem),
-        _ => return 0.0,
-    };
-    let (Some(opening), true) = (role_length(b, opening), same) else {
-        return 0.0;
-    };
-    let fits = edges
-        .iter()
-        .filter_map(|role| a.segment(*role, None))
-        .map(|s| {
-            let longer = (a.features.length(&s.edges) / opening).ln();
-            // Sleeves are gathered into armholes, skirts into waistbands and sleeves into cuffs: not the other way round.
-            let gathered = if a.kind == PanelKind::Sleeve {
-                longer > 0.0
-            } else {
-                longer < 0.0
-            };
-            let spread = match (gathered, a.kind) {
-                (true, PanelKind::Waistband) => FULL,
-                (true, _) => GATHERED,
-                (false, PanelKind::Waistband) => EASED,
-                (false, _) => JOINED,
-            };
-            (0.5 * (longer / spread).powi(2)).min(MOST_JOINED)
-        });
-    fits.fold(MOST_JOINED, f64::min)
-}
-
 /// Length of a role of a piece, that of both halves for one of two.
 fn role_length(part: &LabeledPanel, role: EdgeRole) -> Option<f64> {
     let length: f64 = part
@@ -227,60 +313,4 @@ fn role_length(part: &LabeledPanel, role: EdgeRole) -> Option<f64> {
         && matches!(role, EdgeRole::Hem | EdgeRole::Waist)
         && part.kind != PanelKind::Sleeve;
     (length > 0.0).then_some(if halves { 2.0 * length } else { length })
-}
-
-/// What of a front and a back is sewn together.
-fn sewn_edges_cost(a: &LabeledPanel, b: &LabeledPanel) -> f64 {
-    if a.half != b.half {
-        return if a.kind == PanelKind::Sleeve {
-            MOST
-        } else {
-            UNLIKE
-        };
-    }
-    let roles: &[EdgeRole] = match a.kind {
-        PanelKind::Bodice => &[EdgeRole::Side, EdgeRole::Shoulder],
-        PanelKind::Skirt => &[EdgeRole::Side],
-        PanelKind::Trouser => &[EdgeRole::Side, EdgeRole::Inseam],
-        PanelKind::Sleeve => &[EdgeRole::Top, EdgeRole::Underarm],
-        _ => &[],
-    };
-    let alike: &[EdgeRole] = match a.kind {
-        PanelKind::Skirt => &[EdgeRole::Waist, EdgeRole::Hem],
-        PanelKind::Bodice => &[EdgeRole::Hem],
-        _ => &[],
-    };
-    length_cost(a, b, roles, SEWN) + 0.5 * length_cost(a, b, alike, ALIKE)
-}
-
-/// How much two halves are no mirror images.
-fn mirror_cost(a: &LabeledPanel, b: &LabeledPanel) -> f64 {
-    if a.half != b.half {
-        return MOST;
-    }
-    let roles: Vec<EdgeRole> = a.segments.iter().map(|s| s.role).collect();
-    length_cost(a, b, &roles, MIRRORED)
-}
-
-/// Mean difference in length of the segments of some roles.
-fn length_cost(a: &LabeledPanel, b: &LabeledPanel, roles: &[EdgeRole], spread: f64) -> f64 {
-    if roles.is_empty() {
-        return 0.0;
-    }
-    let length = |p: &LabeledPanel, role| -> Option<f64> {
-        let all: Vec<f64> = p
-            .segments_of(role)
-            .map(|s| p.features.length(&s.edges))
-            .collect();
-        (!all.is_empty()).then(|| all.iter().sum())
-    };
-    let of = |role: &EdgeRole| match (length(a, *role), length(b, *role)) {
-        (Some(x), Some(y)) => Some((0.5 * ((x / y).ln() / spread).powi(2)).min(MOST)),
-        (None, None) => None,
-        _ => Some(MOST),
-    };
-    let all: Vec<f64> = roles.iter().filter_map(of).collect();
-    #[expect(clippy::cast_precision_loss, reason = "a handful of roles")]
-    let count = all.len().max(1) as f64;
-    all.iter().sum::<f64>() / count
 }

@@ -1,11 +1,12 @@
 //! From panels to pieces: what each panel is, by its name and by its look.
 
+use super::figures::Figures;
 use super::labeled_panel::LabeledPanel;
 use super::labels::{Laterality, PanelKind};
 use super::lexicon::Lexicon;
 use super::outline_features::OutlineFeatures;
 use super::penalties::{drawing_penalty, half_penalty, upright};
-use super::{align, assignment, edge_templates, names, orientation};
+use super::{align, assignment, names, orientation};
 use crate::pattern::Pattern;
 use std::rc::Rc;
 
@@ -18,10 +19,6 @@ const ANY: [PanelKind; 5] = [
 ];
 /// What a panel without a telling name may be where other panels of the pattern have one.
 const EXTRA: [PanelKind; 2] = [PanelKind::Sleeve, PanelKind::NeckBand];
-/// What a panel without a telling name must look like at least: mean misfit of a role.
-const RECOGNISED: f64 = 2.5;
-/// The same for its size: side of the square of its area \[m\].
-const SMALLEST: f64 = 0.08;
 /// How many readings of a panel are weighed.
 const KEPT: usize = 16;
 
@@ -31,6 +28,7 @@ pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
     let common = names::common_start(&names);
     let shared = names::shared(&names);
     let lexicon = Lexicon::new();
+    let figures = Figures::embedded();
     let hints: Vec<names::NameHints> = pattern
         .panels
         .iter()
@@ -57,14 +55,14 @@ pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
             let panel = &pattern.panels[index];
             let hints = &hints[index];
             candidates(
-                index,
-                Rc::new(OutlineFeatures::of(panel, slits)),
+                &figures,
+                (index, Rc::new(OutlineFeatures::of(panel, slits))),
                 hints,
                 (upright(panel), telling),
             )
         })
         .collect();
-    let mut parts = assignment::assign(candidates);
+    let mut parts = assignment::assign(candidates, &figures.assignment);
     orientation::assign_front_back(pattern, &mut parts);
     let turned: Vec<bool> = parts
         .iter()
@@ -79,8 +77,8 @@ pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
 
 /// What a panel may be, the likeliest first.
 fn candidates(
-    panel: usize,
-    features: Rc<OutlineFeatures>,
+    figures: &Figures,
+    (panel, features): (usize, Rc<OutlineFeatures>),
     hints: &names::NameHints,
     (upright, telling): (Option<bool>, bool),
 ) -> Vec<LabeledPanel> {
@@ -94,10 +92,13 @@ fn candidates(
     let symmetric = features.is_symmetric();
     let mut found: Vec<LabeledPanel> = vec![];
     for kind in kinds {
-        for template in edge_templates::of(kind) {
-            let half_penalty =
-                template.rarity + half_penalty(kind, template.half, hints, symmetric);
-            for alignment in align::align(&features, &template).into_iter().take(KEPT) {
+        for template in figures.templates(kind) {
+            let against = template.rarity
+                + half_penalty((kind, template.half), hints, symmetric, &figures.penalties);
+            for alignment in align::align(&features, template, &figures.alignment)
+                .into_iter()
+                .take(KEPT)
+            {
                 let mut part = LabeledPanel {
                     panel,
                     kind,
@@ -110,17 +111,18 @@ fn candidates(
                     drawn_from_inside: false,
                     features: Rc::clone(&features),
                     segments: alignment.segments,
-                    cost: alignment.cost + half_penalty,
+                    cost: alignment.cost + against,
                     named,
                     kind_named: hints.kind.is_some(),
                 };
-                part.cost += drawing_penalty(&part, upright);
+                part.cost += drawing_penalty(&part, upright, &figures.penalties);
                 found.push(part);
             }
         }
     }
-    let large = features.size >= SMALLEST;
-    found.retain(|part| named || large && part.cost < RECOGNISED);
+    let limits = figures.recognition;
+    let large = features.size >= limits.min_unnamed_size_m;
+    found.retain(|part| named || large && part.cost < limits.max_unnamed_cost);
     found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     found.truncate(KEPT);
     found

@@ -55,7 +55,8 @@ impl Laterality {
 }
 
 /// What an edge is of its panel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub(super) enum EdgeRole {
     Hem,
     Side,

@@ -9,6 +9,7 @@ mod assignment;
 mod classify;
 mod edge_chain;
 mod edge_templates;
+mod figures;
 mod garment_model;
 mod join;
 mod labeled_panel;

@@ -6,29 +6,38 @@ use super::labels::{EdgeRole, FrontBack, PanelKind};
 use super::names;
 use super::orientation::outer_drawn_side;
 use crate::pattern::Panel;
+use serde::Deserialize;
 
-/// Misfit added where the name or the symmetry of a panel speaks against a reading.
-const UNLIKELY: f64 = 3.0;
-/// Misfit added for half a skirt panel that no name calls so.
-const HALF_SKIRT: f64 = 1.5;
-/// Misfit added where a reading contradicts how such panels are made.
-const ABSURD: f64 = 1.5;
-/// Misfit added for a panel drawn on its side, for one drawn hem up, and for a front drawn as seen through the body.
-const ON_ITS_SIDE: f64 = 0.8;
-const UPSIDE_DOWN: f64 = 0.8;
-const FROM_INSIDE: f64 = 0.3;
-/// A waist this much longer than the hem is unusual.
-const WIDE_WAIST: f64 = 1.1;
-/// An edge that turns less is straight, one that turns more curved \[rad\].
-const STRAIGHT: f64 = 0.15;
-const CURVED: f64 = 0.6;
+/// Misfit added for what speaks against a reading, and the bounds of what is usual.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct PenaltyWeights {
+    /// The name or the symmetry of a panel speaks against half or whole.
+    half_mismatch: f64,
+    /// Half a skirt panel that no name calls so.
+    unnamed_half_skirt: f64,
+    /// A reading contradicts how such panels are made.
+    implausible: f64,
+    /// A panel is drawn on its side.
+    on_its_side: f64,
+    /// A panel is drawn hem up, or a skirt has a waist far longer than its hem.
+    upside_down: f64,
+    /// A front is drawn as seen through the body.
+    front_from_inside: f64,
+    /// Longest usual waist over hem.
+    max_waist_to_hem: f64,
+    /// A cap that turns less is straight \[rad\].
+    min_cap_curl_rad: f64,
+    /// The face edge of a hood that turns more is curved \[rad\].
+    max_hood_face_curl_rad: f64,
+}
 
 /// What speaks against taking a panel for half or for whole.
 pub(super) fn half_penalty(
-    kind: PanelKind,
-    half: bool,
+    (kind, half): (PanelKind, bool),
     hints: &names::NameHints,
     symmetric: bool,
+    weights: &PenaltyWeights,
 ) -> f64 {
     let halved = match kind {
         PanelKind::Sleeve => Some(hints.front_back.is_some()),
@@ -37,25 +46,33 @@ pub(super) fn half_penalty(
         _ => None,
     };
     match halved {
-        Some(halved) if halved != half => UNLIKELY,
-        None if half && kind == PanelKind::Skirt => HALF_SKIRT,
+        Some(halved) if halved != half => weights.half_mismatch,
+        None if half && kind == PanelKind::Skirt => weights.unnamed_half_skirt,
         _ => 0.0,
     }
 }
 
 /// What speaks against how a reading says that a panel is drawn: on its side, hem up, or a front as seen through the body.
-pub(super) fn drawing_penalty(part: &LabeledPanel, upright: Option<bool>) -> f64 {
+pub(super) fn drawing_penalty(
+    part: &LabeledPanel,
+    upright: Option<bool>,
+    weights: &PenaltyWeights,
+) -> f64 {
     let lower: Vec<usize> = part
         .segments_of(EdgeRole::Hem)
         .chain(part.segments_of(EdgeRole::Long))
         .flat_map(|s| s.edges.iter().copied())
         .collect();
-    let mut cost = if is_implausible(part) { ABSURD } else { 0.0 };
+    let mut cost = if is_implausible(part, weights) {
+        weights.implausible
+    } else {
+        0.0
+    };
     if part.kind == PanelKind::Sleeve || lower.is_empty() {
         return cost;
     }
     if upright.is_some_and(|upright| part.features.is_level(&lower) != upright) {
-        cost += ON_ITS_SIDE;
+        cost += weights.on_its_side;
     }
     let hem: Vec<usize> = part
         .segments_of(EdgeRole::Hem)
@@ -63,7 +80,7 @@ pub(super) fn drawing_penalty(part: &LabeledPanel, upright: Option<bool>) -> f64
         .collect();
     let above = part.features.height(&hem) > part.features.height(&part.features.ring);
     if upright == Some(true) && !hem.is_empty() && above {
-        cost += UPSIDE_DOWN;
+        cost += weights.upside_down;
     }
     if part.kind == PanelKind::Skirt && part.number == 0 {
         let length = |role| -> f64 {
@@ -71,8 +88,8 @@ pub(super) fn drawing_penalty(part: &LabeledPanel, upright: Option<bool>) -> f64
                 .map(|s| part.features.length(&s.edges))
                 .sum()
         };
-        if length(EdgeRole::Waist) > WIDE_WAIST * length(EdgeRole::Hem) {
-            cost += UPSIDE_DOWN;
+        if length(EdgeRole::Waist) > weights.max_waist_to_hem * length(EdgeRole::Hem) {
+            cost += weights.upside_down;
         }
     }
     let hints = part.laterality.filter(|_| {
@@ -83,14 +100,14 @@ pub(super) fn drawing_penalty(part: &LabeledPanel, upright: Option<bool>) -> f64
     if hints.is_some()
         && outer_drawn_side(part).map(|drawn_side| part.laterality_of(drawn_side)) != hints
     {
-        cost += FROM_INSIDE;
+        cost += weights.front_from_inside;
     }
     cost
 }
 
 /// Whether a reading has what no such panel has: shoulders that rise towards the arm, an underarm longer than the sleeve,
 /// a cap that is straight, a hood whose opening is round, slits for godets in the waist.
-fn is_implausible(part: &LabeledPanel) -> bool {
+fn is_implausible(part: &LabeledPanel, weights: &PenaltyWeights) -> bool {
     let hem: Vec<usize> = part
         .segments_of(EdgeRole::Hem)
         .flat_map(|s| s.edges.iter().copied())
@@ -117,9 +134,10 @@ fn is_implausible(part: &LabeledPanel) -> bool {
             .map(|s| part.features.curl(&s.edges))
             .sum()
     };
-    let straight_cap =
-        part.segment(EdgeRole::Cap, None).is_some() && curl(EdgeRole::Cap) < STRAIGHT;
-    let curved_face = part.kind == PanelKind::Hood && curl(EdgeRole::Hem) > CURVED;
+    let straight_cap = part.segment(EdgeRole::Cap, None).is_some()
+        && curl(EdgeRole::Cap) < weights.min_cap_curl_rad;
+    let curved_face =
+        part.kind == PanelKind::Hood && curl(EdgeRole::Hem) > weights.max_hood_face_curl_rad;
     let short_top =
         length(EdgeRole::Top) > 0.0 && length(EdgeRole::Underarm) > length(EdgeRole::Top);
     let count = |role| -> usize { part.segments_of(role).map(|s| s.edges.len()).sum() };
