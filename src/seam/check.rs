@@ -155,7 +155,7 @@ fn find_duplicate_ids(pairs: &[SeamPair], findings: &mut [SeamFinding]) {
     }
 }
 
-/// Finds the runs of every seam; those with faults get them written into their findings and are left out.
+/// Routes every seam; those with faults get them written into their findings and are left out.
 /// The second part holds those of them that can be corrected, corrected.
 fn route(
     pattern: &Pattern,
@@ -237,7 +237,7 @@ fn record_coloring(
     }
 }
 
-/// The seam as it is sewn, with its stitch count and directions written into its finding.
+/// Returns the seam as it is sewn, with its stitch count and directions written into its finding.
 fn sew(
     pattern: &Pattern,
     pairs: &[SeamPair],
@@ -259,7 +259,7 @@ fn sew(
     }
 }
 
-/// Point pairs along matched stretches: one more than mesh edges, less one where the seam is closed, and less each end at which a panel meets itself (the tip of a dart).
+/// Counts point pairs along matched stretches: one more than mesh edges, less one where the seam is closed, and less each end at which a panel meets itself (the tip of a dart).
 fn stitch_count(pattern: &Pattern, matched: &[[Stretch; 2]], edge_length: f64) -> usize {
     let divisions: usize = matched
         .iter()

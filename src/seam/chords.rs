@@ -1,4 +1,5 @@
-//! How far apart the two sides of a seam start in space: what tells its order where the faces of panels cannot.
+//! Chords between the two sides of a seam where its panels start: they tell its order where the faces
+//! of panels cannot.
 
 use super::{Face, RoutedSeam, StartPositions, Stretch};
 use crate::pattern::Pattern;
@@ -29,7 +30,8 @@ pub(super) struct Chords {
 }
 
 impl Chords {
-    /// The chords of `seam` in the order it has, on panels with these faces; nothing where the start of a panel is not known.
+    /// Returns the chords of `seam` in the order it has, on panels with these faces; nothing where the
+    /// start of a panel is not known.
     pub(super) fn of(
         pattern: &Pattern,
         seam: &RoutedSeam,
@@ -70,7 +72,7 @@ impl Chords {
         found.rms.is_finite().then_some(found)
     }
 
-    /// What the other order leaves, in thousandths, if it is far shorter.
+    /// Returns what the other order leaves of this one's length, in thousandths, if it is far shorter.
     ///
     /// Panels start apart from one another, and the distance that both orders share tells nothing: of each is judged
     /// what goes beyond the shorter of the two mean chords.

@@ -1,10 +1,10 @@
-//! The face of each panel, by two-colouring: stated faces fix colours, seams carry them over, `match: auto` seams give way.
+//! The face of each panel, by two-coloring: stated faces fix colors, seams carry them over, `match: auto` seams give way.
 
 use super::Face;
 use super::faces::{self, FaceColoring, ReversalReason, SeamRelations};
 use super::parity::ParityUnionFind;
 
-/// Which order a seam has.
+/// Order of side B of a seam.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum SeamOrder {
     AsPicked,
@@ -15,23 +15,23 @@ pub(super) enum SeamOrder {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct ShorterOrder {
     pub order: SeamOrder,
-    /// What it leaves of the other order's length, in thousandths: the fewer, the plainer.
+    /// Share of the other order's length that it leaves, in thousandths: the fewer, the plainer.
     pub remaining_permille: u32,
 }
 
-/// What places tell of a seam, with the faces that either order gives, as picked first; nothing if neither order is far
+/// Far shorter order of a seam by start positions, with the faces that either order gives, as picked first; nothing if neither is far
 /// shorter, or that is not known.
 pub(super) type ShorterOrderFn<'a> =
     &'a dyn Fn(&SeamRelations<'_>, &[Vec<Face>; 2]) -> Option<ShorterOrder>;
 
-/// Colours panels and orders `auto` seams.
+/// Colors panels and orders `auto` seams.
 pub(super) struct FaceColorer<'a> {
     pub fronts_first: &'a [usize],
     pub shorter_order: ShorterOrderFn<'a>,
 }
 
 impl FaceColorer<'_> {
-    /// Colours the panels.
+    /// Colors the panels.
     ///
     /// First come stated faces, then seams as picked, then those that may twist, then the `auto` ones: those first of
     /// which places tell most plainly, then those whose heights as drawn are plain. Within each kind the order of ids
@@ -67,7 +67,7 @@ impl FaceColorer<'_> {
         found
     }
 
-    /// Whether an `auto` seam is to be reversed: parity decides; where it cannot, where panels start; where that is not
+    /// Returns why an `auto` seam is to be reversed, if it is: parity decides; where it cannot, where panels start; where that is not
     /// known or does not tell, heights as drawn, and then which order more notches fit.
     fn reversal_reason(
         &self,
@@ -103,7 +103,7 @@ impl FaceColorer<'_> {
     }
 }
 
-/// Takes what a seam says in the order it has to what is known.
+/// Adds the relations of a seam, in the order it has, to what is known.
 fn join_seam(
     implied: &SeamRelations<'_>,
     reason: Option<ReversalReason>,
@@ -129,7 +129,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn nothing_asked_colours_every_panel_up() {
+    fn nothing_requested_colors_every_panel_up() {
         let colorer = FaceColorer {
             fronts_first: &[1, 0],
             shorter_order: &|_, _| None,

@@ -4,7 +4,7 @@ use super::faces::SeamRelations;
 use super::{RoutedSeam, StartPositions};
 use crate::pattern::{Pattern, SeamPair};
 
-/// Pairs as asked with the runs found for them, what they say, and where panels start.
+/// Requested pairs with their routed runs, the face relations they imply, and start positions.
 pub(super) struct SeamCheckContext<'a> {
     pub pattern: &'a Pattern,
     pub pairs: &'a [SeamPair],

@@ -9,13 +9,13 @@ use crate::pattern::{OutlineRun, Panel, Place, SeamPair, Side};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// How far the reflection of an edge may be from the edge that is taken for its mirror: share of the panel's width and height.
+/// Largest distance of the reflection of an edge from the edge that is taken for its mirror, as a share of the panel's width and height.
 const MIRROR_SHARE: f64 = 0.02;
 
 /// A point of a panel: the track, and the bits of edge plus fraction.
 type TrackPointKey = (usize, Track, u64);
 
-/// A pair that could be sewn, and what was changed in words.
+/// A pair that could be sewn, and the change in words.
 pub(super) struct Correction {
     pub pair: SeamPair,
     pub fix: String,
@@ -25,7 +25,7 @@ impl SeamCheckContext<'_> {
     /// The correction of a seam for which reversing side B agrees with the faces of all other panels.
     ///
     /// Its mirror edge is taken where that is free and heights agree as picked; else side B is reversed where heights
-    /// then agree, no fewer notches meet and no fewer ends meet the ends of neighbouring seams. More ends that meet weigh
+    /// then agree, no fewer notches meet and no fewer ends meet the ends of neighboring seams. More ends that meet weigh
     /// more than heights and notches.
     pub(super) fn correction(&self, implied: &SeamRelations<'_>) -> Option<Correction> {
         let pair = implied.pair;
@@ -110,7 +110,7 @@ impl SeamCheckContext<'_> {
         (!taken).then_some((run, fix))
     }
 
-    /// Whether more ends of a seam join points that other seams, one after another, join too once side B is reversed.
+    /// Compares how many ends of a seam join points that other seams, one after another, join too: with side B reversed against as picked.
     fn ends_gained(&self, index: usize) -> Ordering {
         let Some(seam) = self.seams.iter().find(|seam| seam.index == index) else {
             return Ordering::Equal;
@@ -135,7 +135,7 @@ impl SeamCheckContext<'_> {
         count(reversed).cmp(&count(picked))
     }
 
-    /// Which points meet at the two ends of a seam.
+    /// Returns the points that meet at the two ends of a seam.
     fn ends(&self, seam: &RoutedSeam) -> [[TrackPointKey; 2]; 2] {
         let point = |side: usize, last: bool| {
             let mut stretches = seam.sides[side].iter().flat_map(|run| &run.stretches);
@@ -182,7 +182,7 @@ fn mirror_corner(panel: &Panel, corner: usize) -> Option<usize> {
         .filter(|&mirror| mirror != corner)
 }
 
-/// The same runs gone from the end to the start.
+/// Returns a side whose runs go from its end to its start.
 pub(super) fn reversed_side(side: &Side) -> Side {
     let turned = |run: &OutlineRun| OutlineRun {
         panel: run.panel.clone(),

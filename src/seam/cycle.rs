@@ -1,21 +1,21 @@
-//! The smallest contradictory cycle among links: round it an odd number of them changes the face.
+//! The smallest contradictory cycle among face relations: round it an odd number of them changes the face.
 
 use super::parity::{FaceRelation, ParityUnionFind};
 use std::collections::VecDeque;
 
-/// A link with where it comes from.
+/// A face relation with its source.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct FaceConstraint {
-    /// What it says.
+    /// The relation.
     pub relation: FaceRelation,
-    /// The seam that says so; `None` for a face that was stated.
+    /// Index of the seam that implies it; `None` for a stated face.
     pub seam: Option<usize>,
 }
 
-/// The fewest of `constraints`, in order round, that cannot all be right; `None` if all can.
+/// Returns the fewest of `constraints`, in order round, that cannot all hold; `None` if all can.
 ///
 /// Breadth-first search from each node on the double cover (each node once for either face): the shortest way from
-/// a node to itself with the other face is a shortest contradictory cycle through it. O(nodes x ties).
+/// a node to itself with the other face is a shortest contradictory cycle through it. O(nodes x constraints).
 pub(super) fn smallest(
     nodes: usize,
     constraints: &[FaceConstraint],
@@ -83,7 +83,7 @@ fn path_back(
     path
 }
 
-/// How many ties contradict those before them when some are left out, and what the rest say.
+/// Counts the constraints that contradict those before them when some are left out; returns the rest as a union-find too.
 pub(super) fn contradictions_without(
     constraints: &[FaceConstraint],
     nodes: usize,

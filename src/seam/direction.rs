@@ -1,10 +1,10 @@
-//! Which way a run goes: its places say so where there is just one way, else the client must.
+//! Direction of a run: its places tell it where only one is possible, else the client must.
 
 use super::place::{self, TrackPosition, TrackTopology};
 use crate::fault::Fault;
 use crate::pattern::{Direction, OutlineRun, Panel};
 
-/// Which way `run` goes between places that lie on one track.
+/// Returns the direction of `run` between places that lie on one track.
 ///
 /// # Errors
 /// A direction that is needed and not given, or given and not that of the places.

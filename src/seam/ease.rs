@@ -20,7 +20,7 @@ pub(super) fn record_ease(finding: &mut SeamFinding, pair: &SeamPair, pointer: &
     finding.ease = longer / shorter - 1.0;
     finding.ease_m = longer - shorter;
     let side = if a > b { "a" } else { "b" };
-    let told = format!(
+    let detail = format!(
         "side {side} of seam `{}` is longer by {:.1} mm ({:.1} %): {:.1} mm to {:.1} mm",
         pair.id,
         finding.ease_m * 1e3,
@@ -30,18 +30,18 @@ pub(super) fn record_ease(finding: &mut SeamFinding, pair: &SeamPair, pointer: &
     );
     if finding.ease > EASE_MOST && !pair.gather {
         finding.errors.push(
-            Fault::new("seam/ease_too_large", pointer, told)
+            Fault::new("seam/ease_too_large", pointer, detail)
                 .fix("check that the right edges are picked; set `gather` if the longer side is to be gathered"),
         );
     } else if finding.ease > EASE_MUCH && !pair.gather {
-        let told = format!("{told}, which is much for a seam that is not gathered");
+        let detail = format!("{detail}, which is much for a seam that is not gathered");
         finding
             .warnings
-            .push(Warning::new("seam/ease", pointer, told));
+            .push(Warning::new("seam/ease", pointer, detail));
     } else if finding.ease_m > EASE_NOTED_M {
-        let told = format!("{told}, which is eased in");
+        let detail = format!("{detail}, which is eased in");
         finding
             .warnings
-            .push(Warning::new("seam/ease", pointer, told));
+            .push(Warning::new("seam/ease", pointer, detail));
     }
 }

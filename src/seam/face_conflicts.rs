@@ -9,17 +9,17 @@ use super::twist_fault::{TwistFault, quoted_list};
 use crate::fault::Fault;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Panels of one part of a garment whose faces were stated, in two camps: within a camp the seams agree with what was stated.
+/// Panels with stated faces in one connected part of a garment, in two groups: within each the seams agree with what was stated.
 #[derive(Default)]
 struct PanelComponent {
     groups: [Vec<usize>; 2],
     contradictory: bool,
 }
 
-/// One fault for each part of the garment in which turning the faces of the fewest panels makes all seams right.
+/// Returns one fault for each part of the garment in which turning the faces of the fewest panels makes all seams right.
 ///
 /// A part is left to the search for cycles where its seams contradict one another without any face stated, and where a
-/// single seam is enough to blame. What was stated of the panels to be turned is taken out of `constraints`.
+/// single seam is enough to blame. Stated faces of the panels to be turned are removed from `constraints`.
 pub(super) fn find(
     context: &SeamCheckContext<'_>,
     stated: &[Option<Face>],
@@ -79,7 +79,7 @@ fn components(
     components
 }
 
-/// The smaller camp; of two alike the one with fewer fronts, then the one whose first panel comes later.
+/// Returns the smaller group; of two alike the one with fewer fronts, then the one whose first panel comes later.
 fn panels_to_turn<'a>(context: &SeamCheckContext<'_>, groups: &'a [Vec<usize>; 2]) -> &'a [usize] {
     let rank = |group: &Vec<usize>| {
         let is_front = |panel: &&usize| faces::is_front(context.pattern, **panel);
@@ -94,7 +94,7 @@ fn panels_to_turn<'a>(context: &SeamCheckContext<'_>, groups: &'a [Vec<usize>; 2
     smaller.map_or(&[], Vec::as_slice)
 }
 
-/// Whether without one of the seams what was stated of these panels contradicts nothing.
+/// Returns true if without one of the seams the faces stated for these panels contradict nothing.
 fn one_seam_is_to_blame(
     panels: usize,
     constraints: &[FaceConstraint],

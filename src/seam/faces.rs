@@ -1,4 +1,4 @@
-//! Faces of panels, and what seams say of them.
+//! Faces of panels, and the relations between them that seams imply.
 
 use super::parity::{FaceRelation, ParityUnionFind};
 use super::{Face, FaceRequest, RoutedSeam, routed_seam};
@@ -6,23 +6,23 @@ use crate::pattern::{Match, Pattern, SeamPair};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// What is part of a front's name, in the words of pattern makers and of GarmentCode.
+/// Parts of a front's name, in the words of pattern makers and of GarmentCode.
 const FRONT: [&str; 4] = ["front", "frnt", "frt", "ftorso"];
 
-/// What one seam says of faces.
+/// Relations between faces that one seam implies.
 #[derive(Clone, Debug)]
 pub(super) struct SeamRelations<'a> {
     /// Position of the seam in the request.
     pub seam: usize,
-    /// The seam as asked.
+    /// The seam as requested.
     pub pair: &'a SeamPair,
-    /// What it says with side B as picked.
+    /// Its relations with side B as picked.
     pub picked: Vec<FaceRelation>,
-    /// What it says with side B reversed.
+    /// Its relations with side B reversed.
     pub reversed: Vec<FaceRelation>,
-    /// Whether upper ends meet upper ends as picked, where that is plain.
+    /// True if upper ends meet upper ends as picked; absent where that is not plain.
     pub heights_agree: Option<bool>,
-    /// How many notches meet as picked, and with side B reversed.
+    /// Number of notches that meet as picked, and with side B reversed.
     pub notches: [usize; 2],
 }
 
@@ -39,7 +39,7 @@ impl<'a> SeamRelations<'a> {
         }
     }
 
-    /// What it says in the order in which it is sewn.
+    /// Returns its relations in the order in which it is sewn.
     pub(super) fn relations(&self, coloring: &FaceColoring) -> &[FaceRelation] {
         if coloring.reversed.contains_key(&self.seam) {
             &self.reversed
@@ -53,7 +53,7 @@ impl<'a> SeamRelations<'a> {
     }
 }
 
-/// Why the order of a side B was reversed.
+/// Reason to reverse the order of a side B.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ReversalReason {
     /// As picked the surface would be one-sided.
@@ -66,7 +66,7 @@ pub(super) enum ReversalReason {
     Notches,
 }
 
-/// What was found.
+/// Face of each panel, and the seams that were reversed for it.
 #[derive(Clone, Debug, Default)]
 pub(super) struct FaceColoring {
     /// The face of each panel, in the pattern's order.
@@ -78,7 +78,7 @@ pub(super) struct FaceColoring {
 }
 
 impl FaceColoring {
-    /// `seam` with its side B in the order it is sewn in.
+    /// Returns `seam` with its side B in the order in which it is sewn.
     pub(super) fn ordered<'a>(&self, seam: &'a RoutedSeam) -> Cow<'a, RoutedSeam> {
         if self.reversed.contains_key(&seam.index) {
             Cow::Owned(seam.reversed())
@@ -88,7 +88,7 @@ impl FaceColoring {
     }
 }
 
-/// What was stated of each panel, in the pattern's order.
+/// Returns the stated face of each panel, in the pattern's order.
 pub(super) fn stated(
     pattern: &Pattern,
     asked: &BTreeMap<String, FaceRequest>,
@@ -105,7 +105,7 @@ pub(super) fn stated(
         .collect()
 }
 
-/// What stated faces say, as links to a node after the last panel whose face is up.
+/// Returns stated faces as relations to a node after the last panel whose face is up.
 pub(super) fn stated_relations(stated: &[Option<Face>]) -> impl Iterator<Item = FaceRelation> {
     stated.iter().enumerate().filter_map(|(panel, face)| {
         face.map(|face| FaceRelation {
@@ -115,7 +115,7 @@ pub(super) fn stated_relations(stated: &[Option<Face>]) -> impl Iterator<Item = 
     })
 }
 
-/// The panels, those first that a name says are fronts.
+/// Returns the panels, those first that a name says are fronts.
 pub(super) fn fronts_first(pattern: &Pattern) -> Vec<usize> {
     let panels = 0..pattern.panels.len();
     let (mut fronts, others): (Vec<usize>, Vec<usize>) =
@@ -124,7 +124,7 @@ pub(super) fn fronts_first(pattern: &Pattern) -> Vec<usize> {
     fronts
 }
 
-/// Faces from what is known: the node after the last panel is up; a part that is not tied to it has the face of its
+/// Returns faces from what is known: the node after the last panel is up; a part that is not tied to it has the face of its
 /// front, or else its first panel, up.
 pub(super) fn color_faces(fronts_first: &[usize], mut parity: ParityUnionFind) -> Vec<Face> {
     let count = fronts_first.len();
@@ -145,7 +145,7 @@ pub(super) fn color_faces(fronts_first: &[usize], mut parity: ParityUnionFind) -
     (0..count).map(face).collect()
 }
 
-/// Whether a panel's id or name says that it is a front.
+/// Returns true if a panel's id or name says that it is a front.
 pub(super) fn is_front(pattern: &Pattern, panel: usize) -> bool {
     let panel = &pattern.panels[panel];
     [&panel.id, &panel.name].iter().any(|name| {

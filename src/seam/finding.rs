@@ -1,4 +1,4 @@
-//! The findings: what a client is told about a set of seams and about each of them.
+//! Findings about a set of seams and about each of them.
 
 use super::{Face, MatchedMarks};
 use crate::fault::{Fault, Warning};
@@ -7,28 +7,28 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use utoipa::ToSchema;
 
-/// What was found about a set of seams: the answer of `seams/check`.
+/// Findings about a set of seams: the answer of `seams/check`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct SeamCheck {
-    /// Whether all of them can be sewn.
+    /// True if all of them can be sewn.
     pub ok: bool,
     /// The face of each panel, by id.
     pub faces: BTreeMap<String, Face>,
     /// Each seam as asked, in order.
     pub seams: Vec<SeamFinding>,
-    /// What a user should know that belongs to no single seam.
+    /// Warnings that belong to no single seam.
     #[serde(default)]
     pub warnings: Vec<Warning>,
     /// For seams that could be corrected: how.
     pub corrected: Vec<SeamPair>,
 }
 
-/// What was found about one seam.
+/// Findings about one seam.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct SeamFinding {
     /// The client's name for it.
     pub id: String,
-    /// Whether it can be sewn.
+    /// True if it can be sewn.
     pub ok: bool,
     /// Stitches it would get at the mesh edge length asked for.
     pub stitch_count: usize,
@@ -40,23 +40,23 @@ pub struct SeamFinding {
     pub ease: f64,
     /// Longer less shorter \[m\].
     pub ease_m: f64,
-    /// Way of the first run of A.
+    /// Direction of the first run of A.
     pub direction_a: Option<Direction>,
-    /// Way of the first run of B, as sewn.
+    /// Direction of the first run of B, as sewn.
     pub direction_b: Option<Direction>,
-    /// Whether the order of B was reversed (`match: auto`).
+    /// True if the order of B was reversed (`match: auto`).
     pub reversed: bool,
     /// Notches of A and B that are sewn onto each other, in order; between them points meet by arc length.
     #[serde(default)]
     pub notches: Vec<MatchedMarks>,
-    /// What keeps it from being sewn.
+    /// Faults that keep it from being sewn.
     pub errors: Vec<Fault>,
-    /// What a user should know.
+    /// Warnings about it.
     pub warnings: Vec<Warning>,
 }
 
 impl SeamFinding {
-    /// A finding of which nothing but the name is known yet.
+    /// Returns a finding of which only the name is known yet.
     pub(super) fn blank(id: &str) -> Self {
         Self {
             id: id.to_owned(),

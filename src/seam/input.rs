@@ -7,25 +7,26 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use utoipa::ToSchema;
 
-/// Where a point of a panel starts in space \[m\]: the panel's index, its face, pattern coordinates \[m\]; nothing where that is not known.
+/// Start position in space \[m\] of a point of a panel, from the panel's index, its face and pattern
+/// coordinates \[m\]; nothing where that is not known.
 pub type StartPositions<'a> = &'a dyn Fn(usize, Face, [f64; 2]) -> Option<[f64; 3]>;
 
-/// What is to be checked.
+/// Input of a seam check.
 #[derive(Clone, Copy, Debug)]
 pub struct SeamCheckInput<'a> {
     /// The panels.
     pub pattern: &'a Pattern,
-    /// The seams as asked.
+    /// The seams as requested.
     pub pairs: &'a [SeamPair],
-    /// What was asked for each panel, by id (absent: auto).
+    /// Requested face of each panel, by id (absent: auto).
     pub faces: &'a BTreeMap<String, FaceRequest>,
     /// Mesh edge length that stitch counts are stated for \[m\].
     pub edge_length: f64,
-    /// Bounds on what may be asked for.
+    /// Bounds on the request.
     pub limits: &'a Limits,
 }
 
-/// Which side of a panel's cloth is out, as asked.
+/// Requested outer side of a panel's cloth.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 #[schema(as = FaceAsked)]

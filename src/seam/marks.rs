@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use utoipa::ToSchema;
 
-/// How far apart two marks that meet may lie beyond what ease explains, as a share of the seam: drawn and notched by hand.
+/// Largest distance of two marks that meet beyond what ease explains, as a share of the seam: notched by hand.
 const SLACK: f64 = 0.02;
 
 /// Marks nearer than this to the one before them on their side mark the same place \[m\]. Double notches lie 6 mm apart.
@@ -25,7 +25,7 @@ pub struct SeamMark {
     /// Index of the notch; absent where the mark is the end of a panel.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub notch: Option<usize>,
-    /// Where it lies along its side, from `from` of A and what that meets \[m\].
+    /// Distance along its side, from `from` of A and what that meets \[m\].
     pub at_m: f64,
 }
 
@@ -41,7 +41,7 @@ pub struct MatchedMarks {
 /// The stretches of a side with their lengths \[m\].
 pub(super) type MeasuredStretches = Vec<(Stretch, f64)>;
 
-/// The marks of both sides that meet, in order; none if the sides are not marked alike.
+/// Returns the marks of both sides that meet, in order; none if the sides are not marked alike.
 ///
 /// The notches inside both sides are taken in order where they are equally many, or else the notches with the places at
 /// which a side goes on to another panel (a notch on a sleeve cap meets the shoulder seam). They are taken only if each
@@ -71,7 +71,7 @@ pub(super) fn match_marks(pattern: &Pattern, sides: &[MeasuredStretches; 2]) -> 
     vec![]
 }
 
-/// Notches and ends of panels inside a side, in order.
+/// Returns the notches and ends of panels inside a side, in order.
 fn marks(pattern: &Pattern, side: &MeasuredStretches) -> Vec<SeamMark> {
     let mut marks: Vec<SeamMark> = vec![];
     let mut seen = BTreeSet::new();
@@ -119,7 +119,7 @@ fn marks(pattern: &Pattern, side: &MeasuredStretches) -> Vec<SeamMark> {
     marks
 }
 
-/// A side cut at these positions \[m\], which rise; nothing if that would leave a piece empty.
+/// Returns a side cut at these positions \[m\], which rise; nothing if that would leave a part empty.
 /// A cut next to the end of a stretch is made there.
 pub(super) fn split_at(
     side: &MeasuredStretches,

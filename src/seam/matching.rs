@@ -1,4 +1,4 @@
-//! Which point of side A meets which of side B: by arc length, piecewise between the edge ends of both sides.
+//! Matching of the points of side A and side B by arc length, piecewise between the edge ends of both sides.
 
 use super::Stretch;
 
@@ -51,11 +51,11 @@ struct StretchCursor<'a> {
     stretches: &'a [(Stretch, f64)],
     length: f64,
     index: usize,
-    /// Where the present stretch begins, before anything was taken off it.
+    /// Start of the present stretch, before anything was taken off it.
     begin: f64,
-    /// Where the side was cut last.
+    /// Position of the last cut.
     at: f64,
-    /// The same as a fraction of the present edge.
+    /// Position of the last cut as a fraction of the present edge.
     edge_at: f64,
 }
 
@@ -75,7 +75,7 @@ impl<'a> StretchCursor<'a> {
         self.index + 1 == self.stretches.len()
     }
 
-    /// Where the present stretch ends.
+    /// Returns the end of the present stretch.
     fn end(&self) -> f64 {
         if self.is_on_last() {
             1.0

@@ -6,7 +6,7 @@ use crate::fault::Fault;
 use crate::pattern::{Pattern, SeamPair};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A stretch that a seam covers, whichever way it goes along it.
+/// A stretch that a seam covers, in whichever direction.
 #[derive(Clone, Copy)]
 struct Coverage<'a> {
     low: f64,
@@ -16,7 +16,7 @@ struct Coverage<'a> {
     pointer: &'a str,
 }
 
-/// Faults by index of the seam that they are about: the later one where two lie over one another.
+/// Returns faults by index of the seam that they are about: the later one where two lie over one another.
 pub(super) fn find_faults(
     pattern: &Pattern,
     pairs: &[SeamPair],
@@ -24,22 +24,22 @@ pub(super) fn find_faults(
 ) -> Vec<(usize, Fault)> {
     let mut found = vec![];
     for seam in seams {
-        let mut told = BTreeSet::new();
+        let mut reported = BTreeSet::new();
         for [one, other] in overlaps(pattern, coverages(seam)) {
-            if told.insert((one.side, other.side)) {
+            if reported.insert((one.side, other.side)) {
                 found.push((seam.index, self_overlap_fault(pattern, pairs, one, other)));
             }
         }
     }
     let plain = seams.iter().filter(|seam| !pairs[seam.index].layered);
-    let mut told = BTreeSet::new();
+    let mut reported = BTreeSet::new();
     for [one, other] in overlaps(pattern, plain.flat_map(coverages)) {
         let (earlier, later) = if one.seam < other.seam {
             (one, other)
         } else {
             (other, one)
         };
-        if earlier.seam != later.seam && told.insert((earlier.seam, later.seam)) {
+        if earlier.seam != later.seam && reported.insert((earlier.seam, later.seam)) {
             found.push((later.seam, overlap_fault(pairs, earlier, later)));
         }
     }
@@ -80,8 +80,8 @@ fn coverages(seam: &RoutedSeam) -> impl Iterator<Item = EdgeCoverage<'_>> {
     })
 }
 
-/// Pairs of covers of one edge that share more than a point. Each cover is compared with the one before it that
-/// reaches farthest, so there are at most as many pairs as covers.
+/// Returns pairs of coverages of one edge that share more than a point. Each is compared with the one before it that
+/// reaches farthest, so there are at most as many pairs as coverages.
 fn overlaps<'a>(
     pattern: &Pattern,
     coverages: impl Iterator<Item = EdgeCoverage<'a>>,

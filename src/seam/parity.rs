@@ -1,11 +1,11 @@
-//! Union-find with parity: which panels have the same face out, as far as seams say.
+//! Union-find with parity over panels that have the same face out or opposite ones, as far as seams tell.
 
-/// That the faces of two panels are the same (`same`) or not.
+/// Relation between the faces of two panels: the same (`same`) or opposite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct FaceRelation {
     /// The two panels.
     pub ends: [usize; 2],
-    /// Whether their faces are the same.
+    /// True if their faces are the same.
     pub same: bool,
 }
 
@@ -24,7 +24,7 @@ impl ParityUnionFind {
         }
     }
 
-    /// The head of the set that `i` is in, and whether `i` has the same face as the head.
+    /// Returns the head of the set that `i` is in, and true if `i` has the same face as the head.
     pub(super) fn find(&mut self, i: usize) -> (usize, bool) {
         let (mut head, mut same) = (i, true);
         while self.parent[head].0 != head {
@@ -36,7 +36,7 @@ impl ParityUnionFind {
         (head, same)
     }
 
-    /// Adds what `relation` says; `false`, and nothing is added, if it contradicts what is known.
+    /// Adds `relation`; returns false, and adds nothing, if it contradicts what is known.
     pub(super) fn join(&mut self, relation: FaceRelation) -> bool {
         let [(head_a, same_a), (head_b, same_b)] = relation.ends.map(|end| self.find(end));
         let heads_same = (same_a == same_b) == relation.same;
@@ -47,7 +47,7 @@ impl ParityUnionFind {
         heads_same
     }
 
-    /// Adds all of `relations`; `false` if any contradicts what is known. Those that do not are added all the same.
+    /// Adds all of `relations`; returns false if any contradicts what is known. Those that do not are added all the same.
     pub(super) fn join_all(&mut self, relations: &[FaceRelation]) -> bool {
         let mut fits = true;
         for relation in relations {
@@ -56,7 +56,7 @@ impl ParityUnionFind {
         fits
     }
 
-    /// Whether all of `relations` fit what is known and each other.
+    /// Returns true if all of `relations` fit what is known and each other.
     pub(super) fn fits(&self, relations: &[FaceRelation]) -> bool {
         self.clone().join_all(relations)
     }

@@ -1,10 +1,10 @@
-//! The way along a track from one spot to another.
+//! Path along a track from one point to another.
 
 use super::place::{TrackPosition, TrackTopology};
 use super::{Stretch, Track};
 use crate::pattern::Direction;
 
-/// A way along a track of a panel.
+/// A direction along a track of a panel.
 pub(super) struct TrackPath {
     pub panel: usize,
     pub track: Track,
@@ -13,7 +13,7 @@ pub(super) struct TrackPath {
 }
 
 impl TrackPath {
-    /// The stretches from one spot to the other, all round where they are the same; nothing if more than `limit`,
+    /// Returns the stretches from one point to the other, all round where they are the same; nothing if more than `limit`,
     /// or if an open line ends before.
     pub(super) fn walk(
         &self,

@@ -1,4 +1,4 @@
-//! From a [`Place`] as asked to a [`TrackPoint`] on an outline, a hole or an internal line.
+//! From a requested [`Place`] to a [`TrackPoint`] on an outline, a hole or an internal line.
 
 use super::Track;
 use crate::fault::Fault;
@@ -8,7 +8,7 @@ use crate::pattern::{Direction, Panel, Place};
 /// so the shift cannot be told from sewing, while a mesh edge that short would be a sliver.
 const SNAP_M: f64 = 1e-3;
 
-/// The same as a share of the edge, so that very short edges keep their inner places.
+/// Snap distance as a share of the edge, so that very short edges keep their inner places.
 const SNAP_SHARE: f64 = 0.05;
 
 /// Distance along an edge of this length \[m\] below which two places on it are one.
@@ -31,7 +31,7 @@ pub(super) enum TrackPosition {
     Inside { edge: usize, at: f64 },
 }
 
-/// How many edges a track has, and whether the last one leads back to the first.
+/// Number of edges of a track, and whether the last one leads back to the first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct TrackTopology {
     pub edges: usize,
@@ -64,7 +64,7 @@ impl TrackPosition {
         ahead.into_iter().chain(behind.filter(|_| ahead != behind))
     }
 
-    /// The edge and fraction from which a way in `direction` leaves; nothing at the end of an open line.
+    /// Returns the edge and fraction from which a path in `direction` leaves; nothing at the end of an open line.
     pub(super) fn leaving(
         self,
         direction: Direction,
@@ -80,7 +80,7 @@ impl TrackPosition {
         }
     }
 
-    /// The edge and fraction at which a way in `direction` arrives.
+    /// Returns the edge and fraction at which a path in `direction` arrives.
     pub(super) fn reaching(
         self,
         direction: Direction,
@@ -90,7 +90,7 @@ impl TrackPosition {
     }
 }
 
-/// The other way round.
+/// Returns the opposite direction.
 pub(super) fn opposite(direction: Direction) -> Direction {
     match direction {
         Direction::Cw => Direction::Ccw,
@@ -98,7 +98,7 @@ pub(super) fn opposite(direction: Direction) -> Direction {
     }
 }
 
-/// The ways from one spot to another along a single edge: none, one, or more than one on rings of one or two edges.
+/// Returns the directions from one point to another along a single edge: none, one, or more than one on rings of one or two edges.
 pub(super) fn directions_along_one_edge(
     from: TrackPosition,
     to: TrackPosition,
@@ -230,7 +230,7 @@ impl PlaceResolver<'_> {
     }
 }
 
-/// What a corner or edge belongs to, where it is not the outline.
+/// Returns what a corner or edge belongs to, where that is not the outline.
 fn of_track(track: Track) -> String {
     match track {
         Track::Hole(hole) => format!(" of hole {hole}"),

@@ -1,5 +1,5 @@
 //! Seams whose order the faces cannot tell: the only bridge between two parts, or the side of an internal line.
-//! Where panels start in space tells it.
+//! The start positions of panels tell it.
 
 use super::chords::Chords;
 use super::coloring::{SeamOrder, ShorterOrder};
@@ -11,7 +11,7 @@ use super::{Face, RoutedSeam, SeamFinding, StartPositions};
 use crate::fault::Warning;
 use crate::pattern::{Match, Pattern, SeamPair};
 
-/// Judges seams as picked by where their panels start.
+/// Finds likely reversed seams by the start positions of their panels.
 pub(super) struct ReversalDetector<'a> {
     pub context: &'a SeamCheckContext<'a>,
     pub stated: &'a [Option<Face>],
@@ -58,7 +58,7 @@ impl ReversalDetector<'_> {
         corrected
     }
 
-    /// What chords say of a seam as picked of which parity says nothing.
+    /// Returns the likely reversal of a seam as picked whose order parity leaves open.
     fn likely_reversal(
         &self,
         implied: &SeamRelations<'_>,
@@ -84,7 +84,7 @@ impl ReversalDetector<'_> {
         })
     }
 
-    /// What stated faces and all other seams say.
+    /// Returns the union-find of stated faces and all other seams.
     fn parity_without(&self, of: &SeamRelations<'_>, coloring: &FaceColoring) -> ParityUnionFind {
         let mut parity = ParityUnionFind::new(self.stated.len() + 1);
         for relation in faces::stated_relations(self.stated) {
@@ -97,7 +97,7 @@ impl ReversalDetector<'_> {
     }
 }
 
-/// What places tell of a seam; see [`super::coloring::ShorterOrderFn`].
+/// Returns the far shorter order of a seam; see [`super::coloring::ShorterOrderFn`].
 pub(super) fn shorter_order(
     pattern: &Pattern,
     seam: &RoutedSeam,
@@ -121,7 +121,7 @@ pub(super) fn shorter_order(
     })
 }
 
-/// Whether a seam is far shorter in the other order on panels with these faces.
+/// Returns true if a seam is far shorter in the other order on panels with these faces.
 pub(super) fn is_shorter_reversed(
     context: &SeamCheckContext<'_>,
     implied: &SeamRelations<'_>,

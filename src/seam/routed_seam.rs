@@ -8,7 +8,7 @@ use super::run_resolver::RoutedRun;
 use crate::pattern::Pattern;
 use std::collections::BTreeSet;
 
-/// How steeply a side must go up or down the drawing for its ends to count as upper and lower: rise over length, 30 degrees.
+/// Least rise over length of a side whose ends count as upper and lower in the drawing: 30 degrees.
 const STEEP: f64 = 0.5;
 
 /// A seam whose runs are known.
@@ -21,7 +21,7 @@ pub(super) struct RoutedSeam {
 }
 
 impl RoutedSeam {
-    /// The same with side B gone from its end to its start.
+    /// Returns the seam with side B gone from its end to its start.
     pub(super) fn reversed(&self) -> Self {
         let [a, b] = &self.sides;
         Self {
@@ -43,12 +43,12 @@ impl RoutedSeam {
         })
     }
 
-    /// Which notches meet.
+    /// Returns the notches that meet.
     pub(super) fn marks(&self, pattern: &Pattern) -> Vec<MatchedMarks> {
         marks::match_marks(pattern, &self.measured(pattern))
     }
 
-    /// Which stretches meet: by arc length between each two notches that do.
+    /// Returns the stretches that meet: by arc length between each two notches that do.
     pub(super) fn matched(&self, pattern: &Pattern) -> Vec<[Stretch; 2]> {
         let sides = self.measured(pattern);
         let marks = marks::match_marks(pattern, &sides);
@@ -66,7 +66,7 @@ impl RoutedSeam {
         }
     }
 
-    /// Whether the ends that meet are both the upper or both the lower one of their side as drawn;
+    /// Returns true if the ends that meet are both the upper or both the lower one of their side as drawn;
     /// nothing where a side is not steep or goes over several panels.
     pub(super) fn heights_agree(&self, pattern: &Pattern) -> Option<bool> {
         let [a, b] = self.sides.each_ref().map(|runs| rise(runs, pattern));
@@ -74,7 +74,7 @@ impl RoutedSeam {
     }
 }
 
-/// Rise over length of a steep side.
+/// Returns the rise over length of a steep side.
 fn rise(runs: &[RoutedRun], pattern: &Pattern) -> Option<f64> {
     let stretches: Vec<_> = runs.iter().flat_map(|run| &run.stretches).collect();
     let (first, last) = (stretches.first()?, stretches.last()?);
@@ -86,7 +86,7 @@ fn rise(runs: &[RoutedRun], pattern: &Pattern) -> Option<f64> {
     (rise.abs() >= STEEP).then_some(rise)
 }
 
-/// What matched stretches say of faces: in a two-sided surface two panels with the same side of the cloth out go in
+/// Returns the face relations of matched stretches: in a two-sided surface two panels with the same side of the cloth out go in
 /// opposite directions along their seam, as the drawings of both have it. An internal line has cloth on both sides
 /// and says nothing.
 pub(super) fn face_relations(pattern: &Pattern, matched: &[[Stretch; 2]]) -> Vec<FaceRelation> {

@@ -1,4 +1,4 @@
-//! From the runs of a side as asked to the stretches of edges they go along.
+//! From the requested runs of a side to the stretches of edges that they go along.
 
 use super::direction::direction;
 use super::path::TrackPath;
@@ -11,10 +11,10 @@ use std::collections::BTreeMap;
 /// Stretches that all seams of one request may have together: bounds the memory that long runs laid many times over one another would take.
 const STRETCHES: usize = 200_000;
 
-/// How many misspelt names get a suggestion: the rest of a request full of them would only cost time.
+/// Number of misspelled names that get a suggestion: the rest of a request full of them would only cost time.
 const SUGGESTIONS: usize = 100;
 
-/// Sides shorter than this are nothing to sew \[m\]: outlines are read to a few micrometres.
+/// Sides shorter than this are nothing to sew \[m\]: outlines are read to a few micrometers.
 const SHORTEST_M: f64 = 1e-5;
 
 /// Stretches no longer than this are left out of a run \[m\]: far below what a drawing resolves, far above rounding.
@@ -23,16 +23,16 @@ const NOTHING_M: f64 = 1e-7;
 /// One run whose places are known.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct RoutedRun {
-    /// Where in the request it stands.
+    /// JSON pointer to it in the request.
     pub pointer: String,
-    /// Which way round it goes.
+    /// Direction round its track.
     pub direction: Direction,
     /// The stretches it goes along, in order; none of them without length.
     pub stretches: Vec<Stretch>,
 }
 
 impl RoutedRun {
-    /// The same stretches gone from the end to the start.
+    /// Returns the run gone from the end to the start.
     pub(super) fn reversed(&self) -> Self {
         Self {
             pointer: self.pointer.clone(),
@@ -42,13 +42,13 @@ impl RoutedRun {
     }
 }
 
-/// Why a side cannot be sewn, and the side as it could be.
+/// Faults of a side that cannot be sewn, and the side as it could be.
 pub(super) struct UnroutableSide {
     pub faults: Vec<Fault>,
     pub corrected: Option<Side>,
 }
 
-/// Turns sides as asked into legs and keeps the bounds on the work that a request may cause.
+/// Turns requested sides into routed runs and keeps the bounds on the work that a request may cause.
 pub(super) struct RunResolver<'a> {
     pattern: &'a Pattern,
     panels: BTreeMap<&'a str, usize>,
@@ -72,7 +72,7 @@ impl<'a> RunResolver<'a> {
         }
     }
 
-    /// The legs of `side`, which stands at `pointer`.
+    /// Returns the routed runs of `side`, which stands at `pointer`.
     ///
     /// # Errors
     /// The faults of all its runs, with the side as it could be sewn where every wrong run can be corrected.
@@ -119,7 +119,7 @@ impl<'a> RunResolver<'a> {
         Err(UnroutableSide { faults, corrected })
     }
 
-    /// The run with its panel's name and its direction put right, if that is all that is wrong with it.
+    /// Returns the run with its panel's name and its direction put right, if that is all that is wrong with it.
     fn corrected(&mut self, run: &OutlineRun) -> Option<OutlineRun> {
         let mut corrected = run.clone();
         if !self.panels.contains_key(run.panel.as_str()) {
@@ -184,7 +184,7 @@ impl<'a> RunResolver<'a> {
         })
     }
 
-    /// The same spot, or one named before that is as good as the same: a seam that ends where the next one
+    /// Returns the point, or one named before that is as good as the same: a seam that ends where the next one
     /// begins, each by its own figure, must not leave a sliver between them.
     fn snap_to_known(&mut self, panel: usize, point: TrackPoint) -> TrackPoint {
         let TrackPosition::Inside { edge, at } = point.at else {
@@ -222,7 +222,7 @@ impl<'a> RunResolver<'a> {
     }
 }
 
-/// What a track is called in a sentence.
+/// Returns the name of a track in a sentence.
 fn track_name(track: Track) -> String {
     match track {
         Track::Outline => "the outline".to_owned(),

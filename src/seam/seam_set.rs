@@ -21,7 +21,7 @@ pub struct Seam {
 /// Checked seams with the faces they were checked for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SeamSet {
-    /// The seams, in the order asked.
+    /// The seams, in the order requested.
     pub seams: Vec<Seam>,
     /// The face of each panel, by index in the pattern.
     pub faces: Vec<Face>,

@@ -4,18 +4,18 @@ use super::Track;
 use super::track::{distance, is_mirrored};
 use crate::pattern::Pattern;
 
-/// A part of one edge, with the way along it.
+/// A part of one edge, with a direction along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stretch {
     /// Index of the panel in the pattern.
     pub panel: usize,
-    /// What of the panel it lies on.
+    /// The track of the panel that it lies on.
     pub track: Track,
     /// Index of the edge in that track; 0 on internal lines.
     pub edge: usize,
-    /// Where it begins: fraction of the edge's arc length, in the order of corners. Above `to` when the way goes against the edge.
+    /// Start: fraction of the edge's arc length, in the order of corners. Above `to` when it goes against the edge.
     pub from: f64,
-    /// Where it ends, likewise.
+    /// End, likewise.
     pub to: f64,
 }
 
@@ -26,7 +26,7 @@ impl Stretch {
         (self.to - self.from).abs() * self.track.length(panel, self.edge)
     }
 
-    /// The same, gone from the end to the start.
+    /// Returns the stretch gone from the end to the start.
     pub(super) fn reversed(&self) -> Self {
         Self {
             from: self.to,
@@ -35,7 +35,7 @@ impl Stretch {
         }
     }
 
-    /// Whether it runs so that the cloth lies to its right in the drawing, as it does along a clockwise outline;
+    /// Returns true if the cloth lies to its right in the drawing, as it does along a clockwise outline;
     /// nothing on internal lines, which have cloth on both sides.
     pub(super) fn has_cloth_on_right(&self, pattern: &Pattern) -> Option<bool> {
         if matches!(self.track, Track::Line(_)) {
@@ -44,12 +44,12 @@ impl Stretch {
         Some((self.to > self.from) != is_mirrored(&pattern.panels[self.panel]))
     }
 
-    /// Points where it begins and ends, in pattern coordinates \[m\].
+    /// Returns the points where it begins and ends, in pattern coordinates \[m\].
     pub(super) fn ends(&self, pattern: &Pattern) -> [[f64; 2]; 2] {
         [0.0, 1.0].map(|share| self.point(pattern, share))
     }
 
-    /// The point at this share of its way, in pattern coordinates \[m\].
+    /// Returns the point at this share of its length, in pattern coordinates \[m\].
     pub(super) fn point(&self, pattern: &Pattern, share: f64) -> [f64; 2] {
         let panel = &pattern.panels[self.panel];
         let at = self.from + share * (self.to - self.from);
@@ -58,7 +58,7 @@ impl Stretch {
     }
 }
 
-/// The point of a polyline at this arc length.
+/// Returns the point of a polyline at this arc length.
 fn point_at(points: &[[f64; 2]], at: f64) -> [f64; 2] {
     let mut left = at;
     for pair in points.windows(2) {

@@ -2,10 +2,10 @@
 
 use crate::pattern::{Edge, Panel};
 
-/// An internal line whose ends are nearer than this is closed \[m\]: outlines are read to a few micrometres.
+/// An internal line whose ends are nearer than this is closed \[m\]: outlines are read to a few micrometers.
 const CLOSED_M: f64 = 1e-5;
 
-/// What of a panel a stretch lies on: a row of edges numbered from 0.
+/// Track of a panel that stretches lie on: a sequence of edges numbered from 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Track {
     /// The outline.
@@ -17,7 +17,7 @@ pub enum Track {
 }
 
 impl Track {
-    /// The edges of an outline or a hole; nothing for lines and for holes that are not there.
+    /// Returns the edges of an outline or a hole; nothing for lines and for holes that are not there.
     fn edges(self, panel: &Panel) -> &[Edge] {
         match self {
             Self::Outline => &panel.edges,
@@ -26,7 +26,7 @@ impl Track {
         }
     }
 
-    /// How many edges it has; none if the panel has no such track.
+    /// Returns the number of its edges; none if the panel has no such track.
     pub(crate) fn edge_count(self, panel: &Panel) -> usize {
         match self {
             Self::Line(line) => usize::from(panel.internal_lines.get(line).is_some()),
@@ -34,7 +34,7 @@ impl Track {
         }
     }
 
-    /// Whether its last edge ends where its first one begins.
+    /// Returns true if its last edge ends where its first one begins.
     pub(crate) fn is_closed(self, panel: &Panel) -> bool {
         let Self::Line(line) = self else { return true };
         let points = panel
@@ -47,7 +47,7 @@ impl Track {
         }
     }
 
-    /// The polyline of one of its edges \[m\]; empty if it is not there.
+    /// Returns the polyline of one of its edges \[m\]; empty if it is not there.
     pub(crate) fn points(self, panel: &Panel, edge: usize) -> &[[f64; 2]] {
         let points = match self {
             Self::Line(line) => panel.internal_lines.get(line).filter(|_| edge == 0),
@@ -56,7 +56,7 @@ impl Track {
         points.map_or(&[], Vec::as_slice)
     }
 
-    /// Arc length of one of its edges \[m\].
+    /// Returns the arc length of one of its edges \[m\].
     pub(super) fn length(self, panel: &Panel, edge: usize) -> f64 {
         match self {
             Self::Line(_) => {
@@ -71,7 +71,7 @@ impl Track {
     }
 }
 
-/// Whether a panel is the mirrored copy of another: its corners are numbered as its source's, so in space they run the other way round.
+/// Returns true for the mirrored copy of another panel: its corners are numbered as its source's, so in space they run the other way round.
 pub(super) fn is_mirrored(panel: &Panel) -> bool {
     panel.copy_of.is_some()
 }

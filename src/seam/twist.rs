@@ -41,7 +41,7 @@ pub(super) fn find(
     twists
 }
 
-/// What stated faces and the seams that must not twist say, in the order of ids.
+/// Returns the constraints of stated faces and of the seams that must not twist, in the order of ids.
 fn constraints(
     context: &SeamCheckContext<'_>,
     stated: &[Option<Face>],
@@ -72,7 +72,7 @@ fn constraints(
     constraints
 }
 
-/// One cycle among all that is said.
+/// A contradictory cycle among all constraints.
 struct ContradictoryCycle<'a> {
     context: &'a SeamCheckContext<'a>,
     cycle: &'a [FaceConstraint],
@@ -81,7 +81,7 @@ struct ContradictoryCycle<'a> {
 }
 
 impl ContradictoryCycle<'_> {
-    /// The seam without which fewest contradictions are left; of several the one that would start far shorter in the
+    /// Returns the seam without which fewest contradictions are left; of several the one that would start far shorter in the
     /// other order, then the one whose ends are upside down as drawn, then the one set last.
     fn blamed(&self, coloring: &FaceColoring) -> Option<&SeamRelations<'_>> {
         let seams = self.cycle.iter().filter_map(|constraint| constraint.seam);
@@ -124,7 +124,7 @@ impl ContradictoryCycle<'_> {
         }
     }
 
-    /// What to do where the stated face of a panel of the cycle is the trouble.
+    /// Returns the fix where the stated face of a panel of the cycle is the trouble.
     fn turned_face(&self) -> Option<String> {
         let (now, _) = contradictions_without(self.constraints, self.nodes, |_| false);
         let panels = self

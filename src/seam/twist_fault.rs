@@ -10,13 +10,13 @@ const NAMED: usize = 8;
 pub(super) struct TwistFault {
     /// The seam of it that is blamed.
     pub seam: usize,
-    /// What to tell of it.
+    /// Its fault.
     pub fault: Fault,
-    /// The blamed seam as it could be sewn.
+    /// The blamed seam as it could be sewn, where that is known.
     pub corrected: Option<SeamPair>,
 }
 
-/// Names in quotation marks, each once, with "and" before the last.
+/// Returns names in quotation marks, each once, with "and" before the last.
 pub(super) fn quoted_list<'a>(names: impl Iterator<Item = &'a String>) -> String {
     let mut quoted: Vec<String> = vec![];
     for name in names.map(|name| format!("`{name}`")) {

@@ -1,4 +1,4 @@
-//! Finds the roles of a panel's edges: its outline is divided so that it looks most like what a tailor knows of such panels.
+//! Segmental alignment: divides the outline of a panel into the edge roles of a template, at the least misfit.
 //!
 //! A template is the cycle of roles round a panel, each with the length, the bend and the corner that it usually has. Every
 //! way to divide the outline into these roles is compared by dynamic programming, from every edge and in both directions,
@@ -10,7 +10,7 @@ use super::labels::{DrawnSide, EdgeRole};
 use super::outline_features::{MOST_EDGES, OutlineFeatures};
 use serde::Deserialize;
 
-/// An outline divided.
+/// An outline divided into roles.
 #[derive(Clone, Debug)]
 pub(super) struct Alignment {
     pub(super) segments: Vec<RoleSegment>,
@@ -68,7 +68,7 @@ impl AlignmentWeights {
     }
 }
 
-/// The divisions of `features` into the roles of `template`, the best first: one for each edge to begin with and direction.
+/// Returns the alignments of an outline with `template`, the best first: several for each first edge and direction.
 pub(super) fn align(
     features: &OutlineFeatures,
     template: &PanelTemplate,
@@ -102,7 +102,7 @@ pub(super) fn align(
     found
 }
 
-/// One way to read the outline: from an edge on, the roles in one direction.
+/// Aligns an outline with a template from one edge on, in one direction.
 #[derive(Clone, Copy)]
 struct SegmentalAligner<'a> {
     features: &'a OutlineFeatures,
@@ -110,12 +110,12 @@ struct SegmentalAligner<'a> {
     weights: &'a AlignmentWeights,
     forward: bool,
     start: usize,
-    /// Whether the panel is mirrored onto itself.
+    /// True if the panel is its own mirror image.
     symmetric: bool,
 }
 
 impl SegmentalAligner<'_> {
-    /// The look of the `k`th role in order of numbers.
+    /// Returns the template of the `k`th role in order of numbers.
     fn edge_template(&self, k: usize) -> EdgeTemplate {
         let count = self.templates.len();
         if self.forward {
@@ -125,7 +125,7 @@ impl SegmentalAligner<'_> {
         }
     }
 
-    /// What the corner after the `k`th role usually is.
+    /// Returns the usual corner after the `k`th role, as mean and spread \[degrees\].
     fn corner(&self, k: usize) -> [f64; 2] {
         let count = self.templates.len();
         if self.forward {
@@ -139,7 +139,7 @@ impl SegmentalAligner<'_> {
         (self.start + place) % self.features.ring.len()
     }
 
-    /// The division of least misfit: the place after the last edge of each role.
+    /// Returns the division of least misfit: the place after the last edge of each role.
     fn best(&self) -> Option<Vec<usize>> {
         let (edges, roles) = (self.features.ring.len(), self.templates.len());
         let mut table = vec![vec![(f64::INFINITY, 0usize); edges + 1]; roles + 1];
@@ -169,7 +169,7 @@ impl SegmentalAligner<'_> {
         table[roles][edges].0.is_finite().then_some(ends)
     }
 
-    /// The best division, and those in which one role ends an edge earlier or later.
+    /// Returns the best alignment, and those in which one role ends an edge earlier or later.
     fn alignments(&self, half: bool) -> Vec<Alignment> {
         let Some(best) = self.best() else {
             return vec![];
@@ -223,7 +223,7 @@ impl SegmentalAligner<'_> {
         }
     }
 
-    /// Takes the edge before `to` into a run of the `k`th role that begins at `from`.
+    /// Adds the edge before `to` to a segment of the `k`th role that begins at `from`.
     fn lengthen(&self, run: &mut SegmentFeatures, k: usize, (from, to): (usize, usize)) {
         let edge = self.features.edges[self.features.ring[self.ring(to - 1)]];
         run.length += edge.length;
@@ -236,7 +236,7 @@ impl SegmentalAligner<'_> {
         }
     }
 
-    /// Misfit of a run that ends before `to` as the `k`th role, with the corner after it.
+    /// Returns the misfit of a segment that ends before `to` as the `k`th role, with the corner after it.
     fn role_cost(&self, run: &SegmentFeatures, k: usize, to: usize) -> f64 {
         let template = self.edge_template(k);
         let corner = self.features.joints[self.ring(to - 1)].to_degrees();
@@ -281,7 +281,7 @@ impl SegmentalAligner<'_> {
     }
 }
 
-/// The same division with as many edges in each role on the right as on the left, and the other way round.
+/// Returns a division with as many edges in each role on the right as on the left, and the other way round.
 fn evened(ends: &[usize]) -> Vec<Vec<usize>> {
     let roles = ends.len();
     let size = |k: usize| ends[k] - if k == 0 { 0 } else { ends[k - 1] };
@@ -313,7 +313,7 @@ fn evened(ends: &[usize]) -> Vec<Vec<usize>> {
     [even(true), even(false)].into_iter().flatten().collect()
 }
 
-/// Edges that are to have one role.
+/// Features of edges that are to have one role.
 #[derive(Clone, Copy, Debug, Default)]
 struct SegmentFeatures {
     length: f64,

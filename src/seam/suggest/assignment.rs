@@ -1,4 +1,4 @@
-//! Reads all panels together: of what each may be, that is chosen with which its neighbours agree best.
+//! Assignment of one reading to each panel: that with which its neighbors agree best.
 //!
 //! A reading of a front is good if its side is as long as that of the back, and if it mirrors the other half. Starting
 //! from the likeliest readings, each panel in turn takes the one that fits the others best, until none changes.
@@ -26,7 +26,7 @@ pub(super) struct AssignmentWeights {
     /// and where it is not.
     gathered_spread: f64,
     joined_spread: f64,
-    /// The same for waistbands.
+    /// Of a waistband and its opening, likewise.
     gathered_waist_spread: f64,
     eased_waist_spread: f64,
     /// Most that an opening may cost.
@@ -37,7 +37,7 @@ pub(super) struct AssignmentWeights {
     max_pair_cost: f64,
 }
 
-/// One reading for each panel that has any.
+/// Returns one reading for each panel that has any.
 pub(super) fn assign(
     candidates: Vec<Vec<LabeledPanel>>,
     weights: &AssignmentWeights,
@@ -65,7 +65,7 @@ pub(super) fn assign(
         .collect()
 }
 
-/// What every reading costs alone and with every other.
+/// Cost of every reading alone and with every other.
 struct CostTable {
     unary: Vec<Vec<f64>>,
     pairs: Vec<PairCosts>,
@@ -107,7 +107,7 @@ impl CostTable {
         Self { unary, pairs, of }
     }
 
-    /// What panel `i` costs with reading `k`, without the pair with panel `but`.
+    /// Returns the cost of panel `i` with reading `k`, without the pair with panel `but`.
     fn cost(&self, chosen: &[usize], (i, k): (usize, usize), but: Option<usize>) -> f64 {
         let with = |pair: &PairCosts| {
             let [a, b] = pair.ends;
@@ -159,7 +159,7 @@ impl CostTable {
 }
 
 impl AssignmentWeights {
-    /// How little two panels fit each other.
+    /// Returns how little two panels fit each other.
     fn pair_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
         if a.kind != b.kind {
             let mixed = !a.kind_named && !b.kind_named && a.named && b.named;
@@ -179,7 +179,7 @@ impl AssignmentWeights {
         }
     }
 
-    /// How little an edge of `a` fits the opening of `b` that it goes round: 0 where the two are not sewn together.
+    /// Returns how little an edge of `a` fits the opening of `b` that it goes round: 0 where the two are not sewn together.
     fn opening_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
         let same = a.front_back == b.front_back
             && a.front_back.is_some()
@@ -225,7 +225,7 @@ impl AssignmentWeights {
         fits.fold(self.max_opening_cost, f64::min)
     }
 
-    /// What of a front and a back is sewn together.
+    /// Returns how little the edges of a front and a back agree that are sewn together.
     fn sewn_edges_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
         if a.half != b.half {
             return if a.kind == PanelKind::Sleeve {
@@ -250,7 +250,7 @@ impl AssignmentWeights {
             + self.alike_weight * self.length_cost(a, b, alike, self.alike_spread)
     }
 
-    /// How much two halves are no mirror images.
+    /// Returns how little two halves mirror each other.
     fn mirror_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
         if a.half != b.half {
             return self.max_pair_cost;
@@ -259,7 +259,7 @@ impl AssignmentWeights {
         self.length_cost(a, b, &roles, self.mirrored_spread)
     }
 
-    /// Mean difference in length of the segments of some roles.
+    /// Returns the mean difference in length of the segments of some roles.
     fn length_cost(
         &self,
         a: &LabeledPanel,
@@ -291,7 +291,7 @@ impl AssignmentWeights {
     }
 }
 
-/// A sleeve needs an armhole; one that runs up to the neck a bodice without shoulders, any other one with.
+/// Returns true for a sleeve and a bodice that do not go together: a sleeve needs an armhole; one that runs up to the neck a bodice without shoulders, any other one with.
 fn is_misfit(a: &LabeledPanel, b: &LabeledPanel) -> bool {
     let (sleeve, bodice) = match (a.kind, b.kind) {
         (PanelKind::Sleeve, PanelKind::Bodice) => (a, b),
@@ -303,7 +303,7 @@ fn is_misfit(a: &LabeledPanel, b: &LabeledPanel) -> bool {
     !armhole || shoulder == sleeve.segment(EdgeRole::Neck, None).is_some()
 }
 
-/// Length of a role of a piece, that of both halves for one of two.
+/// Returns the length of a role of a panel, that of both halves for one of two.
 fn role_length(part: &LabeledPanel, role: EdgeRole) -> Option<f64> {
     let length: f64 = part
         .segments_of(role)

@@ -1,4 +1,4 @@
-//! From panels to pieces: what each panel is, by its name and by its look.
+//! Labels for the panels of a pattern, by their names and by their outlines.
 
 use super::figures::Figures;
 use super::labeled_panel::LabeledPanel;
@@ -17,12 +17,12 @@ const ANY: [PanelKind; 5] = [
     PanelKind::Sleeve,
     PanelKind::NeckBand,
 ];
-/// What a panel without a telling name may be where other panels of the pattern have one.
+/// Kinds of a panel without a telling name where other panels of the pattern have one.
 const EXTRA: [PanelKind; 2] = [PanelKind::Sleeve, PanelKind::NeckBand];
-/// How many readings of a panel are weighed.
+/// Number of readings of a panel that are weighed.
 const KEPT: usize = 16;
 
-/// The pieces of a pattern.
+/// Labels the panels of a pattern.
 pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
     let names: Vec<&str> = pattern.panels.iter().map(|p| p.name.as_str()).collect();
     let common = names::common_start(&names);
@@ -75,7 +75,7 @@ pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
     parts
 }
 
-/// What a panel may be, the likeliest first.
+/// Returns the readings of a panel, the likeliest first.
 fn candidates(
     figures: &Figures,
     (panel, features): (usize, Rc<OutlineFeatures>),

@@ -1,6 +1,6 @@
 //! Chains of edges along a seam.
 
-/// One edge on the way along a seam, and whether it is gone in order of numbers.
+/// One edge along a seam, and whether it is gone in order of numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct EdgeStep {
     pub(super) panel: usize,
@@ -13,7 +13,7 @@ pub(super) struct EdgeStep {
 /// Steps one after another.
 pub(super) type EdgeChain = Vec<EdgeStep>;
 
-/// The same chain from its end.
+/// Returns the chain from its end.
 pub(super) fn reversed(chain: &[EdgeStep]) -> EdgeChain {
     let back = |step: &EdgeStep| EdgeStep {
         forward: !step.forward,

@@ -1,4 +1,4 @@
-//! The pieces of a garment as they lie round the body, and the seams that the rules have found so far.
+//! The labeled panels of a garment round the body, and the seams proposed so far.
 
 use super::edge_chain::{EdgeChain, EdgeStep, length, reversed};
 use super::join;
@@ -21,19 +21,19 @@ pub(super) struct ProposedSeam {
     pub(super) because: String,
 }
 
-/// What a rule says of a seam besides its edges.
+/// Name and reason that a rule gives a seam.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SeamRationale<'a> {
     /// Its name, to which numbers are added where it has several parts.
     pub(super) id: &'a str,
-    /// Why these edges belong together.
+    /// Reason why these edges belong together.
     pub(super) because: &'a str,
-    /// Whether much ease is usual here.
+    /// True where much ease is usual.
     pub(super) gather: bool,
 }
 
 impl<'a> SeamRationale<'a> {
-    /// Edges of one length.
+    /// Returns the rationale of a seam of edges of one length.
     pub(super) fn new(id: &'a str, because: &'a str) -> Self {
         Self {
             id,
@@ -42,7 +42,7 @@ impl<'a> SeamRationale<'a> {
         }
     }
 
-    /// The same where much ease is usual.
+    /// Returns the rationale of a seam where much ease is usual.
     pub(super) fn gathered(self) -> Self {
         Self {
             gather: true,
@@ -51,7 +51,7 @@ impl<'a> SeamRationale<'a> {
     }
 }
 
-/// The pieces of a garment round the body.
+/// Labeled panels of a garment round the body, with the seams proposed for them.
 #[derive(Clone, Debug)]
 pub(super) struct GarmentModel {
     pub(super) parts: Vec<LabeledPanel>,
@@ -59,7 +59,7 @@ pub(super) struct GarmentModel {
 }
 
 impl GarmentModel {
-    /// The pieces of a kind.
+    /// Returns the panels of a kind.
     pub(super) fn parts_of(&self, kind: PanelKind) -> impl Iterator<Item = &LabeledPanel> {
         self.parts.iter().filter(move |part| part.kind == kind)
     }
@@ -68,7 +68,7 @@ impl GarmentModel {
         self.parts_of(kind).next().is_some()
     }
 
-    /// The piece of a kind in front of or behind one side of the wearer.
+    /// Returns the panel of a kind in front of or behind one side of the wearer.
     pub(super) fn part(
         &self,
         kind: PanelKind,
@@ -84,7 +84,7 @@ impl GarmentModel {
             .min_by_key(|part| part.number)
     }
 
-    /// Whether an edge is part of a seam already.
+    /// Returns true if an edge is part of a seam already.
     pub(super) fn is_sewn(&self, panel: usize, edge: usize) -> bool {
         let sides = self.proposed.iter().flat_map(|d| d.sides.iter().flatten());
         sides
@@ -92,7 +92,7 @@ impl GarmentModel {
             .any(|step| (step.panel, step.edge) == (panel, edge))
     }
 
-    /// The segment of a role on one side of the wearer.
+    /// Returns the segment of a role on one side of the wearer.
     pub(super) fn segment(
         &self,
         kind: PanelKind,
@@ -112,7 +112,7 @@ impl GarmentModel {
         Some((part, part.segment(role, drawn_side)?))
     }
 
-    /// A segment of a role on one side of the wearer as a chain from where it meets `from`.
+    /// Returns a segment of a role on one side of the wearer as a chain from where it meets `from`.
     pub(super) fn chain(
         &self,
         kind: PanelKind,
@@ -124,7 +124,7 @@ impl GarmentModel {
         Some(part.chain_from(segment, from))
     }
 
-    /// An upper or lower edge of a piece, from the wearer's side `from` to the other; of half a piece, what it has of that.
+    /// Returns an upper or lower edge of a panel, from the wearer's side `from` to the other; of half a panel, what it has of that.
     pub(super) fn across(
         &self,
         part: &LabeledPanel,
@@ -157,7 +157,7 @@ impl GarmentModel {
         }
     }
 
-    /// The edges of a role in front of the body from the wearer's left, or behind it from the right.
+    /// Returns the edges of a role in front of the body from the wearer's left, or behind it from the right.
     pub(super) fn half_ring(
         &self,
         kind: PanelKind,
@@ -257,7 +257,7 @@ impl GarmentModel {
         true
     }
 
-    /// How sure it is that the pieces of a seam are what they are taken for.
+    /// Returns how sure it is that the panels of a seam are what they are taken for, from 0 to 1.
     fn recognition_confidence(&self, sides: [&EdgeChain; 2]) -> f64 {
         let part = |step: &EdgeStep| self.parts.iter().find(|p| p.panel == step.panel);
         let trust = |p: &LabeledPanel| {
@@ -277,7 +277,7 @@ fn join_ease(sides: &join::JoinedParts) -> f64 {
     ease(&sides[0], &sides[1])
 }
 
-/// Longer over shorter, less 1.
+/// Returns longer over shorter, less 1.
 pub(super) fn ease(a: &[EdgeStep], b: &[EdgeStep]) -> f64 {
     let (a, b) = (length(a), length(b));
     a.max(b) / a.min(b).max(1e-9) - 1.0

@@ -1,4 +1,4 @@
-//! Lays two chains of edges along each other and parts them where corners of both meet.
+//! Lays two chains of edges along each other and splits them where corners of both meet.
 
 use super::edge_chain::{EdgeChain, EdgeStep, length};
 
@@ -13,7 +13,7 @@ const MOST_TURNS: usize = 2_500;
 /// Two chains of edges that are sewn together, beginning at the same point.
 pub(super) type JoinedParts = [EdgeChain; 2];
 
-/// Parts two chains that begin and end together wherever a corner of the one meets a corner of the other.
+/// Splits two chains that begin and end together wherever a corner of the one meets a corner of the other.
 pub(super) fn split_at_corners(a: &[EdgeStep], b: &[EdgeStep]) -> Vec<JoinedParts> {
     let cuts = matching_corners(&corners(a), &corners(b), tolerance(a, b));
     let mut parts = vec![];
@@ -25,13 +25,13 @@ pub(super) fn split_at_corners(a: &[EdgeStep], b: &[EdgeStep]) -> Vec<JoinedPart
     parts
 }
 
-/// The same for two closed chains, which are expected to begin together but may be turned against each other where
+/// Splits two closed chains, which are expected to begin together but may be rotated against each other where
 /// their corners then meet better.
 pub(super) fn split_ring(a: &[EdgeStep], b: &[EdgeStep]) -> Vec<JoinedParts> {
     split_rotated(a, b, AWAY)
 }
 
-/// The same where nothing is known of how they lie against each other.
+/// Splits two closed chains of which it is not known how they lie against each other.
 pub(super) fn split_free_ring(a: &[EdgeStep], b: &[EdgeStep]) -> Vec<JoinedParts> {
     split_rotated(a, b, f64::INFINITY)
 }
@@ -61,14 +61,14 @@ fn split_rotated(a: &[EdgeStep], b: &[EdgeStep], usual: f64) -> Vec<JoinedParts>
     split_at_corners(&rotated(a, best.1), &rotated(b, best.2))
 }
 
-/// How well the corners of two chains meet: the number that do, less the square of how unusual their beginning is.
+/// Returns how well the corners of two chains meet: the number that do, less the square of how unusual their beginning is.
 pub(super) fn score(a: &[f64], b: &[f64], away: f64, tolerance: f64) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "a handful of corners")]
     let met = matching_corners(a, b, tolerance).len() as f64;
     met - away.powi(2)
 }
 
-/// How well two chains go along each other as they are.
+/// Returns how well the corners of two chains meet as they are.
 pub(super) fn agreement(a: &[EdgeStep], b: &[EdgeStep]) -> f64 {
     score(&corners(a), &corners(b), 0.0, tolerance(a, b))
 }
@@ -81,7 +81,7 @@ fn rotated(chain: &[EdgeStep], start: usize) -> EdgeChain {
         .collect()
 }
 
-/// Where the inner corners of a chain lie, as fractions of its length.
+/// Returns the positions of the inner corners of a chain, as fractions of its length.
 fn corners(chain: &[EdgeStep]) -> Vec<f64> {
     let whole = length(chain).max(f64::MIN_POSITIVE);
     let mut so_far = 0.0;
@@ -99,7 +99,7 @@ fn tolerance(a: &[EdgeStep], b: &[EdgeStep]) -> f64 {
     NEAR_SHARE.max(NEAR_M / shorter).min(0.1)
 }
 
-/// Pairs of corners each of which is the nearest of the other, as numbers of steps before them.
+/// Returns pairs of corners each of which is the nearest of the other, as numbers of steps before them.
 fn matching_corners(a: &[f64], b: &[f64], tolerance: f64) -> Vec<[usize; 2]> {
     let nearest = |x: f64, of: &[f64]| {
         (0..of.len()).min_by(|i, j| (of[*i] - x).abs().total_cmp(&(of[*j] - x).abs()))

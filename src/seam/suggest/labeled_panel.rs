@@ -1,4 +1,4 @@
-//! A panel as a part of a garment: what it is, and which of its edges are its hem, its side, its armhole.
+//! A panel as a part of a garment: its kind, and which of its edges are its hem, its side, its armhole.
 
 use super::edge_chain::{EdgeChain, EdgeStep, reversed};
 use super::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
@@ -19,33 +19,33 @@ pub(super) struct RoleSegment {
 /// A panel whose edges have roles.
 #[derive(Clone, Debug)]
 pub(super) struct LabeledPanel {
-    /// Its place in the pattern.
+    /// Its index in the pattern; mirrored copies that the suggestion adds come after all of the pattern's own.
     pub(super) panel: usize,
     pub(super) kind: PanelKind,
-    /// What else its name says: the sleeve or the leg of a cuff.
+    /// Other kinds that its name says: the sleeve or the leg of a cuff.
     pub(super) of: Vec<PanelKind>,
-    /// Its place in a row of such pieces.
+    /// Its place in a row of such panels.
     pub(super) number: u32,
     pub(super) front_back: Option<FrontBack>,
     pub(super) laterality: Option<Laterality>,
-    /// Whether its name says so.
+    /// True if its name says left or right.
     pub(super) laterality_named: bool,
-    /// Whether it covers one side of the body only.
+    /// True if it covers one side of the body only.
     pub(super) half: bool,
-    /// Whether it is drawn as seen through the body: not with its outer side up.
+    /// True if it is drawn as seen through the body: not with its outer side up.
     pub(super) drawn_from_inside: bool,
     pub(super) features: Rc<OutlineFeatures>,
     pub(super) segments: Vec<RoleSegment>,
-    /// How badly it fits what such a panel looks like; 0 is best.
+    /// Misfit with what such a panel usually looks like; 0 is best.
     pub(super) cost: f64,
-    /// Whether its name says its kind, or front or back.
+    /// True if its name says its kind, or front or back.
     pub(super) named: bool,
-    /// Whether its name says its kind, not only front or back.
+    /// True if its name says its kind, not only front or back.
     pub(super) kind_named: bool,
 }
 
 impl LabeledPanel {
-    /// The wearer's side on which a hand of it lies: a front with its outer side up has the wearer's right on its left.
+    /// Returns the wearer's side on which a side of the drawing lies: a front with its outer side up has the wearer's right on its left.
     pub(super) fn laterality_of(&self, drawn_side: DrawnSide) -> Laterality {
         let behind = self.front_back == Some(FrontBack::Back);
         if (drawn_side == DrawnSide::Left) == (behind != self.drawn_from_inside) {
@@ -55,7 +55,7 @@ impl LabeledPanel {
         }
     }
 
-    /// The hand at which a segment on the upper side begins, in order of numbers.
+    /// Returns the side of the drawing at which a segment on the upper edge begins, in order of numbers.
     pub(super) fn first_drawn_side(&self) -> DrawnSide {
         if self.features.mirrored {
             DrawnSide::Right
@@ -64,7 +64,7 @@ impl LabeledPanel {
         }
     }
 
-    /// The hand of it that lies on the wearer's side.
+    /// Returns the side of the drawing that lies on this side of the wearer.
     pub(super) fn drawn_side_of(&self, laterality: Laterality) -> DrawnSide {
         if self.laterality_of(DrawnSide::Left) == laterality {
             DrawnSide::Left
@@ -73,12 +73,12 @@ impl LabeledPanel {
         }
     }
 
-    /// The segments of a role.
+    /// Returns the segments of a role.
     pub(super) fn segments_of(&self, role: EdgeRole) -> impl Iterator<Item = &RoleSegment> {
         self.segments.iter().filter(move |s| s.role == role)
     }
 
-    /// The segment of a role, on one hand if there are two.
+    /// Returns the segment of a role, on one side of the drawing if there are two.
     pub(super) fn segment(
         &self,
         role: EdgeRole,
@@ -88,7 +88,7 @@ impl LabeledPanel {
             .find(|s| drawn_side.is_none_or(|drawn_side| s.drawn_side == drawn_side))
     }
 
-    /// A segment in order of numbers.
+    /// Returns a segment in order of numbers.
     pub(super) fn chain(&self, segment: &RoleSegment) -> EdgeChain {
         let step = |&edge: &usize| EdgeStep {
             panel: self.panel,
@@ -99,7 +99,7 @@ impl LabeledPanel {
         segment.edges.iter().map(step).collect()
     }
 
-    /// A segment from where it meets `role`.
+    /// Returns a segment from where it meets `role`.
     pub(super) fn chain_from(&self, segment: &RoleSegment, role: EdgeRole) -> EdgeChain {
         let chain = self.chain(segment);
         if segment.before == role {

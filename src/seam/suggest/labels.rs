@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 
-/// What a panel is.
+/// Kind of a panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum PanelKind {
@@ -54,7 +54,7 @@ impl Laterality {
     }
 }
 
-/// What an edge is of its panel.
+/// Role of an edge in its panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum EdgeRole {
@@ -63,12 +63,12 @@ pub(super) enum EdgeRole {
     Armhole,
     Shoulder,
     Neck,
-    /// Centre front or centre back.
-    Centre,
+    /// Center front or center back.
+    Center,
     /// The upper edge of a sleeve.
     Cap,
     Underarm,
-    /// Where the two halves of a sleeve meet, over the shoulder.
+    /// Edge at which the two halves of a sleeve meet, over the shoulder.
     Top,
     Waist,
     Inseam,
@@ -79,7 +79,7 @@ pub(super) enum EdgeRole {
     End,
 }
 
-/// Where on a panel that lies hem down and face up.
+/// Side of the drawing of a panel that lies hem down and face up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum DrawnSide {
     /// On the left of the drawing.

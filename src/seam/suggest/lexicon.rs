@@ -194,10 +194,10 @@ fn is_ending(stem: &str, ending: &str, language: &Language) -> bool {
         || stem.chars().count() >= least && language.endings.iter().any(|known| known == ending)
 }
 
-/// How compounds of one language are taken apart.
+/// Takes compounds of one language apart.
 struct Compound<'a> {
     language: &'a Language,
-    /// What may stand between two parts.
+    /// Letters that may stand between two parts.
     links: &'a [String],
     stems: &'a Stems,
 }

@@ -1,8 +1,15 @@
-//! Seams that need not be said: what is known of each class of garment, applied to the panels of a pattern (P13).
+//! Seam suggestion: rules of each class of garment, applied to the panels of a pattern (P13).
 //!
-//! Every panel is taken for what its name and its look say (`words`, `looks`, `template`), and its edges get roles:
-//! hem, side, armhole. Then each class of garment joins the roles that its tailors join: `top`, `sleeve`, `skirt`,
-//! `raglan`, `trousers`, `waist` (dresses too), `neck`, `hood`, `cuff`, `godet`, `dart`. Where corners of both sides meet, a seam is parted there.
+//! 1. `classify` labels every panel: `names` takes hints from its name by the `lexicon`,
+//!    `outline_features` measures its outline, `align` divides that into the edge roles of the
+//!    `edge_templates` (hem, side, armhole), `penalties` count what speaks against a reading, and
+//!    `assignment` chooses the readings of all panels together; `orientation` tells front from back
+//!    and left from right.
+//! 2. `rules` join the edge roles that each class of garment joins, a file a class; `join` splits a
+//!    seam where corners of both sides meet.
+//! 3. `select` keeps the seams that can be sewn together, `placement` puts the panels round the body.
+//!
+//! `lexicon.json` and `figures.json` hold the words and the numbers.
 
 mod align;
 mod assignment;
@@ -77,8 +84,8 @@ pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
         .filter(|panel| !sewn.contains(panel.id.as_str()));
     let warnings = loose
         .map(|panel| {
-            let told = format!("no seam is suggested for panel `{}`: what it is was not recognised, or it is not needed", panel.id);
-            Warning::new("seam/not_suggested", "/seams", told)
+            let detail = format!("no seam is suggested for panel `{}`: what it is was not recognised, or it is not needed", panel.id);
+            Warning::new("seam/not_suggested", "/seams", detail)
         })
         .collect();
     Suggestion {
@@ -89,11 +96,11 @@ pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
 }
 
 fn too_many(count: usize, most: usize) -> Suggestion {
-    let told = format!(
+    let detail = format!(
         "the pattern has {count} panels; seams are suggested for one garment of at most {most}"
     );
     Suggestion {
-        warnings: vec![Warning::new("seam/not_suggested", "/seams", told)],
+        warnings: vec![Warning::new("seam/not_suggested", "/seams", detail)],
         ..Suggestion::default()
     }
 }

@@ -1,4 +1,4 @@
-//! Front from back and left from right: where on the body each piece is worn, and the mirrored copies of those drawn once.
+//! Front from back and left from right, and the mirrored copies of panels that are drawn once.
 
 use super::labeled_panel::LabeledPanel;
 use super::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
@@ -8,7 +8,7 @@ use std::rc::Rc;
 /// Lengths of two panels that mirror each other agree to this share.
 const TWINS: f64 = 0.01;
 
-/// Whether a panel is drawn as seen through the body: as the names of halves like it say, or its file. Else backs that
+/// Returns true if a panel is drawn as seen through the body: as the names of halves like it say, or its file. Else backs that
 /// are drawn whole are taken to be drawn in one view with their fronts, as tools that know the body write them; halves
 /// and panels drawn on the fold are pieces to cut, which lie right side up.
 pub(super) fn is_drawn_from_inside(
@@ -41,7 +41,7 @@ pub(super) fn is_drawn_from_inside(
     }
 }
 
-/// The hand on which half a panel has its side.
+/// Returns the side of the drawing on which half a panel has its side edge.
 pub(super) fn outer_drawn_side(part: &LabeledPanel) -> Option<DrawnSide> {
     part.segments.first().map(|s| s.drawn_side)
 }
@@ -159,7 +159,7 @@ pub(super) fn assign_left_right(pattern: &Pattern, parts: &mut Vec<LabeledPanel>
     parts.extend(copies);
 }
 
-/// Whether a part is worn on both sides but usually drawn for one.
+/// Returns true for a part that is worn on both sides but usually drawn for one.
 fn is_drawn_once(part: &LabeledPanel) -> bool {
     matches!(
         part.kind,
@@ -167,7 +167,7 @@ fn is_drawn_once(part: &LabeledPanel) -> bool {
     )
 }
 
-/// The side for which such a part is usually drawn.
+/// Returns the side of the wearer for which such a part is usually drawn.
 fn usual_side(part: &LabeledPanel) -> Laterality {
     if part.kind == PanelKind::ArmBand {
         Laterality::Right
@@ -180,7 +180,7 @@ fn is_same_part(a: &LabeledPanel, b: &LabeledPanel) -> bool {
     a.kind == b.kind && a.of == b.of && a.front_back == b.front_back && a.half == b.half
 }
 
-/// Whether two panels have the same edges.
+/// Returns true if two panels have edges of the same lengths.
 fn are_twins(a: &LabeledPanel, b: &LabeledPanel) -> bool {
     let sorted = |p: &LabeledPanel| {
         let mut all: Vec<f64> = p.features.edges.iter().map(|e| e.length).collect();
@@ -198,7 +198,7 @@ fn is_partner(a: &LabeledPanel, b: &LabeledPanel) -> bool {
     is_same_part(a, b) && a.laterality == b.laterality.map(Laterality::other)
 }
 
-/// The mirrored copy of a piece: the same numbers, the other hand.
+/// Returns the mirrored copy of a panel: the same numbers, the other side of the drawing.
 fn mirrored(part: &LabeledPanel) -> LabeledPanel {
     let mut copy = part.clone();
     copy.features = Rc::new(copy.features.reflected());

@@ -1,11 +1,11 @@
-//! What the outline of a panel looks like to one who sews: how each edge bends, how corners turn, with darts taken in.
+//! Features of a panel's outline: bend of each edge, turn of each corner, with darts closed.
 
 use crate::pattern::{Edge, Panel};
 use std::f64::consts::{PI, TAU};
 
-/// Outlines of more edges than this have no usual look.
+/// Outlines of more edges than this fit no template.
 pub(super) const MOST_EDGES: usize = 40;
-/// How far from a corner its direction is looked at \[m\]: above the noise of digitised outlines, below their curvature.
+/// Distance from a corner over which its direction is measured \[m\]: above the noise of digitized outlines, below their curvature.
 const NEAR: f64 = 0.008;
 /// A dart is no wider at its tip than this \[rad\], and no wider at its mouth than this \[m\]; a slit for a godet may be.
 const DART: [f64; 2] = [PI / 2.4, 0.16];
@@ -21,18 +21,18 @@ const DART_LEAST: f64 = 0.015;
 const TWIN: f64 = 0.01;
 const TWIN_TURN: f64 = 0.12;
 
-/// One edge as seen by one who sews.
+/// Features of one edge.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct EdgeFeatures {
     /// Arc length \[m\].
     pub(super) length: f64,
-    /// How much the way turns between its ends, positive where the outline is convex \[rad\].
+    /// Turn between its ends, positive where the outline is convex \[rad\].
     pub(super) bend: f64,
-    /// How much it turns to either side, each turn counted \[rad\].
+    /// Turns to either side, each counted \[rad\].
     pub(super) curl: f64,
     /// Its mean height in the drawing \[m\].
     pub(super) height: f64,
-    /// Where it begins and ends, in the order of numbers \[m\].
+    /// Start and end, in the order of numbers \[m\].
     pub(super) ends: [[f64; 2]; 2],
 }
 
@@ -45,14 +45,14 @@ pub(super) struct Dart {
     pub(super) outward: usize,
 }
 
-/// A panel's outline with its darts taken in.
+/// Features of a panel's outline with its darts closed.
 #[derive(Clone, Debug)]
 pub(super) struct OutlineFeatures {
     /// Side of the square of the same area \[m\].
     pub(super) size: f64,
-    /// Whether the order of numbers runs counter-clockwise (mirrored copies).
+    /// True if the order of numbers runs counter-clockwise (mirrored copies).
     pub(super) mirrored: bool,
-    /// Whether slits for godets count as darts.
+    /// True if slits for godets count as darts.
     pub(super) slits: bool,
     /// The edges and places of its notches.
     pub(super) notches: Vec<(usize, f64)>,
@@ -69,7 +69,7 @@ pub(super) struct OutlineFeatures {
 }
 
 impl OutlineFeatures {
-    /// Looks at a panel. Where a pattern has godets, the wide slits that they are set into count as darts too.
+    /// Measures a panel. Where a pattern has godets, the wide slits that they are set into count as darts too.
     pub(super) fn of(panel: &Panel, slits: bool) -> Self {
         let mirrored = panel.copy_of.is_some();
         let sense = if mirrored { 1.0 } else { -1.0 };
@@ -93,7 +93,7 @@ impl OutlineFeatures {
         }
     }
 
-    /// The shape of the mirrored copy: reflected x -> -x, with the same numbers.
+    /// Returns the features of the mirrored copy: reflected x -> -x, with the same numbers.
     pub(super) fn reflected(&self) -> Self {
         let reflect = |[x, y]: [f64; 2]| [-x, y];
         let points = self
@@ -111,7 +111,7 @@ impl OutlineFeatures {
         copy
     }
 
-    /// Whether some axis mirrors the outline onto itself.
+    /// Returns true if some axis mirrors the outline onto itself.
     pub(super) fn is_symmetric(&self) -> bool {
         let count = self.ring.len();
         let edge = |k: usize| self.edges[self.ring[k % count]];
@@ -130,7 +130,7 @@ impl OutlineFeatures {
             })
     }
 
-    /// Whether edges run across the drawing rather than up.
+    /// Returns true if edges run across the drawing rather than up.
     pub(super) fn is_level(&self, edges: &[usize]) -> bool {
         let extent = |k: usize| -> f64 {
             edges
@@ -141,7 +141,7 @@ impl OutlineFeatures {
         extent(0) >= extent(1)
     }
 
-    /// How far a point lies from the straight line through the ends of a run of edges, on the side of the panel \[m\].
+    /// Returns the distance of a point from the straight line through the ends of a run of edges, positive on the side of the panel \[m\].
     pub(super) fn above(&self, edges: &[usize], point: [f64; 2]) -> f64 {
         let (Some(first), Some(last)) = (edges.first(), edges.last()) else {
             return 0.0;
@@ -160,7 +160,7 @@ impl OutlineFeatures {
             .collect()
     }
 
-    /// How much edges turn to either side, each turn counted \[rad\].
+    /// Returns how much edges turn to either side, each turn counted \[rad\].
     pub(super) fn curl(&self, edges: &[usize]) -> f64 {
         edges.iter().map(|e| self.edges[*e].curl).sum()
     }
@@ -263,7 +263,7 @@ fn darts(edges: &[EdgeFeatures], turns: &[f64], [opening, mouth]: [f64; 2]) -> V
     darts
 }
 
-/// Whether the outline reads the same from a corner in both directions.
+/// Returns true if the outline reads the same from a corner in both directions.
 fn is_axis(edges: &[EdgeFeatures], corner: usize) -> bool {
     let count = edges.len();
     (0..count / 2).all(|k| {
@@ -303,7 +303,7 @@ fn ring(count: usize, turns: &[f64], darts: &[Dart]) -> (Vec<usize>, Vec<f64>) {
     (ring, joints)
 }
 
-/// The same angle between -π and π.
+/// Returns the angle between -π and π.
 fn wrapped(angle: f64) -> f64 {
     (angle + PI).rem_euclid(TAU) - PI
 }

@@ -1,4 +1,4 @@
-//! What speaks against a reading of a panel: its name, its symmetry, how it lies in its drawing, how such panels are made.
+//! Penalties of a reading of a panel: by its name, its symmetry, its drawing, and how such panels are made.
 
 use super::edge_chain::EdgeStep;
 use super::labeled_panel::LabeledPanel;
@@ -32,7 +32,7 @@ pub(super) struct PenaltyWeights {
     max_hood_face_curl_rad: f64,
 }
 
-/// What speaks against taking a panel for half or for whole.
+/// Returns the penalty for taking a panel for half or for whole.
 pub(super) fn half_penalty(
     (kind, half): (PanelKind, bool),
     hints: &names::NameHints,
@@ -52,7 +52,7 @@ pub(super) fn half_penalty(
     }
 }
 
-/// What speaks against how a reading says that a panel is drawn: on its side, hem up, or a front as seen through the body.
+/// Returns the penalty for how a panel would be drawn: on its side, hem up, or a front as seen through the body.
 pub(super) fn drawing_penalty(
     part: &LabeledPanel,
     upright: Option<bool>,
@@ -105,7 +105,7 @@ pub(super) fn drawing_penalty(
     cost
 }
 
-/// Whether a reading has what no such panel has: shoulders that rise towards the arm, an underarm longer than the sleeve,
+/// Returns true if a reading has what no such panel has: shoulders that rise towards the arm, an underarm longer than the sleeve,
 /// a cap that is straight, a hood whose opening is round, slits for godets in the waist.
 fn is_implausible(part: &LabeledPanel, weights: &PenaltyWeights) -> bool {
     let hem: Vec<usize> = part
@@ -145,7 +145,7 @@ fn is_implausible(part: &LabeledPanel, weights: &PenaltyWeights) -> bool {
     rising || slit_waist || straight_cap || curved_face || short_top
 }
 
-/// Whether a panel stands or lies in its drawing, as far as its grain says.
+/// Returns true if a panel stands in its drawing, false if it lies, as far as its grain says.
 pub(super) fn upright(panel: &Panel) -> Option<bool> {
     let Some(grain) = panel.grain else {
         return Some(true);

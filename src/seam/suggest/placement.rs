@@ -1,11 +1,11 @@
-//! Where the pieces of a suggestion start on the body: the placements that go with its seams (P7).
+//! Placements of the panels of a suggestion on the body (P7).
 
 use super::garment_model::GarmentModel;
 use super::labeled_panel::LabeledPanel;
 use super::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 use crate::pattern::{Placement, PlacementAnchor, Wrap};
 
-/// The placement of each piece that has a place, with the number of its panel.
+/// Returns the placement of each panel that has a place, with its index.
 pub(super) fn placements(garment: &GarmentModel) -> Vec<(usize, Placement)> {
     let all = garment.parts.iter();
     all.filter_map(|part| Some((part.panel, placement(garment, part)?)))
@@ -101,7 +101,7 @@ fn placement(garment: &GarmentModel, part: &LabeledPanel) -> Option<Placement> {
     })
 }
 
-/// Whether a panel is a whole skirt, closed on itself.
+/// Returns true for a whole skirt, closed on itself.
 fn is_all_round(garment: &GarmentModel, part: &LabeledPanel) -> bool {
     part.kind == PanelKind::Skirt
         && part.front_back.is_none()
@@ -135,7 +135,7 @@ fn on_leg(garment: &GarmentModel, part: &LabeledPanel) -> bool {
     part.of.contains(&PanelKind::Trouser) || !garment.has(PanelKind::Sleeve)
 }
 
-/// Half a panel stands beside the middle.
+/// Returns the offset of half a panel, which stands beside the middle \[m\].
 fn beside(part: &LabeledPanel, side: f64) -> [f64; 3] {
     let width = if part.half || side != 0.0 {
         extent(part)[0]
@@ -145,7 +145,7 @@ fn beside(part: &LabeledPanel, side: f64) -> [f64; 3] {
     [0.5 * side * width, 0.0, 0.0]
 }
 
-/// How far the levels above a level of a skirt reach down \[m\].
+/// Returns how far the levels above a level of a skirt reach down \[m\].
 fn above(garment: &GarmentModel, part: &LabeledPanel) -> f64 {
     let higher = garment.parts_of(part.kind).filter(|p| {
         p.front_back == part.front_back && p.number < part.number && p.laterality == part.laterality
@@ -153,7 +153,7 @@ fn above(garment: &GarmentModel, part: &LabeledPanel) -> f64 {
     higher.map(|p| extent(p)[1]).sum()
 }
 
-/// Gores stand side by side, half of them in front.
+/// Returns the place of a gore: they stand side by side, half of them in front.
 fn gore(garment: &GarmentModel, part: &LabeledPanel) -> (PlacementAnchor, [f64; 3]) {
     let mut gores: Vec<&LabeledPanel> = garment
         .parts_of(PanelKind::Skirt)
@@ -186,12 +186,12 @@ fn tallest(garment: &GarmentModel, kind: PanelKind) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// The way down a sleeve that leans away from the body.
+/// Returns the offset down a sleeve that leans away from the body \[m\].
 fn down_the_arm(length: f64, side: f64) -> [f64; 3] {
     [0.64 * side * length, -0.76 * length, 0.0]
 }
 
-/// Direction on the drawing that is up, from the hem into the panel; nothing where the drawing says nothing else \[degrees\].
+/// Returns the direction on the drawing that is up, from the hem into the panel \[degrees\]; nothing where it is that of the drawing.
 fn up(part: &LabeledPanel) -> Option<f64> {
     let hem = part.segment(EdgeRole::Hem, None)?;
     let (first, last) = (hem.edges.first()?, hem.edges.last()?);
@@ -218,7 +218,7 @@ fn up(part: &LabeledPanel) -> Option<f64> {
     ((angle - 90.0).abs() > 1e-9).then_some(angle)
 }
 
-/// Width and height of a piece the way up that it is worn \[m\].
+/// Returns the width and height of a panel the way up that it is worn \[m\].
 fn extent(part: &LabeledPanel) -> [f64; 2] {
     let (sin, cos) = (90.0 - up(part).unwrap_or(90.0)).to_radians().sin_cos();
     let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 2];

@@ -1,4 +1,4 @@
-//! Keeps of the proposed seams those that go together: a set that can be sewn, without twist and without overlap.
+//! Selects of the proposed seams a set that can be sewn together, without twist and without overlap.
 
 use super::suggestion::SuggestedSeam;
 use crate::config::Limits;
@@ -9,10 +9,10 @@ use std::collections::BTreeMap;
 /// Mesh edge length that stitch counts are stated for while checking \[m\]; nothing depends on it.
 const EDGE_LENGTH: f64 = 0.02;
 
-/// How often one seam is left out by itself; then all that are still wrong go.
+/// Number of times that one seam is left out by itself; then all that are still wrong go.
 const ONE_BY_ONE: usize = 30;
 
-/// The seams that can be sewn together. Of those that cannot, the least sure is left out first.
+/// Returns the seams that can be sewn together. Of those that cannot, the least sure is left out first.
 pub(super) fn select_compatible(
     pattern: &Pattern,
     mut seams: Vec<SuggestedSeam>,

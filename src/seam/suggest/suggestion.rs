@@ -12,26 +12,26 @@ pub struct SuggestedSeam {
     /// The seam, as a client would state it.
     #[serde(flatten)]
     pub pair: SeamPair,
-    /// How sure it is: 0 is a guess, 1 is certain.
+    /// Confidence: 0 is a guess, 1 is certain.
     pub confidence: f64,
-    /// Why, in words.
+    /// Reason, in words.
     pub because: String,
 }
 
-/// What the rules propose for a pattern.
+/// Seams and placements proposed for a pattern.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Suggestion {
     /// Seams that can be sewn together. They may name mirrored copies (`sleeve~mirror`) of panels that are drawn once.
     pub seams: Vec<SuggestedSeam>,
-    /// Where panels start, by id, as a garment states it.
+    /// Proposals by id of the panel, as a garment states them.
     pub panels: BTreeMap<String, SuggestedPanel>,
-    /// What a user should know, panels that were not recognised among it.
+    /// Warnings, of panels that were not recognized among others.
     pub warnings: Vec<Warning>,
 }
 
-/// What the rules propose for a panel.
+/// Proposal for one panel.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct SuggestedPanel {
-    /// Where it starts.
+    /// Its start placement.
     pub placement: Placement,
 }

@@ -9,9 +9,9 @@ use serde::Deserialize;
 pub(super) enum Meaning {
     /// A kind of panel.
     Kind(PanelKind),
-    /// The same where the name says no other kind: "short" is an adjective of sleeves.
+    /// A kind where the name says no other: "short" is an adjective of sleeves.
     KindIfOnly(PanelKind),
-    /// The same where the name says nothing else: a "button front" is a front.
+    /// A kind where the name says neither another nor front or back: a "button front" is a front.
     KindIfAlone(PanelKind),
     /// Of the front.
     Front,
@@ -40,9 +40,9 @@ pub(super) struct Language {
     /// In English; for readers of the file.
     #[serde(rename = "name")]
     _name: String,
-    /// What a stem may end with.
+    /// Endings that a stem may take on.
     pub(super) endings: Vec<String>,
-    /// What may stand between two parts of a compound, besides nothing; absent where words do not
+    /// Letters between two parts of a compound, besides nothing; absent where words do not
     /// grow together.
     pub(super) compound_links: Option<Vec<String>>,
     pub(super) entries: Vec<Entry>,

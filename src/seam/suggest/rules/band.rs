@@ -6,7 +6,7 @@ use crate::seam::suggest::join;
 use crate::seam::suggest::labeled_panel::{LabeledPanel, RoleSegment};
 use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 
-/// Which long edge is sewn where nothing else tells, as drawn.
+/// Long edge that is sewn where nothing else tells, as drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum BandEdge {
     Lower,
@@ -29,24 +29,24 @@ impl BandEdge {
     }
 }
 
-/// How much a corner that meets counts against ease and against the way a band is drawn.
+/// Weights of ease and of the way a band is drawn, against one corner that meets.
 const EASE_WEIGHT: f64 = 6.0;
 const DRAWN_WEIGHT: f64 = 0.4;
-/// How much it counts that both bands of an opening are sewn at the same edge as drawn.
+/// Weight of both bands of an opening being sewn at the same edge as drawn.
 const ALIKE_WEIGHT: f64 = 1.5;
 
 /// An opening that something goes round, as the part in front and the part behind; all in the first where it is not
 /// known which part is in front.
 pub(super) type Opening = [EdgeChain; 2];
 
-/// Pieces that go round one opening: one, or a front and a back one.
+/// Bands that go round one opening: one, or a front and a back one.
 #[derive(Clone, Debug)]
 pub(super) enum BandSet {
     One(Box<LabeledPanel>),
     Two(Box<[LabeledPanel; 2]>),
 }
 
-/// The bands of a kind that `fits` picks, the least numbered first.
+/// Returns the bands of a kind that `fits` picks, the least numbered first.
 pub(super) fn bands(
     garment: &GarmentModel,
     kind: PanelKind,
@@ -65,7 +65,7 @@ pub(super) fn bands(
     }
 }
 
-/// Whether a piece is worn on one side of the wearer, or on no side in particular.
+/// Returns true if a panel is worn on this side of the wearer, or on no side in particular.
 pub(super) fn is_on(part: &LabeledPanel, laterality: Laterality) -> bool {
     part.laterality.is_none() || part.laterality == Some(laterality)
 }
@@ -78,7 +78,7 @@ pub(super) struct LaidBand {
     pub(super) chain: EdgeChain,
 }
 
-/// Sews bands round an opening, and their ends to each other. Gives the opening that their free long edges make.
+/// Sews bands round an opening, and their ends to each other; returns the opening that their free long edges make.
 pub(super) fn sew_around(
     garment: &mut GarmentModel,
     rationale: SeamRationale<'_>,
@@ -99,7 +99,7 @@ pub(super) fn sew_around(
     }
 }
 
-/// One band, closed on itself.
+/// Sews one band, closed on itself.
 fn sew_single(
     garment: &mut GarmentModel,
     rationale: SeamRationale<'_>,
@@ -118,7 +118,7 @@ fn sew_single(
     Some([laid.free()?, vec![]])
 }
 
-/// Two bands, each along its part of the opening.
+/// Sews two bands, each along its part of the opening.
 fn sew_pair(
     garment: &mut GarmentModel,
     rationale: SeamRationale<'_>,
@@ -153,7 +153,7 @@ fn sew_pair(
     Some([a.free()?, b.free()?])
 }
 
-/// Two bands round an opening of which it is not known what is in front.
+/// Sews two bands round an opening of which it is not known what is in front.
 fn sew_pair_on_ring(
     garment: &mut GarmentModel,
     rationale: SeamRationale<'_>,
@@ -185,7 +185,7 @@ fn sew_ends(garment: &mut GarmentModel, rationale: SeamRationale<'_>, a: &LaidBa
     }
 }
 
-/// Whether the end of a band is part of a seam already: a band that goes round two openings has it sewn once.
+/// Returns true if the end of a band is part of a seam already: a band that goes round two openings has it sewn once.
 fn is_sewn(garment: &GarmentModel, end: Option<&EdgeChain>) -> bool {
     let first = end.and_then(|chain| chain.first());
     first.is_some_and(|step| garment.is_sewn(step.panel, step.edge))
@@ -195,7 +195,7 @@ pub(super) fn ends_rationale(id: &str) -> SeamRationale<'_> {
     SeamRationale::new(id, "the ends of the band meet")
 }
 
-/// The long edge that fits an opening best, laid so that both outer sides are out.
+/// Returns the long edge that fits an opening best, laid so that both outer sides are out.
 pub(super) fn lay(
     garment: &GarmentModel,
     opening: &EdgeChain,
@@ -207,7 +207,7 @@ pub(super) fn lay(
         .map(|(_, laid)| laid)
 }
 
-/// Every free long edge of a band along an opening, with how well it fits.
+/// Returns every free long edge of a band along an opening, with how well it fits.
 fn layouts(
     garment: &GarmentModel,
     opening: &EdgeChain,
@@ -228,7 +228,7 @@ fn layouts(
     with_score.collect()
 }
 
-/// The long edges of two bands that fit their openings best, and each other: front and back are drawn alike.
+/// Returns the long edges of two bands that fit their openings best, and each other: front and back are drawn alike.
 fn lay_pair(
     garment: &GarmentModel,
     openings: [&EdgeChain; 2],
@@ -252,7 +252,7 @@ fn lay_pair(
     best.map(|(_, both)| both.map(LaidBand::clone))
 }
 
-/// A long edge gone the way that has both outer sides out: against the order of numbers where the opening goes with it,
+/// Returns a long edge in the direction that has both outer sides out: against the order of numbers where the opening goes with it,
 /// unless one of the two is drawn mirrored or as seen through the body.
 fn oriented(
     garment: &GarmentModel,
@@ -275,7 +275,7 @@ fn oriented(
 }
 
 impl LaidBand {
-    /// How well it fits an opening, more being better.
+    /// Returns how well it fits an opening, more being better.
     fn fits(&self, opening: &EdgeChain, band_edge: BandEdge) -> f64 {
         let drawn = if band_edge.is_lower() == self.is_lower() {
             band_edge.weight()
@@ -286,32 +286,32 @@ impl LaidBand {
         join::agreement(opening, &self.chain) - EASE_WEIGHT * ease + drawn
     }
 
-    /// Whether the edge lies in the lower half of the band as drawn.
+    /// Returns true if the edge lies in the lower half of the band as drawn.
     fn is_lower(&self) -> bool {
         self.band.features.height(&self.long.edges)
             < self.band.features.height(&self.band.features.ring)
     }
 
-    /// The end of the band where the laid edge begins or ends, going away from that edge.
+    /// Returns the end of the band where the laid edge begins or ends, going away from that edge.
     pub(super) fn end(&self, at_start: bool) -> Option<EdgeChain> {
         let forward = self.chain.first()?.forward;
         let next = at_start != forward;
-        let neighbour = self.neighbour(next, 1)?;
-        if !matches!(neighbour.role, EdgeRole::End | EdgeRole::Side) {
+        let neighbor = self.neighbor(next, 1)?;
+        if !matches!(neighbor.role, EdgeRole::End | EdgeRole::Side) {
             return None;
         }
-        let chain = self.band.chain(neighbour);
+        let chain = self.band.chain(neighbor);
         Some(if next { chain } else { reversed(&chain) })
     }
 
-    /// The other long edge, gone the same way.
+    /// Returns the other long edge, in the same direction.
     fn free(&self) -> Option<EdgeChain> {
         let forward = self.chain.first()?.forward;
-        let chain = self.band.chain(self.neighbour(true, 2)?);
+        let chain = self.band.chain(self.neighbor(true, 2)?);
         Some(if forward { reversed(&chain) } else { chain })
     }
 
-    fn neighbour(&self, next: bool, by: usize) -> Option<&RoleSegment> {
+    fn neighbor(&self, next: bool, by: usize) -> Option<&RoleSegment> {
         let all = &self.band.segments;
         let at = all.iter().position(|s| s.edges == self.long.edges)?;
         let count = all.len();

@@ -33,7 +33,7 @@ fn name(host: PanelKind, flared: bool) -> &'static str {
     }
 }
 
-/// The cuffs of one sleeve or leg; `flared` those whose name calls them a skirt.
+/// Returns the cuffs of one sleeve or leg; `flared` those whose name calls them a skirt.
 fn cuffs(
     garment: &GarmentModel,
     host: PanelKind,
@@ -48,7 +48,7 @@ fn cuffs(
     band::bands(garment, PanelKind::Cuff, here)
 }
 
-/// The hem of one sleeve or leg, its front and its back part.
+/// Returns the hem of one sleeve or leg, its front and its back part.
 fn hem(garment: &GarmentModel, kind: PanelKind, laterality: Laterality) -> Option<Opening> {
     let (outer, inner) = if kind == PanelKind::Sleeve {
         (EdgeRole::Top, EdgeRole::Underarm)

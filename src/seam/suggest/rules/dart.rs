@@ -7,7 +7,7 @@ use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{EdgeRole, PanelKind};
 use crate::seam::suggest::outline_features::Dart;
 
-/// Darts of one panel that are sewn.
+/// Most darts of one panel that are sewn.
 const MOST: usize = 40;
 
 /// Sews every dart.
@@ -37,7 +37,7 @@ pub(super) fn sew(garment: &mut GarmentModel, pattern: &Pattern) {
     }
 }
 
-/// Whether a dart opens in the hem of a skirt: a slit to walk in.
+/// Returns true for a dart that opens in the hem of a skirt: a slit to walk in.
 fn is_slit(part: &LabeledPanel, dart: Dart) -> bool {
     let count = part.features.edges.len();
     let beside = [

@@ -6,7 +6,7 @@ use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{DrawnSide, EdgeRole, PanelKind};
 use crate::seam::suggest::outline_features::Dart;
 
-/// How much the side of a godet and of its slit may differ.
+/// Largest difference of the side of a godet and of its slit, as a share.
 const NEAR: f64 = 0.03;
 
 /// Sets every godet into a slit.
@@ -45,7 +45,7 @@ pub(super) fn sew(garment: &mut GarmentModel) {
     }
 }
 
-/// The first free slit that fits a godet, from the left of its panel.
+/// Returns the first free slit that fits a godet, from the left of its panel.
 fn slit(garment: &GarmentModel, godet: &LabeledPanel) -> Option<(LabeledPanel, Dart)> {
     let side = length(&godet.chain(godet.segment(EdgeRole::Side, None)?));
     let mut found: Vec<(f64, LabeledPanel, Dart)> = vec![];

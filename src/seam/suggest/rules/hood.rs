@@ -20,7 +20,7 @@ pub(super) fn sew(garment: &mut GarmentModel) {
         return;
     };
     let rationale = SeamRationale::new("hood-centre", "the halves of the hood meet over the head");
-    let [a, b] = [&left, &right].map(|p| edge(p, EdgeRole::Centre));
+    let [a, b] = [&left, &right].map(|p| edge(p, EdgeRole::Center));
     garment.sew(rationale, a, b);
     for (part, laterality, id) in [
         (&left, Laterality::Left, "hood-left"),
@@ -32,15 +32,15 @@ pub(super) fn sew(garment: &mut GarmentModel) {
     }
 }
 
-/// An edge of half a hood from the face on.
+/// Returns an edge of half a hood from the face on.
 fn edge(part: &LabeledPanel, role: EdgeRole) -> Option<EdgeChain> {
     Some(part.chain_from(part.segment(role, None)?, EdgeRole::Hem))
 }
 
-/// One half of the neck from the centre front over the shoulder to the centre back.
+/// Returns one half of the neck from the center front over the shoulder to the center back.
 fn neck(garment: &GarmentModel, laterality: Laterality) -> Option<EdgeChain> {
     let place = (EdgeRole::Neck, laterality);
-    let mut neck = garment.chain(PanelKind::Bodice, FrontBack::Front, place, EdgeRole::Centre)?;
+    let mut neck = garment.chain(PanelKind::Bodice, FrontBack::Front, place, EdgeRole::Center)?;
     neck.extend(garment.chain(
         PanelKind::Bodice,
         FrontBack::Back,

@@ -6,7 +6,7 @@ use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 
-/// What may be sewn to a neck, what is nearest to the body first.
+/// Kinds that may be sewn to a neck, the nearest to the body first.
 const ROUND_NECKS: [PanelKind; 3] = [
     PanelKind::NeckBand,
     PanelKind::CollarStand,
@@ -14,7 +14,7 @@ const ROUND_NECKS: [PanelKind; 3] = [
 ];
 /// A band may be shorter than the neck by this, to be stretched on.
 const MOST_EASE: f64 = 0.36;
-/// How much looking like no band counts against ease.
+/// Weight of a band's misfit against ease.
 const LOOK: f64 = 0.05;
 
 /// Sews what goes round the neck and round armholes without sleeves.
@@ -27,7 +27,7 @@ pub(super) fn sew(garment: &mut GarmentModel) {
     }
 }
 
-/// The neck's front and back part.
+/// Returns the neck's front and back part.
 fn neck(garment: &GarmentModel) -> Option<Opening> {
     if let Some(ring) = raglan::neck(garment) {
         return Some([ring, vec![]]);
@@ -40,7 +40,7 @@ fn neck(garment: &GarmentModel) -> Option<Opening> {
     }
 }
 
-/// The band or collar that fits the neck best.
+/// Sews the band or collar that fits the neck best.
 fn neckband(garment: &mut GarmentModel) {
     let Some(neck) = neck(garment) else { return };
     let whole = neck.concat();
@@ -72,7 +72,7 @@ fn neckband(garment: &mut GarmentModel) {
     }
 }
 
-/// A collar of four parts: left and right, front and back.
+/// Sews a collar of four parts: left and right, front and back; returns true if there is one.
 fn quarters(garment: &mut GarmentModel) -> bool {
     let lay = |garment: &GarmentModel, front_back, laterality| -> Option<LaidBand> {
         let here = |p: &&LabeledPanel| {

@@ -36,7 +36,7 @@ pub(super) fn sew(garment: &mut GarmentModel) {
     }
 }
 
-/// The raglan sleeve of one side.
+/// Returns the raglan sleeve of one side.
 pub(super) fn sleeve_on(garment: &GarmentModel, laterality: Laterality) -> Option<&LabeledPanel> {
     let raglan = |p: &&LabeledPanel| {
         p.laterality == Some(laterality) && p.segment(EdgeRole::Neck, None).is_some()
@@ -44,7 +44,7 @@ pub(super) fn sleeve_on(garment: &GarmentModel, laterality: Laterality) -> Optio
     garment.parts_of(PanelKind::Sleeve).find(raglan)
 }
 
-/// The hand of a raglan sleeve that fits the front better than the back.
+/// Returns the side of the drawing of a raglan sleeve that fits the front better than the back.
 pub(super) fn front_side(
     garment: &GarmentModel,
     part: &LabeledPanel,
@@ -83,7 +83,7 @@ pub(super) fn front_side(
     sleeve::usual_front_side(laterality)
 }
 
-/// The neck that front, back and both sleeves make, from the wearer's left round the front.
+/// Returns the neck that front, back and both sleeves make, from the wearer's left round the front.
 pub(super) fn neck(garment: &GarmentModel) -> Option<EdgeChain> {
     let [left, right] =
         [Laterality::Left, Laterality::Right].map(|laterality| across(garment, laterality));
@@ -94,7 +94,7 @@ pub(super) fn neck(garment: &GarmentModel) -> Option<EdgeChain> {
     Some(ring)
 }
 
-/// The upper edge of a raglan sleeve from front to back.
+/// Returns the upper edge of a raglan sleeve from front to back.
 fn across(garment: &GarmentModel, laterality: Laterality) -> Option<EdgeChain> {
     let part = sleeve_on(garment, laterality)?;
     let chain = part.chain(part.segment(EdgeRole::Neck, None)?);

@@ -1,4 +1,4 @@
-//! Skirts: sides and centres of front and back, levels below them, gores, or one panel closed on itself.
+//! Skirts: sides and centers of front and back, levels below them, gores, or one panel closed on itself.
 
 use super::band::Opening;
 use super::top;
@@ -7,19 +7,19 @@ use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
 
-/// Gores are at least so many.
+/// Least number of gores.
 const GORES: usize = 3;
 
 /// Sews the skirt.
 pub(super) fn sew(garment: &mut GarmentModel) {
     levels(garment);
-    top::centre(garment, PanelKind::Skirt, FrontBack::Front);
-    top::centre(garment, PanelKind::Skirt, FrontBack::Back);
+    top::center(garment, PanelKind::Skirt, FrontBack::Front);
+    top::center(garment, PanelKind::Skirt, FrontBack::Back);
     gores(garment);
     on_itself(garment);
 }
 
-/// Fronts and backs, the uppermost first, with halves of one side only.
+/// Returns fronts or backs, the uppermost first, with halves of one side only.
 fn stack(
     garment: &GarmentModel,
     front_back: FrontBack,
@@ -37,7 +37,7 @@ fn stack(
     stack
 }
 
-/// Sides of every level, and each level to the one above.
+/// Sews the sides of every level, and each level to the one above.
 fn levels(garment: &mut GarmentModel) {
     for (laterality, side) in [(Laterality::Left, "left"), (Laterality::Right, "right")] {
         let fronts = stack(garment, FrontBack::Front, laterality);
@@ -87,7 +87,7 @@ fn levels(garment: &mut GarmentModel) {
     }
 }
 
-/// Panels all round that are called neither front nor back, in the order of their numbers.
+/// Returns panels all round that are called neither front nor back, in the order of their numbers.
 fn all_round(garment: &GarmentModel) -> Vec<LabeledPanel> {
     let mut gores: Vec<LabeledPanel> = garment
         .parts_of(PanelKind::Skirt)
@@ -98,7 +98,7 @@ fn all_round(garment: &GarmentModel) -> Vec<LabeledPanel> {
     if gores.len() < GORES { vec![] } else { gores }
 }
 
-/// The waist of a skirt of gores.
+/// Returns the waist of a skirt of gores.
 pub(super) fn gores_waist(garment: &GarmentModel) -> Option<Opening> {
     let gores = all_round(garment);
     let mut ring: EdgeChain = vec![];
@@ -108,7 +108,7 @@ pub(super) fn gores_waist(garment: &GarmentModel) -> Option<Opening> {
     (!ring.is_empty()).then(|| [ring, vec![]])
 }
 
-/// Gores are sewn side to side, the last to the first.
+/// Sews gores side to side, the last to the first.
 fn gores(garment: &mut GarmentModel) {
     let gores = all_round(garment);
     for (i, gore) in gores.iter().enumerate() {
@@ -126,7 +126,7 @@ fn gores(garment: &mut GarmentModel) {
     }
 }
 
-/// A skirt of one panel is closed on itself.
+/// Closes a skirt of one panel on itself.
 fn on_itself(garment: &mut GarmentModel) {
     let panels: Vec<LabeledPanel> = garment.parts_of(PanelKind::Skirt).cloned().collect();
     let [part] = panels.as_slice() else {

@@ -63,7 +63,7 @@ fn armhole(garment: &GarmentModel, laterality: Laterality) -> Option<EdgeChain> 
     Some(ring)
 }
 
-/// A sleeve of a front and a back half.
+/// Sews a sleeve of a front and a back half.
 fn halves(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
     let part = |garment: &GarmentModel, front_back, role, from| {
         garment.chain(PanelKind::Sleeve, front_back, (role, laterality), from)
@@ -103,7 +103,7 @@ fn set_in(garment: &mut GarmentModel, side: &str, hole: Option<EdgeChain>, cap: 
     garment.sew_ring(SeamRationale::new(&id, because).gathered(), hole, cap);
 }
 
-/// A sleeve in one piece.
+/// Sews a sleeve of one panel.
 fn whole(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
     let Some(part) = garment
         .parts_of(PanelKind::Sleeve)
@@ -143,7 +143,7 @@ fn whole(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
     set_in(garment, side, hole, cap);
 }
 
-/// The armhole from the underarm up the back and down the front.
+/// Returns the armhole from the underarm up the back and down the front.
 fn from_underarm(garment: &GarmentModel, laterality: Laterality, hole: EdgeChain) -> EdgeChain {
     let back = garment.segment(
         PanelKind::Bodice,
@@ -156,7 +156,7 @@ fn from_underarm(garment: &GarmentModel, laterality: Laterality, hole: EdgeChain
     turned
 }
 
-/// On which hand the front of a sleeve lies that is drawn hem down and face up: on the left for a left sleeve.
+/// Returns the side of the drawing on which the front of a sleeve lies that is drawn hem down and face up: the left for a left sleeve.
 pub(super) fn usual_front_side(laterality: Laterality) -> DrawnSide {
     match laterality {
         Laterality::Left => DrawnSide::Left,

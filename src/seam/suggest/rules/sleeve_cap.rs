@@ -1,4 +1,4 @@
-//! Which side of a sleeve's cap is the front: that whose notches fit the front of the armhole, or which is cut out more.
+//! The front of a sleeve's cap: the side whose notches fit the front of the armhole, or which is cut out more.
 
 use crate::seam::suggest::garment_model::GarmentModel;
 use crate::seam::suggest::labeled_panel::{LabeledPanel, RoleSegment};
@@ -13,7 +13,7 @@ const MOST_NOTCHES: usize = 64;
 const OUTER: f64 = 0.35;
 const UNEVEN: f64 = 0.03;
 
-/// The hand on which the front of a sleeve lies; nothing where nothing tells.
+/// Returns the side of the drawing on which the front of a sleeve lies; nothing where nothing tells.
 pub(super) fn front_side(garment: &GarmentModel, sleeve: &LabeledPanel) -> Option<DrawnSide> {
     let cap = sleeve.segment(EdgeRole::Cap, None)?;
     let ends = [DrawnSide::Left, DrawnSide::Right]
@@ -38,7 +38,7 @@ pub(super) fn front_side(garment: &GarmentModel, sleeve: &LabeledPanel) -> Optio
     }
 }
 
-/// The hand on which the cap is cut out more near the underarm: the arm moves forward.
+/// Returns the side of the drawing on which the cap is cut out more near the underarm: the arm moves forward.
 fn cut_out(sleeve: &LabeledPanel, cap: &RoleSegment) -> Option<DrawnSide> {
     let points = sleeve.features.polyline(&cap.edges);
     let (Some(first), Some(last)) = (points.first(), points.last()) else {
@@ -75,7 +75,7 @@ fn cut_out(sleeve: &LabeledPanel, cap: &RoleSegment) -> Option<DrawnSide> {
     })
 }
 
-/// Distances of the notches on a segment from its beginning or its end \[m\].
+/// Returns the distances of the notches on a segment from its beginning or its end \[m\].
 fn notches(part: &LabeledPanel, segment: &RoleSegment, from_start: bool) -> Vec<f64> {
     let whole = part.features.length(&segment.edges);
     let mut before = 0.0;
@@ -94,7 +94,7 @@ fn notches(part: &LabeledPanel, segment: &RoleSegment, from_start: bool) -> Vec<
     found
 }
 
-/// How many of `a` have their like in `b`.
+/// Counts the distances of `a` that have their like in `b`.
 fn common(a: &[f64], b: &[f64]) -> usize {
     a.iter()
         .filter(|x| b.iter().any(|y| (*x - y).abs() <= NEAR))

@@ -1,4 +1,4 @@
-//! Tops: shoulders, sides and centres of a bodice, as every class of top has them.
+//! Tops: shoulders, sides and centers of a bodice, as every class of top has them.
 
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
@@ -23,12 +23,12 @@ pub(super) fn sew(garment: &mut GarmentModel) {
         );
         garment.sew(rationale, a, b);
     }
-    centre(garment, PanelKind::Bodice, FrontBack::Front);
-    centre(garment, PanelKind::Bodice, FrontBack::Back);
+    center(garment, PanelKind::Bodice, FrontBack::Front);
+    center(garment, PanelKind::Bodice, FrontBack::Back);
 }
 
 /// Sews the two halves of a front or back together. A front with a placket stays open.
-pub(super) fn centre(garment: &mut GarmentModel, kind: PanelKind, front_back: FrontBack) {
+pub(super) fn center(garment: &mut GarmentModel, kind: PanelKind, front_back: FrontBack) {
     if front_back == FrontBack::Front && garment.has(PanelKind::Placket) {
         return;
     }
@@ -36,7 +36,7 @@ pub(super) fn centre(garment: &mut GarmentModel, kind: PanelKind, front_back: Fr
         garment.chain(
             kind,
             front_back,
-            (EdgeRole::Centre, laterality),
+            (EdgeRole::Center, laterality),
             EdgeRole::Hem,
         )
     });

@@ -5,7 +5,7 @@ use super::skirt;
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labels::{EdgeRole, FrontBack, PanelKind};
 
-/// Sews what meets at the waist.
+/// Sews bodice, waistband and skirt or trousers together at the waist.
 pub(super) fn sew(garment: &mut GarmentModel) {
     let lower = opening(garment, PanelKind::Trouser, EdgeRole::Waist)
         .or_else(|| opening(garment, PanelKind::Skirt, EdgeRole::Waist))
@@ -51,7 +51,7 @@ pub(super) fn sew(garment: &mut GarmentModel) {
     }
 }
 
-/// The bodice sewn to what hangs from it.
+/// Sews the bodice to what hangs from it.
 fn join(garment: &mut GarmentModel, upper: &Opening, lower: &Opening) {
     let rationale = SeamRationale::new(
         "waist",
@@ -66,7 +66,7 @@ fn join(garment: &mut GarmentModel, upper: &Opening, lower: &Opening) {
     }
 }
 
-/// An opening round the body, its front and its back part.
+/// Returns an opening round the body, its front and its back part.
 fn opening(garment: &GarmentModel, kind: PanelKind, role: EdgeRole) -> Option<Opening> {
     let both = [FrontBack::Front, FrontBack::Back]
         .map(|front_back| garment.half_ring(kind, role, front_back));
