@@ -1,7 +1,7 @@
-//! Assignment of one reading to each panel: that with which its neighbors agree best.
+//! Assignment of one labeling to each panel: that with which its neighbors agree best.
 //!
-//! A reading of a front is good if its side is as long as that of the back, and if it mirrors the other half. Starting
-//! from the likeliest readings, each panel in turn takes the one that fits the others best, until none changes.
+//! A labeling of a front is good if its side is as long as that of the back, and if it mirrors the other half. Starting
+//! from the likeliest labelings, each panel in turn takes the one that fits the others best, until none changes.
 
 use super::labeled_panel::LabeledPanel;
 use super::labels::{EdgeRole, PanelKind};
@@ -37,7 +37,7 @@ pub(super) struct AssignmentWeights {
     max_pair_cost: f64,
 }
 
-/// Returns one reading for each panel that has any.
+/// Returns one labeling for each panel that has any.
 pub(super) fn assign(
     candidates: Vec<Vec<LabeledPanel>>,
     weights: &AssignmentWeights,
@@ -65,7 +65,7 @@ pub(super) fn assign(
         .collect()
 }
 
-/// Cost of every reading alone and with every other.
+/// Cost of every labeling alone and with every other.
 struct CostTable {
     unary: Vec<Vec<f64>>,
     pairs: Vec<PairCosts>,
@@ -73,10 +73,10 @@ struct CostTable {
     of: Vec<Vec<usize>>,
 }
 
-/// Two panels whose readings are not indifferent to each other.
+/// Two panels whose labelings are not indifferent to each other.
 struct PairCosts {
     ends: [usize; 2],
-    /// By the reading of the first, then of the second.
+    /// By the labeling of the first, then of the second.
     cost: Vec<Vec<f64>>,
 }
 
@@ -107,7 +107,7 @@ impl CostTable {
         Self { unary, pairs, of }
     }
 
-    /// Returns the cost of panel `i` with reading `k`, without the pair with panel `but`.
+    /// Returns the cost of panel `i` with labeling `k`, without the pair with panel `but`.
     fn cost(&self, chosen: &[usize], (i, k): (usize, usize), but: Option<usize>) -> f64 {
         let with = |pair: &PairCosts| {
             let [a, b] = pair.ends;
@@ -125,14 +125,14 @@ impl CostTable {
                 .sum::<f64>()
     }
 
-    /// Takes the reading of one panel that fits the others best.
+    /// Takes the labeling of one panel that fits the others best.
     fn improve_one(&self, chosen: &mut [usize], i: usize) {
         let cost = |k: &usize| self.cost(chosen, (i, *k), None);
         let best = (0..self.unary[i].len()).min_by(|a, b| cost(a).total_cmp(&cost(b)));
         chosen[i] = best.unwrap_or_default();
     }
 
-    /// Takes the readings of two panels that fit each other and the others best: two halves may be wrong together.
+    /// Takes the labelings of two panels that fit each other and the others best: two halves may be wrong together.
     fn improve_pair(&self, chosen: &mut [usize], pair: &PairCosts) {
         let [i, j] = pair.ends;
         let of = |i: usize, but: usize| -> Vec<f64> {

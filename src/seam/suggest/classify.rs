@@ -19,7 +19,7 @@ const ANY: [PanelKind; 5] = [
 ];
 /// Kinds of a panel without a telling name where other panels of the pattern have one.
 const EXTRA: [PanelKind; 2] = [PanelKind::Sleeve, PanelKind::NeckBand];
-/// Number of readings of a panel that are weighed.
+/// Number of labelings of a panel that are weighed.
 const KEPT: usize = 16;
 
 /// Labels the panels of a pattern.
@@ -75,7 +75,7 @@ pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
     parts
 }
 
-/// Returns the readings of a panel, the likeliest first.
+/// Returns the labelings of a panel, the likeliest first.
 fn candidates(
     figures: &Figures,
     (panel, features): (usize, Rc<OutlineFeatures>),

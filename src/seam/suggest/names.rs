@@ -160,7 +160,7 @@ pub(super) fn shared(names: &[&str]) -> BTreeSet<String> {
     })
 }
 
-/// Returns what all names begin with, in bytes: the style's code before the piece's.
+/// Returns what all names begin with, in bytes: the style's code before the panel's own.
 pub(super) fn common_start(names: &[&str]) -> usize {
     let Some((first, rest)) = names.split_first().filter(|(_, rest)| !rest.is_empty()) else {
         return 0;

@@ -101,7 +101,7 @@ pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
     }
 }
 
-/// Gives every half a side of the wearer, adding the mirrored copy of those that are drawn once. Of pieces that are
+/// Gives every half a side of the wearer, adding the mirrored copy of those that are drawn once. Of panels that are
 /// neither drawn as a pair nor called left or right the first is taken: others are other styles of the same part.
 pub(super) fn assign_left_right(pattern: &Pattern, parts: &mut Vec<LabeledPanel>) {
     let mut taken: Vec<usize> = vec![];

@@ -1,4 +1,4 @@
-//! Penalties of a reading of a panel: by its name, its symmetry, its drawing, and how such panels are made.
+//! Penalties of a labeling of a panel: by its name, its symmetry, its drawing, and how such panels are made.
 
 use super::edge_chain::EdgeStep;
 use super::labeled_panel::LabeledPanel;
@@ -8,7 +8,7 @@ use super::orientation::outer_drawn_side;
 use crate::pattern::Panel;
 use serde::Deserialize;
 
-/// Misfit added for what speaks against a reading, and the bounds of what is usual.
+/// Misfit added for what speaks against a labeling, and the bounds of what is usual.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct PenaltyWeights {
@@ -16,7 +16,7 @@ pub(super) struct PenaltyWeights {
     half_mismatch: f64,
     /// Half a skirt panel that no name calls so.
     unnamed_half_skirt: f64,
-    /// A reading contradicts how such panels are made.
+    /// A labeling contradicts how such panels are made.
     implausible: f64,
     /// A panel is drawn on its side.
     on_its_side: f64,
@@ -105,7 +105,7 @@ pub(super) fn drawing_penalty(
     cost
 }
 
-/// Returns true if a reading has what no such panel has: shoulders that rise towards the arm, an underarm longer than the sleeve,
+/// Returns true if a labeling has what no such panel has: shoulders that rise towards the arm, an underarm longer than the sleeve,
 /// a cap that is straight, a hood whose opening is round, slits for godets in the waist.
 fn is_implausible(part: &LabeledPanel, weights: &PenaltyWeights) -> bool {
     let hem: Vec<usize> = part
