@@ -200,7 +200,7 @@ impl AssignmentWeights {
             (PanelKind::Waistband, PanelKind::Bodice) => (&BAND_EDGES, EdgeRole::Hem),
             _ => return 0.0,
         };
-        let (Some(opening), true) = (role_length(b, opening), same) else {
+        let (Some(opening), true) = (opening_length(b, opening), same) else {
             return 0.0;
         };
         let fits = edges
@@ -304,11 +304,8 @@ fn is_misfit(a: &LabeledPanel, b: &LabeledPanel) -> bool {
 }
 
 /// Returns the length of a role of a panel, that of both halves for one of two.
-fn role_length(part: &LabeledPanel, role: EdgeRole) -> Option<f64> {
-    let length: f64 = part
-        .segments_of(role)
-        .map(|s| part.features.length(&s.edges))
-        .sum();
+fn opening_length(part: &LabeledPanel, role: EdgeRole) -> Option<f64> {
+    let length = part.role_length(role);
     let halves = part.half
         && matches!(role, EdgeRole::Hem | EdgeRole::Waist)
         && part.kind != PanelKind::Sleeve;

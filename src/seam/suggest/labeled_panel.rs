@@ -108,4 +108,37 @@ impl LabeledPanel {
             reversed(&chain)
         }
     }
+
+    /// Returns the segment of a role as [`Self::segment`] finds it, from where it meets `from`.
+    pub(super) fn role_chain(
+        &self,
+        role: EdgeRole,
+        drawn_side: Option<DrawnSide>,
+        from: EdgeRole,
+    ) -> Option<EdgeChain> {
+        let segment = self.segment(role, drawn_side)?;
+        Some(self.chain_from(segment, from))
+    }
+
+    /// Returns the chain of one edge.
+    pub(super) fn edge_chain(&self, edge: usize, forward: bool) -> EdgeChain {
+        vec![EdgeStep {
+            panel: self.panel,
+            edge,
+            forward,
+            length: self.features.edges[edge].length,
+        }]
+    }
+
+    /// Returns all edges of a role.
+    pub(super) fn role_edges(&self, role: EdgeRole) -> Vec<usize> {
+        let segments = self.segments_of(role);
+        segments.flat_map(|s| s.edges.iter().copied()).collect()
+    }
+
+    /// Returns the length of all segments of a role together \[m\].
+    pub(super) fn role_length(&self, role: EdgeRole) -> f64 {
+        let segments = self.segments_of(role);
+        segments.map(|s| self.features.length(&s.edges)).sum()
+    }
 }

@@ -61,9 +61,7 @@ pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
             .collect();
         let length = |i: usize| -> f64 {
             let p: &LabeledPanel = &parts[i];
-            p.segments_of(role)
-                .map(|s| p.features.length(&s.edges))
-                .sum()
+            p.role_length(role)
         };
         if unsaid.len() != 2 {
             continue;

@@ -58,11 +58,8 @@ pub(super) fn drawing_penalty(
     upright: Option<bool>,
     weights: &PenaltyWeights,
 ) -> f64 {
-    let lower: Vec<usize> = part
-        .segments_of(EdgeRole::Hem)
-        .chain(part.segments_of(EdgeRole::Long))
-        .flat_map(|s| s.edges.iter().copied())
-        .collect();
+    let mut lower = part.role_edges(EdgeRole::Hem);
+    lower.extend(part.role_edges(EdgeRole::Long));
     let mut cost = if is_implausible(part, weights) {
         weights.implausible
     } else {
@@ -74,21 +71,15 @@ pub(super) fn drawing_penalty(
     if upright.is_some_and(|upright| part.features.is_level(&lower) != upright) {
         cost += weights.on_its_side;
     }
-    let hem: Vec<usize> = part
-        .segments_of(EdgeRole::Hem)
-        .flat_map(|s| s.edges.iter().copied())
-        .collect();
+    let hem = part.role_edges(EdgeRole::Hem);
     let above = part.features.height(&hem) > part.features.height(&part.features.ring);
     if upright == Some(true) && !hem.is_empty() && above {
         cost += weights.upside_down;
     }
     if part.kind == PanelKind::Skirt && part.number == 0 {
-        let length = |role| -> f64 {
-            part.segments_of(role)
-                .map(|s| part.features.length(&s.edges))
-                .sum()
-        };
-        if length(EdgeRole::Waist) > weights.max_waist_to_hem * length(EdgeRole::Hem) {
+        if part.role_length(EdgeRole::Waist)
+            > weights.max_waist_to_hem * part.role_length(EdgeRole::Hem)
+        {
             cost += weights.upside_down;
         }
     }
@@ -108,10 +99,7 @@ pub(super) fn drawing_penalty(
 /// Returns true if a labeling has what no such panel has: shoulders that rise towards the arm, an underarm longer than the sleeve,
 /// a cap that is straight, a hood whose opening is round, slits for godets in the waist.
 fn is_implausible(part: &LabeledPanel, weights: &PenaltyWeights) -> bool {
-    let hem: Vec<usize> = part
-        .segments_of(EdgeRole::Hem)
-        .flat_map(|s| s.edges.iter().copied())
-        .collect();
+    let hem = part.role_edges(EdgeRole::Hem);
     let rising = part.segments_of(EdgeRole::Shoulder).any(|shoulder| {
         let chain = part.chain_from(shoulder, EdgeRole::Neck);
         let end = |step: Option<&EdgeStep>, last: bool| {
@@ -124,23 +112,17 @@ fn is_implausible(part: &LabeledPanel, weights: &PenaltyWeights) -> bool {
             _ => false,
         }
     });
-    let length = |role| -> f64 {
-        part.segments_of(role)
-            .map(|s| part.features.length(&s.edges))
-            .sum()
-    };
     let curl = |role| -> f64 {
-        part.segments_of(role)
-            .map(|s| part.features.curl(&s.edges))
-            .sum()
+        let segments = part.segments_of(role);
+        segments.map(|s| part.features.curl(&s.edges)).sum()
     };
     let straight_cap = part.segment(EdgeRole::Cap, None).is_some()
         && curl(EdgeRole::Cap) < weights.min_cap_curl_rad;
     let curved_face =
         part.kind == PanelKind::Hood && curl(EdgeRole::Hem) > weights.max_hood_face_curl_rad;
-    let short_top =
-        length(EdgeRole::Top) > 0.0 && length(EdgeRole::Underarm) > length(EdgeRole::Top);
-    let count = |role| -> usize { part.segments_of(role).map(|s| s.edges.len()).sum() };
+    let short_top = part.role_length(EdgeRole::Top) > 0.0
+        && part.role_length(EdgeRole::Underarm) > part.role_length(EdgeRole::Top);
+    let count = |role| part.role_edges(role).len();
     let slit_waist = part.features.slits && count(EdgeRole::Waist) > count(EdgeRole::Hem);
     rising || slit_waist || straight_cap || curved_face || short_top
 }

@@ -1,7 +1,6 @@
 //! Darts: two edges of one panel that meet at a tip, sewn together whatever the garment is.
 
 use crate::pattern::Pattern;
-use crate::seam::suggest::edge_chain::{EdgeChain, EdgeStep};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{EdgeRole, PanelKind};
@@ -20,18 +19,10 @@ pub(super) fn sew(garment: &mut GarmentModel, pattern: &Pattern) {
             let id = format!("dart-{}-{}", name(pattern, &part), i + 1);
             let rationale =
                 SeamRationale::new(&id, "two edges of the panel that meet at a tip are a dart");
-            let leg = |edge: usize, forward| -> EdgeChain {
-                vec![EdgeStep {
-                    panel: part.panel,
-                    edge,
-                    forward,
-                    length: part.features.edges[edge].length,
-                }]
-            };
             garment.sew(
                 rationale,
-                Some(leg(dart.inward, true)),
-                Some(leg(dart.outward, false)),
+                Some(part.edge_chain(dart.inward, true)),
+                Some(part.edge_chain(dart.outward, false)),
             );
         }
     }
@@ -44,10 +35,7 @@ fn is_slit(part: &LabeledPanel, dart: Dart) -> bool {
         (dart.inward + count - 1) % count,
         (dart.outward + 1) % count,
     ];
-    let hem: Vec<usize> = part
-        .segments_of(EdgeRole::Hem)
-        .flat_map(|s| s.edges.iter().copied())
-        .collect();
+    let hem = part.role_edges(EdgeRole::Hem);
     part.kind == PanelKind::Skirt && beside.iter().all(|edge| hem.contains(edge))
 }
 

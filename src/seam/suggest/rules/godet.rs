@@ -1,6 +1,6 @@
 //! Godets: wedges set into slits of a hem.
 
-use crate::seam::suggest::edge_chain::{EdgeChain, EdgeStep, length};
+use crate::seam::suggest::edge_chain::length;
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{DrawnSide, EdgeRole, PanelKind};
@@ -17,14 +17,6 @@ pub(super) fn sew(garment: &mut GarmentModel) {
         let Some((host, slit)) = slit(garment, &godet) else {
             continue;
         };
-        let leg = |edge: usize, forward| -> EdgeChain {
-            vec![EdgeStep {
-                panel: host.panel,
-                edge,
-                forward,
-                length: host.features.edges[edge].length,
-            }]
-        };
         let right = if host.features.mirrored {
             DrawnSide::Left
         } else {
@@ -32,12 +24,10 @@ pub(super) fn sew(garment: &mut GarmentModel) {
         };
         // The slit's first leg meets the side of the godet that lies on the right: both outer sides are out.
         for (leg, drawn_side, name) in [
-            (leg(slit.inward, true), right, "a"),
-            (leg(slit.outward, false), right.other(), "b"),
+            (host.edge_chain(slit.inward, true), right, "a"),
+            (host.edge_chain(slit.outward, false), right.other(), "b"),
         ] {
-            let side = godet
-                .segment(EdgeRole::Side, Some(drawn_side))
-                .map(|s| godet.chain_from(s, EdgeRole::Hem));
+            let side = godet.role_chain(EdgeRole::Side, Some(drawn_side), EdgeRole::Hem);
             let id = format!("godet-{}-{name}", godet.panel);
             let rationale = SeamRationale::new(&id, "the godet is set into the slit");
             garment.sew(rationale, Some(leg), side);

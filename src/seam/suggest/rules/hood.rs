@@ -34,7 +34,7 @@ pub(super) fn sew(garment: &mut GarmentModel) {
 
 /// Returns an edge of half a hood from the face on.
 fn edge(part: &LabeledPanel, role: EdgeRole) -> Option<EdgeChain> {
-    Some(part.chain_from(part.segment(role, None)?, EdgeRole::Hem))
+    part.role_chain(role, None, EdgeRole::Hem)
 }
 
 /// Returns one half of the neck from the center front over the shoulder to the center back.

@@ -17,9 +17,7 @@ pub(super) fn sew(garment: &mut GarmentModel) {
             (FrontBack::Front, front, "front"),
             (FrontBack::Back, front.other(), "back"),
         ] {
-            let a = part
-                .segment(EdgeRole::Armhole, Some(drawn_side))
-                .map(|s| part.chain_from(s, EdgeRole::Underarm));
+            let a = part.role_chain(EdgeRole::Armhole, Some(drawn_side), EdgeRole::Underarm);
             let b = garment.chain(
                 PanelKind::Bodice,
                 front_back,

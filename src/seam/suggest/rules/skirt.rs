@@ -49,8 +49,7 @@ fn levels(garment: &mut GarmentModel) {
                 } else {
                     Some(p.drawn_side_of(laterality))
                 };
-                p.segment(EdgeRole::Side, drawn_side)
-                    .map(|s| p.chain_from(s, EdgeRole::Waist))
+                p.role_chain(EdgeRole::Side, drawn_side, EdgeRole::Waist)
             };
             let id = if i == 0 {
                 format!("skirt-side-{side}")
@@ -114,8 +113,7 @@ fn gores(garment: &mut GarmentModel) {
     for (i, gore) in gores.iter().enumerate() {
         let next = &gores[(i + 1) % gores.len()];
         let side = |p: &LabeledPanel, drawn_side| {
-            p.segment(EdgeRole::Side, Some(drawn_side))
-                .map(|s| p.chain_from(s, EdgeRole::Waist))
+            p.role_chain(EdgeRole::Side, Some(drawn_side), EdgeRole::Waist)
         };
         let id = format!("gore-{}", i + 1);
         garment.sew(
@@ -135,10 +133,8 @@ fn on_itself(garment: &mut GarmentModel) {
     if part.half {
         return;
     }
-    let [a, b] = [DrawnSide::Left, DrawnSide::Right].map(|drawn_side| {
-        part.segment(EdgeRole::Side, Some(drawn_side))
-            .map(|s| part.chain_from(s, EdgeRole::Waist))
-    });
+    let [a, b] = [DrawnSide::Left, DrawnSide::Right]
+        .map(|drawn_side| part.role_chain(EdgeRole::Side, Some(drawn_side), EdgeRole::Waist));
     garment.sew(
         SeamRationale::new("skirt-back", "a skirt of one panel is closed on itself"),
         a,

@@ -112,11 +112,8 @@ fn whole(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
         return;
     };
     let part = part.clone();
-    let under = |drawn_side| {
-        part.segment(EdgeRole::Underarm, Some(drawn_side))
-            .map(|s| part.chain_from(s, EdgeRole::Hem))
-    };
-    let (a, b) = (under(DrawnSide::Left), under(DrawnSide::Right));
+    let [a, b] = [DrawnSide::Left, DrawnSide::Right]
+        .map(|side| part.role_chain(EdgeRole::Underarm, Some(side), EdgeRole::Hem));
     garment.sew(
         SeamRationale::new(
             &format!("underarm-{side}"),
