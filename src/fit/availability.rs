@@ -2,7 +2,7 @@
 
 use super::garment::{Garment, SelfContact};
 use crate::fault::Fault;
-use crate::solver::Want;
+use crate::solver::Analysis;
 
 /// A fault for every wish that cannot be granted.
 pub(crate) fn check(garment: &Garment) -> Vec<Fault> {
@@ -40,7 +40,7 @@ pub(crate) fn check(garment: &Garment) -> Vec<Fault> {
         "leave it out",
     );
     refuse(
-        asked.want == Want::Motion,
+        asked.analysis == Analysis::Transient,
         at("simulate/want"),
         "motion",
         "give \"drape\"",

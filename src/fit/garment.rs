@@ -3,7 +3,7 @@
 use crate::pattern::{Pattern, Placement, SeamPair};
 use crate::scene::{DressForm, Fabric};
 use crate::seam::FaceRequest;
-use crate::solver::Simulate;
+use crate::solver::SolverOptions;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use utoipa::ToSchema;
@@ -61,7 +61,7 @@ pub struct Garment {
     pub start_from: Option<Uuid>,
     /// How to simulate.
     #[serde(default)]
-    pub simulate: Simulate,
+    pub simulate: SolverOptions,
     /// Maps wanted on the mesh.
     #[serde(default)]
     pub maps: Vec<MapKind>,

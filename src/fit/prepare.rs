@@ -10,7 +10,7 @@ use crate::pattern::{self, Pattern};
 use crate::scene::{self, Fabric, ToPlace};
 use crate::seam::suggest::SuggestedSeam;
 use crate::seam::{self, SeamSet};
-use crate::solver::Simulate;
+use crate::solver::SolverOptions;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
@@ -353,7 +353,7 @@ fn wind_faults(wind: Option<Wind>, limits: &Limits) -> Vec<Fault> {
     faults
 }
 
-fn simulate_faults(asked: &Simulate, limits: &Limits) -> Vec<Fault> {
+fn simulate_faults(asked: &SolverOptions, limits: &Limits) -> Vec<Fault> {
     let mut faults = Vec::new();
     let mut within = |field: &str, value: Option<f64>, [low, high]: [f64; 2]| {
         if let Some(value) = value.filter(|v| !(low..=high).contains(v)) {
@@ -374,7 +374,7 @@ fn simulate_faults(asked: &Simulate, limits: &Limits) -> Vec<Fault> {
     within("seam_stiffness_n_m", asked.seam_stiffness_n_m, [1.0, 1e8]);
     within("time_limit_s", asked.time_limit_s, [0.0, limits.fit_cpu_s]);
     within("step_s", asked.step_s, [1e-9, 1.0]);
-    if asked.step_s.is_some() && !asked.method.steps() {
+    if asked.step_s.is_some() && !asked.method.is_time_stepping() {
         faults.push(
             Fault::new(
                 "garment/field",

@@ -7,7 +7,7 @@ use crate::fault::{Fault, Faults};
 use crate::mesh::{self, ClothMesh};
 use crate::scene::{self, Avatar, Body, Cut, PanelParts, Parts, Scene, ToPlace};
 use crate::seam::Face;
-use crate::solver::{self, Context, Report, Simulate};
+use crate::solver::{self, Context, DrapeReport, SolverOptions};
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -18,7 +18,7 @@ pub struct Outcome {
     /// The shape, the best one even if it did not converge.
     pub mesh: GarmentMesh,
     /// How far to trust it.
-    pub report: Report,
+    pub report: DrapeReport,
     /// Whether it was stopped by the cancel token.
     pub canceled: bool,
 }
@@ -56,9 +56,9 @@ pub fn run(prepared: &Prepared, context: &mut Context<'_>) -> Result<Outcome, Fa
 }
 
 /// The same with the CPU time that was spent already taken off what is allowed \[s\].
-fn within(asked: &Simulate, spent: f64) -> Simulate {
+fn within(asked: &SolverOptions, spent: f64) -> SolverOptions {
     let left = |limit: f64| (limit - spent).max(0.0);
-    Simulate {
+    SolverOptions {
         time_limit_s: asked.time_limit_s.map(left),
         ..asked.clone()
     }

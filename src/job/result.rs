@@ -72,7 +72,7 @@ pub(super) type ResultFiles = Vec<(ResultFile, Vec<u8>)>;
 pub enum ResultFile {
     /// Of a fit, `export::GarmentMesh`.
     Mesh,
-    /// Of a fit, `solver::Report`; of a study, `study::Study`.
+    /// Of a fit, `solver::DrapeReport`; of a study, `study::Study`.
     Report,
 }
 

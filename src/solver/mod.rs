@@ -18,10 +18,11 @@ pub use crate::solver::integrate::{
     trajectory,
 };
 pub use crate::solver::model::build::{kept_distance, springs};
-pub use crate::solver::options::{Membrane, Method, SeamClose, Simulate, Want};
+pub use crate::solver::options::{Analysis, MembraneModel, Method, SeamClose, SolverOptions};
 pub use crate::solver::report::measure::rms_distance;
 pub use crate::solver::report::schema::{
-    Advice, CpuSeconds, Energy, ErrorPoint, LeftOut, LevelReport, Plan, Report, Term, Worn,
+    Advice, CpuSeconds, DrapeReport, Energy, ErrorPoint, LevelReport, Plan, SkippedTerm, Support,
+    TermTime,
 };
 
 use crate::config::Limits;
@@ -36,7 +37,7 @@ pub struct Drape {
     /// Where friction holds it.
     pub anchors: Anchors,
     /// How far to trust it.
-    pub report: Report,
+    pub report: DrapeReport,
     /// Whether it was stopped by the cancel token.
     pub canceled: bool,
 }
@@ -47,7 +48,7 @@ impl Drape {
         Self {
             positions: positions.to_vec(),
             anchors: Anchors::default(),
-            report: Report::default(),
+            report: DrapeReport::default(),
             canceled: false,
         }
     }

@@ -1,17 +1,19 @@
-//! What is asked of the solver.
+//! Options of the solver: which analysis, by which model and method, how finely and for how long.
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-/// How to simulate. Absent fields have the defaults of [`Simulate::default`].
+/// Options of a simulation. Absent fields have the values of [`SolverOptions::default`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Simulate {
+#[serde(default, deny_unknown_fields, rename = "Simulate")]
+#[schema(as = Simulate)]
+pub struct SolverOptions {
     /// The shape at rest, or the motion.
-    pub want: Want,
-    /// How stretch is modelled.
-    pub membrane: Membrane,
-    /// How equations are solved.
+    #[serde(rename = "want")]
+    pub analysis: Analysis,
+    /// Model of stretch and shear.
+    pub membrane: MembraneModel,
+    /// Method by which the equations are solved.
     pub method: Method,
     /// Length of mesh edges \[m\].
     pub edge_length_m: f64,
@@ -27,17 +29,17 @@ pub struct Simulate {
     pub time_limit_s: Option<f64>,
     /// Seam gap below which sewing ends \[m\].
     pub seam_eps_m: f64,
-    /// What becomes of a seam when its gap is closed.
+    /// Treatment of a seam whose gap is closed.
     pub seam_close: SeamClose,
     /// Stiffness of one stitch \[N/m\].
     pub seam_stiffness_n_m: Option<f64>,
 }
 
-impl Default for Simulate {
+impl Default for SolverOptions {
     fn default() -> Self {
         Self {
-            want: Want::Drape,
-            membrane: Membrane::Continuum,
+            analysis: Analysis::Static,
+            membrane: MembraneModel::Continuum,
             method: Method::Auto,
             edge_length_m: 0.012,
             tolerance: 1e-5,
@@ -52,27 +54,31 @@ impl Default for Simulate {
     }
 }
 
-/// What is wanted.
+/// Kind of analysis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Want {
+#[serde(rename = "Want")]
+#[schema(as = Want)]
+pub enum Analysis {
     /// The shape at rest.
-    Drape,
+    #[serde(rename = "drape")]
+    Static,
     /// The motion.
-    Motion,
+    #[serde(rename = "motion")]
+    Transient,
 }
 
-/// How stretch is modelled.
+/// Model of stretch and shear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-#[serde(rename_all = "snake_case")]
-pub enum Membrane {
+#[serde(rename = "Membrane", rename_all = "snake_case")]
+#[schema(as = Membrane)]
+pub enum MembraneModel {
     /// Orthotropic triangles that converge to the continuum under refinement.
     Continuum,
     /// Linear springs on the mesh edges, as the paper has them (P8).
     Springs,
 }
 
-/// How equations are solved.
+/// Method by which the equations are solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Method {
@@ -91,7 +97,7 @@ pub enum Method {
 }
 
 impl Method {
-    /// The word for it in JSON.
+    /// Returns the name in JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Auto => "auto",
@@ -103,18 +109,18 @@ impl Method {
         }
     }
 
-    /// Whether it steps from one time to the next, and so follows the motion.
-    pub fn steps(self) -> bool {
+    /// Returns true if it integrates over time and so follows the motion.
+    pub fn is_time_stepping(self) -> bool {
         !matches!(self, Self::Auto | Self::Newton)
     }
 
-    /// Whether it steps without solving equations.
+    /// Returns true if it steps without solving equations.
     pub fn is_explicit(self) -> bool {
         matches!(self, Self::SymplecticEuler | Self::Verlet)
     }
 }
 
-/// What becomes of a seam when its gap is closed.
+/// Treatment of a seam whose gap is closed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SeamClose {

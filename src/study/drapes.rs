@@ -5,7 +5,7 @@ use super::report::{Study, StudyMesh, StudyReference, StudyRun};
 use super::rest::{Rest, depends_on_path, total};
 use super::run::{OnMesh, StudyPlan, StudyScene, edges};
 use super::work::Work;
-use crate::solver::{self, Drape, Method, Simulate};
+use crate::solver::{self, Drape, Method, SolverOptions};
 
 /// What a method of the reference is asked for where no run of the study serves.
 const OWN_TOLERANCE: f64 = 1e-2;
@@ -54,7 +54,7 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
         let first = study.runs.len();
         // Newton first: it gives the reference.
         let (follow, find): (Vec<Method>, Vec<Method>) =
-            self.plan.methods.iter().partition(|m| m.steps());
+            self.plan.methods.iter().partition(|m| m.is_time_stepping());
         for &method in find.iter().chain(&follow) {
             let mut tolerances = self.plan.tolerances.clone();
             tolerances.sort_by(|a, b| b.total_cmp(a));
@@ -73,10 +73,10 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
         }
         let began = self.work.cpu_s();
         let reference = self
-            .best(|m| !m.steps())
+            .best(|m| !m.is_time_stepping())
             .or_else(|| self.own(Method::Newton));
         let second = self
-            .best(Method::steps)
+            .best(Method::is_time_stepping)
             .or_else(|| self.own(Method::ImplicitEuler));
         let mut confirmed = self.confirmation(reference, second);
         confirmed.cpu_s = self.work.cpu_s() - began;
@@ -153,7 +153,7 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
         let ask = self.ask(method, tolerance);
         self.work.part(&what, 1.0, |context, time| {
             let began = (context.cpu_s)();
-            let ask = Simulate {
+            let ask = SolverOptions {
                 time_limit_s: Some(time),
                 ..ask
             };
@@ -167,7 +167,7 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
         let what = format!("where {} leads to", self.what(method, tolerance));
         let ask = self.ask(Method::Newton, tolerance);
         let rest = self.work.part(&what, 1.0, |context, time| {
-            let ask = Simulate {
+            let ask = SolverOptions {
                 time_limit_s: Some(time),
                 ..ask
             };
@@ -260,8 +260,8 @@ impl<'a, 'c, 'w> Drapes<'a, 'c, 'w> {
         format!("{} with tolerance {tolerance:.0e}, {edges}", method.name())
     }
 
-    fn ask(&self, method: Method, tolerance: f64) -> Simulate {
-        Simulate {
+    fn ask(&self, method: Method, tolerance: f64) -> SolverOptions {
+        SolverOptions {
             method,
             tolerance,
             edge_length_m: self.scene.edge_length_m,

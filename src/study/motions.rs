@@ -6,7 +6,7 @@ use super::report::{Study, StudyMesh, StudyReference, StudyRun};
 use super::run::{OnMesh, StudyPlan, StudyScene, edges};
 use super::work::Work;
 use crate::scene::Scene;
-use crate::solver::{self, Drape, Method, Simulate, Start, Trajectory, Want};
+use crate::solver::{self, Analysis, Drape, Method, SolverOptions, Start, Trajectory};
 use nalgebra::Vector3;
 
 /// Tolerance of runs with fixed steps, which says how exactly implicit steps are solved \[m/s\]: to 2e-10 of the weight.
@@ -127,15 +127,15 @@ impl<'a, 'c, 'w> Motions<'a, 'c, 'w> {
         };
         words.clone_into(&mut study.start);
         let what = format!("sewing the start, {}", edges(self.scene.edge_length_m));
-        let ask = Simulate {
-            want: Want::Drape,
+        let ask = SolverOptions {
+            analysis: Analysis::Static,
             method: Method::Newton,
             tolerance: 1e-3,
             step_s: None,
             ..self.plan.simulate.clone()
         };
         let drape = self.work.part(&what, START_PARTS, |context, time| {
-            let ask = Simulate {
+            let ask = SolverOptions {
                 time_limit_s: Some(time),
                 ..ask
             };
@@ -233,12 +233,12 @@ impl<'a, 'c, 'w> Motions<'a, 'c, 'w> {
         &mut self,
         what: &str,
         parts: f64,
-        ask: Simulate,
+        ask: SolverOptions,
         start: &[Vector3<f64>],
     ) -> Option<Trajectory> {
         let scene = &self.scene.scene;
         self.work.part(what, parts, |context, time| {
-            let ask = Simulate {
+            let ask = SolverOptions {
                 time_limit_s: Some(time),
                 ..ask
             };
@@ -328,8 +328,8 @@ impl<'a, 'c, 'w> Motions<'a, 'c, 'w> {
     /// A rest shape near where the motion begins, for the stability limits.
     fn rest(&mut self, start: &[Vector3<f64>]) -> Option<Drape> {
         let scene = &self.scene.scene;
-        let ask = Simulate {
-            want: Want::Drape,
+        let ask = SolverOptions {
+            analysis: Analysis::Static,
             method: Method::Newton,
             tolerance: REST_TOLERANCE,
             step_s: None,
@@ -340,7 +340,7 @@ impl<'a, 'c, 'w> Motions<'a, 'c, 'w> {
             edges(self.scene.edge_length_m)
         );
         let drape = self.work.part(&what, REST_PARTS, |context, time| {
-            let ask = Simulate {
+            let ask = SolverOptions {
                 time_limit_s: Some(time),
                 ..ask
             };
@@ -349,13 +349,13 @@ impl<'a, 'c, 'w> Motions<'a, 'c, 'w> {
         drape.report.converged.then_some(drape)
     }
 
-    fn ask(&self, method: Method, setting: Setting) -> Simulate {
+    fn ask(&self, method: Method, setting: Setting) -> SolverOptions {
         let (tolerance, step_s) = match setting {
             Setting::Step(h) => (EXACTLY, Some(h)),
             Setting::Tolerance(t) => (t, None),
         };
-        Simulate {
-            want: Want::Motion,
+        SolverOptions {
+            analysis: Analysis::Transient,
             method,
             tolerance,
             step_s,

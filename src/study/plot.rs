@@ -3,7 +3,7 @@
 use super::report::{Study, StudyRun};
 use super::run::edges;
 use crate::export::{Plot, PlotPoint, PlotSeries};
-use crate::solver::Want;
+use crate::solver::Analysis;
 
 /// Work against precision of all runs as an SVG: CPU seconds across, the solver error up, both logarithmic; a curve for each
 /// method and mesh. Runs whose error is not known are listed below it.
@@ -36,8 +36,8 @@ pub fn plot_svg(study: &Study) -> String {
         }
     }
     let wanted = match study.want {
-        Want::Drape => "drape",
-        Want::Motion => "motion",
+        Analysis::Static => "drape",
+        Analysis::Transient => "motion",
     };
     let size = match &study.meshes[..] {
         [mesh] => format!(", {} vertices", mesh.vertices),

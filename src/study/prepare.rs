@@ -5,7 +5,7 @@ use crate::config::Limits;
 use crate::fault::{Fault, Faults, Warning};
 use crate::fit::{self, Garment, Library, Prepared};
 use crate::seam::suggest::SuggestedSeam;
-use crate::solver::{Method, Simulate, Want};
+use crate::solver::{Analysis, Method, SolverOptions};
 
 /// What an empty list stands for.
 const METHODS_OF_A_DRAPE: [Method; 3] = [
@@ -69,7 +69,7 @@ pub fn prepare(
     lengths.truncate(limits.study_list);
     if lengths.is_empty() {
         // The garment's other faults are to be found all the same.
-        lengths.push(Simulate::default().edge_length_m);
+        lengths.push(SolverOptions::default().edge_length_m);
     }
     for (i, &edge_length_m) in lengths.iter().enumerate() {
         // A mesh of its own may divide edges in another way, so each is checked.
@@ -91,9 +91,9 @@ pub fn prepare(
 }
 
 /// The garment for one mesh. What belongs to the motion alone is the study's and not the fit's.
-fn on_mesh(garment: &Garment, own: &Simulate, edge_length_m: f64) -> Garment {
-    let simulate = Simulate {
-        want: Want::Drape,
+fn on_mesh(garment: &Garment, own: &SolverOptions, edge_length_m: f64) -> Garment {
+    let simulate = SolverOptions {
+        analysis: Analysis::Static,
         method: Method::Auto,
         step_s: None,
         duration_s: None,
@@ -110,7 +110,7 @@ fn on_mesh(garment: &Garment, own: &Simulate, edge_length_m: f64) -> Garment {
 fn fill_in(asked: &mut StudyAsked, limits: &Limits) {
     let time = asked.time_limit_s.unwrap_or(TIME.min(limits.study_cpu_s));
     asked.time_limit_s = Some(time);
-    let motion = asked.garment.simulate.want == Want::Motion;
+    let motion = asked.garment.simulate.analysis == Analysis::Transient;
     if asked.methods.is_empty() {
         asked.methods = if motion {
             METHODS_OF_A_MOTION.to_vec()
@@ -206,7 +206,7 @@ fn motion_faults(asked: &StudyAsked) -> Vec<Fault> {
             faults.push(Fault::new("study/field", pointer, detail).fix(fix));
         }
     };
-    if simulate.want == Want::Motion {
+    if simulate.analysis == Analysis::Transient {
         for (i, method) in asked.methods.iter().enumerate() {
             let at = format!("/methods/{i}");
             let detail = "newton finds the shape at rest, not the motion".to_owned();

@@ -4,7 +4,7 @@ use super::plot::{method_name, setting};
 use super::report::{Study, StudyRun};
 use super::rest::depends_on_path;
 use super::run::{StudyScene, edges};
-use crate::solver::Want;
+use crate::solver::Analysis;
 
 /// Smaller errors are of no use to anyone \[m\].
 const LEAST: f64 = 1e-6;
@@ -124,7 +124,7 @@ pub(super) fn notes(study: &Study, scenes: &[StudyScene]) -> Vec<String> {
             notes.push(text.to_owned());
         }
     };
-    let drape = study.want == Want::Drape;
+    let drape = study.want == Analysis::Static;
     let friction = scenes.iter().any(|s| depends_on_path(&s.scene));
     note(
         drape && friction,

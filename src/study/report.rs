@@ -1,7 +1,7 @@
 //! What a study comes to. Errors are RMS over the vertices (of a motion: over its frames too) on the same mesh, unless it says
 //! otherwise.
 
-use crate::solver::{Membrane, Method, Want};
+use crate::solver::{Analysis, MembraneModel, Method};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
@@ -15,9 +15,9 @@ pub struct Study {
     /// Always `seamster/study/1`.
     pub schema: String,
     /// What was wanted of the garment.
-    pub want: Want,
+    pub want: Analysis,
     /// The membrane, the same for all runs: solver errors are within it.
-    pub membrane: Membrane,
+    pub membrane: MembraneModel,
     /// What the runs begin with, in words.
     pub start: String,
     /// One a mesh, in the order asked for.

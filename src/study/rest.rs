@@ -4,7 +4,7 @@
 //! there to the round-off floor.
 
 use crate::scene::Scene;
-use crate::solver::{self, Context, Drape, Energy, Simulate, rms_distance};
+use crate::solver::{self, Context, Drape, Energy, SolverOptions, rms_distance};
 
 /// Residual asked for: below any floor, which then is what stops it.
 const TO_THE_FLOOR: f64 = 1e-300;
@@ -25,14 +25,14 @@ impl Rest {
     /// from where it held the cloth.
     pub fn of(
         scene: &Scene,
-        ask: &Simulate,
+        ask: &SolverOptions,
         from: &Drape,
         context: &mut Context<'_>,
     ) -> Option<Self> {
         if from.report.seam_gap_max_m >= ask.seam_eps_m {
             return None;
         }
-        let ask = Simulate {
+        let ask = SolverOptions {
             tolerance: TO_THE_FLOOR,
             step_s: None,
             ..ask.clone()

@@ -9,14 +9,14 @@ use super::{compare, recommend, stable};
 use crate::fault::Faults;
 use crate::fit;
 use crate::scene::Scene;
-use crate::solver::{Context, Drape, Method, Simulate, Want};
+use crate::solver::{Analysis, Context, Drape, Method, SolverOptions};
 use nalgebra::Vector3;
 
 /// What a study varies, on scenes that are assembled already.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StudyPlan {
     /// What all runs have in common: what is wanted, membrane, seams, duration, frame rate, the time limit of one run.
-    pub simulate: Simulate,
+    pub simulate: SolverOptions,
     /// Methods.
     pub methods: Vec<Method>,
     /// Tolerances, as [`super::StudyAsked::tolerances`].
@@ -78,7 +78,7 @@ pub fn run(prepared: &PreparedStudy, context: &mut Context<'_>) -> Result<Study,
 /// # Guarantees
 /// Ends soon after the time allowed and when canceled, with what was left out listed. All numbers are finite.
 pub fn run_scenes(scenes: &[StudyScene], plan: &StudyPlan, context: &mut Context<'_>) -> Study {
-    let wants_motion = plan.simulate.want == Want::Motion;
+    let wants_motion = plan.simulate.analysis == Analysis::Transient;
     let per_mesh = if wants_motion {
         Motions::parts(plan)
     } else {
@@ -119,7 +119,7 @@ pub fn run_scenes(scenes: &[StudyScene], plan: &StudyPlan, context: &mut Context
 fn empty(plan: &StudyPlan) -> Study {
     Study {
         schema: SCHEMA.to_owned(),
-        want: plan.simulate.want,
+        want: plan.simulate.analysis,
         membrane: plan.simulate.membrane,
         start: "the panels where they were put".to_owned(),
         meshes: Vec::new(),

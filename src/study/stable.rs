@@ -3,14 +3,14 @@
 use super::report::StudyStability;
 use super::run::{StudyPlan, StudyScene, edges};
 use super::work::Work;
-use crate::solver::{self, Drape, Method, Simulate};
+use crate::solver::{self, Drape, Method, SolverOptions};
 
 /// Parts of a study that the limit of one method counts as.
 const PARTS: f64 = 2.0;
 
 /// Parts of a study on one mesh.
 pub(super) fn parts(plan: &StudyPlan) -> f64 {
-    PARTS * plan.methods.iter().filter(|m| m.steps()).count() as f64
+    PARTS * plan.methods.iter().filter(|m| m.is_time_stepping()).count() as f64
 }
 
 /// The limit of every method that steps, near the rest shape `rest`.
@@ -20,7 +20,11 @@ pub(super) fn limits(
     rest: Option<&Drape>,
     work: &mut Work<'_, '_>,
 ) -> Vec<StudyStability> {
-    let methods = plan.methods.iter().copied().filter(|m| m.steps());
+    let methods = plan
+        .methods
+        .iter()
+        .copied()
+        .filter(|m| m.is_time_stepping());
     methods
         .filter_map(|method| limit(scene, plan, method, rest, work))
         .collect()
@@ -43,12 +47,12 @@ fn limit(
         work.leave_out(what, "there is no shape at rest to disturb");
         return None;
     };
-    let ask = Simulate {
+    let ask = SolverOptions {
         method,
         ..plan.simulate.clone()
     };
     let step = work.part(&what, PARTS, |context, time| {
-        let ask = Simulate {
+        let ask = SolverOptions {
             time_limit_s: Some(time),
             ..ask
         };

@@ -11,7 +11,9 @@ use seamster::config::Limits;
 use seamster::mesh::{ClothMesh, PanelRange};
 use seamster::progress::CancelToken;
 use seamster::scene::{Cut, NetSpring, Scene, library};
-use seamster::solver::{Context, Membrane, Method, Simulate, Start, Want, trajectory};
+use seamster::solver::{
+    Analysis, Context, MembraneModel, Method, SolverOptions, Start, trajectory,
+};
 use serde_json::json;
 use std::hint::black_box;
 
@@ -25,9 +27,9 @@ pub(crate) fn main() {
     let large = triad(LARGE);
     for rows in [33, 129, 317] {
         for (name, scene, membrane) in [
-            ("S1P", planar_hang(rows), Membrane::Springs),
-            ("sheet_springs", sheet(rows), Membrane::Springs),
-            ("sheet_continuum", sheet(rows), Membrane::Continuum),
+            ("S1P", planar_hang(rows), MembraneModel::Springs),
+            ("sheet_springs", sheet(rows), MembraneModel::Springs),
+            ("sheet_continuum", sheet(rows), MembraneModel::Continuum),
         ] {
             for method in [Method::SymplecticEuler, Method::Verlet] {
                 println!("{}", line(name, &scene, membrane, method, large));
@@ -39,7 +41,7 @@ pub(crate) fn main() {
 fn line(
     name: &str,
     scene: &Scene,
-    membrane: Membrane,
+    membrane: MembraneModel,
     method: Method,
     large: f64,
 ) -> serde_json::Value {
@@ -73,20 +75,20 @@ fn line(
 /// CPU time of a motion of so many steps \[s\].
 fn time(
     scene: &Scene,
-    membrane: Membrane,
+    membrane: MembraneModel,
     method: Method,
     steps: usize,
 ) -> (f64, seamster::solver::MotionReport) {
     let step = 2e-6;
     let duration = step * steps as f64;
-    let ask = Simulate {
-        want: Want::Motion,
+    let ask = SolverOptions {
+        analysis: Analysis::Transient,
         method,
         membrane,
         step_s: Some(step),
         duration_s: Some(duration),
         frame_rate_hz: Some(1.0 / duration),
-        ..Simulate::default()
+        ..SolverOptions::default()
     };
     let (limits, cancel) = (Limits::default(), CancelToken::new());
     let mut context = Context {

@@ -102,7 +102,7 @@ fn convert_mesh(json: Vec<u8>, format: &str) -> Result<Vec<u8>, Problem> {
 
 /// Report of a fit: how far to trust the shape
 #[utoipa::path(get, path = "/v1/fits/{id}/report", tag = "results", params(("id" = Uuid, Path)), responses(
-    (status = 200, description = "The report", body = crate::solver::Report),
+    (status = 200, description = "The report", body = crate::solver::DrapeReport),
     (status = 404, description = "There is no such fit, or it left none", body = Problem, content_type = "application/problem+json"),
     (status = 409, description = "The fit has not ended yet", body = Problem, content_type = "application/problem+json")))]
 pub(super) async fn report(

@@ -8,9 +8,9 @@ use crate::solver::drape::stage::{Bounds, How};
 use crate::solver::forces::contact::Anchors;
 use crate::solver::integrate::Motion;
 use crate::solver::optimize::newton::{FIRST_GAMMA, NEAR_GAMMA};
-use crate::solver::options::Simulate;
+use crate::solver::options::SolverOptions;
 use crate::solver::report::history::ToGo;
-use crate::solver::report::schema::{LevelReport, Report};
+use crate::solver::report::schema::{DrapeReport, LevelReport};
 use nalgebra::Vector3;
 
 /// Residual at which an open seam counts as settled, and motion as ended: nothing moves any more.
@@ -36,7 +36,7 @@ pub(crate) struct Rest {
 /// One level of a fit: its scene, and what all levels share.
 pub(crate) struct Level<'a, 'c, 'w> {
     pub(crate) scene: &'a Scene,
-    pub(crate) ask: &'a Simulate,
+    pub(crate) options: &'a SolverOptions,
     pub(crate) clock: &'w dyn Fn() -> f64,
     pub(crate) bounds: Bounds,
     pub(crate) trace: &'a mut Trace<'c, 'w>,
@@ -54,11 +54,11 @@ pub(crate) struct Level<'a, 'c, 'w> {
 
 impl Level<'_, '_, '_> {
     /// The shape at rest from `x`, its seams closed first unless they are.
-    pub(crate) fn run(&mut self, x: &mut Vec<Vector3<f64>>, report: &mut Report) -> Rest {
+    pub(crate) fn run(&mut self, x: &mut Vec<Vector3<f64>>, report: &mut DrapeReport) -> Rest {
         let began = self.trace.cpu_s();
         let iterations = report.newton_iterations;
         let stiffness = if self.sewn {
-            Ok(self.ask.seam_stiffness_n_m.unwrap_or(SEAM_STIFFNESS))
+            Ok(self.options.seam_stiffness_n_m.unwrap_or(SEAM_STIFFNESS))
         } else {
             close(self, x, report)
         };
@@ -92,9 +92,9 @@ impl Level<'_, '_, '_> {
     /// How a stage is run whose motion, if it is one, is `motion`.
     pub(crate) fn how(&self, motion: Motion) -> How {
         How {
-            motion: self.ask.method.steps().then_some(Motion {
-                method: self.ask.method,
-                step: self.ask.step_s,
+            motion: self.options.method.is_time_stepping().then_some(Motion {
+                method: self.options.method,
+                step: self.options.step_s,
                 ..motion
             }),
             first_gamma: if self.sewn { NEAR_GAMMA } else { FIRST_GAMMA },

@@ -6,11 +6,11 @@ use crate::solver::drape::level::{Level, Rest};
 use crate::solver::drape::monitor::Trace;
 use crate::solver::drape::perturb;
 use crate::solver::drape::stage::{Bounds, push_once};
-use crate::solver::options::{Method, Simulate};
+use crate::solver::options::{Method, SolverOptions};
 use crate::solver::report::cost_model;
 use crate::solver::report::describe::{left_out, worn};
 use crate::solver::report::measure::{self, rms_distance};
-use crate::solver::report::schema::{Plan, Report};
+use crate::solver::report::schema::{DrapeReport, Plan};
 use crate::solver::report::unfinished;
 use crate::solver::{Context, Drape, integrate};
 use nalgebra::Vector3;
@@ -31,30 +31,35 @@ const LEAST_FLOORS: f64 = 3.0;
 ///
 /// # Limitations
 /// Rest shapes are not unique: cloth folds one way or another. Cloth passes through cloth.
-pub fn drape(scene: &Scene, ask: &Simulate, context: &mut Context<'_>) -> Drape {
-    let cascade = if ask.method.steps() {
+pub fn drape(scene: &Scene, options: &SolverOptions, context: &mut Context<'_>) -> Drape {
+    let cascade = if options.method.is_time_stepping() {
         // Motion is that of the mesh asked for.
         Cascade::single(scene)
     } else {
         Cascade::new(scene)
     };
-    run(&cascade, ask, None, context)
+    run(&cascade, options, None, context)
 }
 
 /// Drapes on from a drape of the same scene whose seams are closed, without sewing.
-pub fn drape_on(scene: &Scene, ask: &Simulate, from: &Drape, context: &mut Context<'_>) -> Drape {
-    run(&Cascade::single(scene), ask, Some(from), context)
+pub fn drape_on(
+    scene: &Scene,
+    options: &SolverOptions,
+    from: &Drape,
+    context: &mut Context<'_>,
+) -> Drape {
+    run(&Cascade::single(scene), options, Some(from), context)
 }
 
 /// A run from level to level.
 struct Run<'a, 's, 'c, 'w> {
     cascade: &'a Cascade<'s>,
-    ask: &'a Simulate,
+    options: &'a SolverOptions,
     from: Option<&'a Drape>,
     clock: &'w dyn Fn() -> f64,
     bounds: Bounds,
     trace: Trace<'c, 'w>,
-    report: Report,
+    report: DrapeReport,
     /// Whether the seams are closed.
     sewn: bool,
     /// How far the middle of the garment sank \[m\].
@@ -65,7 +70,7 @@ struct Run<'a, 's, 'c, 'w> {
 
 fn run(
     cascade: &Cascade<'_>,
-    ask: &Simulate,
+    options: &SolverOptions,
     from: Option<&Drape>,
     context: &mut Context<'_>,
 ) -> Drape {
@@ -73,23 +78,23 @@ fn run(
         iterations: context.limits.iterations,
         steps: context.limits.steps,
     };
-    let report = Report {
-        method: rest_method(ask.method).name().to_owned(),
+    let report = DrapeReport {
+        method: rest_method(options.method).name().to_owned(),
         version: env!("CARGO_PKG_VERSION").to_owned(),
         plan: Plan {
             levels: cascade.sizes(),
-            time_limit_s: ask.time_limit_s,
+            time_limit_s: options.time_limit_s,
             ..Plan::default()
         },
-        ..Report::default()
+        ..DrapeReport::default()
     };
     Run {
         cascade,
-        ask,
+        options,
         from,
         clock: context.cpu_s,
         bounds,
-        trace: Trace::new(context, ask.time_limit_s),
+        trace: Trace::new(context, options.time_limit_s),
         report,
         sewn: from.is_some(),
         sunk: 0.0,
@@ -101,7 +106,7 @@ fn run(
 impl Run<'_, '_, '_, '_> {
     fn go(mut self) -> Drape {
         let scene = self.cascade.scene(0);
-        let refused = integrate::refuse(scene, self.ask, self.bounds.steps, self.clock);
+        let refused = integrate::refuse(scene, self.options, self.bounds.steps, self.clock);
         let (mut x, last, rest) = match refused {
             None => self.down(),
             Some(why) => {
@@ -118,10 +123,10 @@ impl Run<'_, '_, '_, '_> {
         if self.report.residual.is_finite() {
             self.say_error(last, &rest);
         } else {
-            unfinished::describe(scene, self.ask, &x, self.clock, &mut self.report);
+            unfinished::describe(scene, self.options, &x, self.clock, &mut self.report);
         }
         measure_all(scene, &x, &mut self.report);
-        self.report.worn = worn(scene, &self.report, self.sunk);
+        self.report.support = worn(scene, &self.report, self.sunk);
         let handed_on = self.handed_on.as_ref().filter(|_| self.report.converged);
         self.report.mesh_error_m = handed_on.map(|coarse| rms_distance(coarse, &x));
         let to_finest = |level, x| self.cascade.to_finest(level, x);
@@ -157,7 +162,7 @@ impl Run<'_, '_, '_, '_> {
             }
             x = self.cascade.refine(number, &x);
             if self.cascade.is_softer(number) {
-                push_once(&mut self.report.ladder, "softer_cloth");
+                push_once(&mut self.report.fallbacks, "softer_cloth");
                 // What a coarser mesh of softer cloth handed on tells of both.
                 self.handed_on = None;
             } else {
@@ -174,14 +179,14 @@ impl Run<'_, '_, '_, '_> {
         let anchors = self.from.map(|from| from.anchors.clone());
         let mut level = Level {
             scene: self.cascade.scene(number),
-            ask: self.ask,
+            options: self.options,
             clock: self.clock,
             bounds: self.bounds,
             trace: &mut self.trace,
             tolerance: if number == 0 {
-                self.ask.tolerance
+                self.options.tolerance
             } else {
-                self.ask.tolerance.max(COARSE_TOLERANCE)
+                self.options.tolerance.max(COARSE_TOLERANCE)
             },
             floors: if self.from.is_some() {
                 LEAST_FLOORS
@@ -279,7 +284,7 @@ fn rest_method(asked: Method) -> Method {
 
 /// Fills in what can be measured on the shape alone.
 #[inline(never)] // so that a profile tells what it takes
-fn measure_all(scene: &Scene, x: &[Vector3<f64>], report: &mut Report) {
+fn measure_all(scene: &Scene, x: &[Vector3<f64>], report: &mut DrapeReport) {
     let mesh = &scene.mesh;
     let stitches: Vec<_> = mesh.stitches.iter().map(|s| (s.a, s.b)).collect();
     report.seam_gap_max_m = measure::seam_gap(&stitches, x);
@@ -288,5 +293,5 @@ fn measure_all(scene: &Scene, x: &[Vector3<f64>], report: &mut Report) {
     report.vertices = mesh.uv.len();
     report.triangles = mesh.triangles.len();
     report.stitches = mesh.stitches.len();
-    report.left_out = left_out(scene, &report.terms);
+    report.skipped_terms = left_out(scene, &report.terms);
 }

@@ -12,7 +12,7 @@ use crate::solver::optimize::newton::{Iteration, NEAR_GAMMA, Newton, Stop, Verdi
 use crate::solver::options::{Method, SeamClose};
 use crate::solver::report::describe::{add_terms, energies, mean_height};
 use crate::solver::report::measure;
-use crate::solver::report::schema::Report;
+use crate::solver::report::schema::DrapeReport;
 use nalgebra::Vector3;
 
 /// How far the middle of a garment sinks before it is plain that nothing will stop it \[m\].
@@ -37,26 +37,26 @@ pub(crate) fn settle(
     level: &mut Level<'_, '_, '_>,
     x: &mut Vec<Vector3<f64>>,
     stiffness: f64,
-    report: &mut Report,
+    report: &mut DrapeReport,
 ) -> Rest {
     let stitches = level.stitches(u32::MAX);
-    let weld = level.ask.seam_close == SeamClose::Weld;
+    let weld = level.options.seam_close == SeamClose::Weld;
     let particles = if weld {
         Particles::welded(x.len(), stitches.iter().copied())
     } else {
         Particles::apart(x.len())
     };
     let springs = (!weld && !stitches.is_empty())
-        .then(|| (stitches.clone(), closed_stiffness(level.ask, stiffness)));
+        .then(|| (stitches.clone(), closed_stiffness(level.options, stiffness)));
     let stage = Stage {
         particles: &particles,
         stitches: springs,
         gravity: true,
         friction: Some(&level.anchors),
-        explicit: level.ask.method.is_explicit(),
+        explicit: level.options.method.is_explicit(),
     };
     level.trace.begin_stage();
-    let mut system = assemble(level.scene, level.ask, &stage, level.clock);
+    let mut system = assemble(level.scene, level.options, &stage, level.clock);
     let mut shape = particles.mean(x);
     let gravity = &level.scene.gravity;
     let first_height = mean_height(gravity, &shape);
@@ -76,7 +76,7 @@ pub(crate) fn settle(
     };
     let (ended, newton) = fall.run(&mut system, &mut shape);
     *x = particles.spread(&shape);
-    note_rungs(&mut report.ladder, ended.rungs);
+    note_rungs(&mut report.fallbacks, ended.rungs);
     report.newton_iterations += ended.iterations;
     report.residual = ended.residual;
     report.residual_floor = floor;
@@ -110,7 +110,7 @@ fn estimate(
     system: &mut System<'_>,
     shape: &[Vector3<f64>],
     (newton, ended): (Option<Newton>, &Ended),
-    report: &mut Report,
+    report: &mut DrapeReport,
 ) {
     let at_rest = ended.stop == Stop::Reached;
     let newton = newton.or_else(|| {

@@ -8,10 +8,10 @@ use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
 use crate::solver::optimize::newton::{Iteration, Stop, Verdict};
 use crate::solver::options::Method;
-use crate::solver::options::Simulate;
+use crate::solver::options::SolverOptions;
 use crate::solver::report::describe::add_terms;
 use crate::solver::report::measure;
-use crate::solver::report::schema::Report;
+use crate::solver::report::schema::DrapeReport;
 use nalgebra::Vector3;
 
 /// Stiffness of a stitch if none is asked for \[N/m\]: about that of the cloth beside it.
@@ -30,17 +30,19 @@ const MOTION: Motion = Motion {
 };
 
 /// Stiffness of a closed stitch, `sewing` being what closed it \[N/m\]: the one asked for, or much stiffer than that (P9).
-pub(crate) fn closed_stiffness(ask: &Simulate, sewing: f64) -> f64 {
-    ask.seam_stiffness_n_m.unwrap_or(sewing * CLOSED_STIFFER)
+pub(crate) fn closed_stiffness(options: &SolverOptions, sewing: f64) -> f64 {
+    options
+        .seam_stiffness_n_m
+        .unwrap_or(sewing * CLOSED_STIFFER)
 }
 
 /// Pulls the seams shut, stage by stage; the stiffness that did it \[N/m\], or why it could not be done.
 pub(crate) fn close(
     level: &mut Level<'_, '_, '_>,
     x: &mut [Vector3<f64>],
-    report: &mut Report,
+    report: &mut DrapeReport,
 ) -> Result<f64, String> {
-    let mut stiffness = level.ask.seam_stiffness_n_m.unwrap_or(SEAM_STIFFNESS);
+    let mut stiffness = level.options.seam_stiffness_n_m.unwrap_or(SEAM_STIFFNESS);
     let stitches = level.scene.mesh.stitches.iter();
     let mut stages: Vec<u32> = stitches.map(|s| s.stage).collect();
     stages.sort_unstable();
@@ -50,9 +52,9 @@ pub(crate) fn close(
         let mut tries = 0;
         loop {
             let ended = pull(level, x, (&stitches, stiffness), report);
-            note_rungs(&mut report.ladder, ended.rungs);
+            note_rungs(&mut report.fallbacks, ended.rungs);
             let gap = measure::seam_gap(&stitches, x);
-            if gap < level.ask.seam_eps_m {
+            if gap < level.options.seam_eps_m {
                 break;
             }
             if ended.stop != Stop::Reached || tries == STIFFER_AT_MOST {
@@ -64,7 +66,7 @@ pub(crate) fn close(
             }
             tries += 1;
             stiffness *= 10.0;
-            push_once(&mut report.ladder, "stiffer_seams");
+            push_once(&mut report.fallbacks, "stiffer_seams");
         }
     }
     Ok(stiffness)
@@ -75,7 +77,7 @@ fn pull(
     level: &mut Level<'_, '_, '_>,
     x: &mut [Vector3<f64>],
     (stitches, stiffness): (&[(usize, usize)], f64),
-    report: &mut Report,
+    report: &mut DrapeReport,
 ) -> Ended {
     let particles = Particles::apart(x.len());
     let stage = Stage {
@@ -83,11 +85,11 @@ fn pull(
         stitches: Some((stitches.to_vec(), stiffness)),
         gravity: false,
         friction: None,
-        explicit: level.ask.method.is_explicit(),
+        explicit: level.options.method.is_explicit(),
     };
-    let mut system = assemble(level.scene, level.ask, &stage, level.clock);
+    let mut system = assemble(level.scene, level.options, &stage, level.clock);
     let first_gap = measure::seam_gap(stitches, x).max(1e-9);
-    let eps = level.ask.seam_eps_m;
+    let eps = level.options.seam_eps_m;
     let how = level.how(MOTION);
     level.trace.begin_stage();
     let trace = &mut level.trace;

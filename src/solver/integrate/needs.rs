@@ -12,7 +12,7 @@ use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
 use crate::solver::integrate::{SAFETY, Settings, stepper};
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
-use crate::solver::options::{Method, SeamClose, Simulate};
+use crate::solver::options::{Method, SeamClose, SolverOptions};
 use nalgebra::Vector3;
 
 /// Longest explicit step of a drape \[s\]: what moves nothing stiff still moves smoothly.
@@ -40,15 +40,15 @@ pub(crate) fn too_many(time: f64, step: f64, limit: u64) -> Option<String> {
 #[inline(never)] // so that a profile tells what it takes
 pub(crate) fn refuse(
     scene: &Scene,
-    ask: &Simulate,
+    options: &SolverOptions,
     limit: u64,
     clock: &dyn Fn() -> f64,
 ) -> Option<String> {
-    let explicit = matches!(ask.method, Method::SymplecticEuler | Method::Verlet);
-    let step = match (explicit, ask.step_s) {
+    let explicit = matches!(options.method, Method::SymplecticEuler | Method::Verlet);
+    let step = match (explicit, options.step_s) {
         (false, step) => step?,
         (true, asked) => {
-            let stable = stable_step(scene, ask, clock);
+            let stable = stable_step(scene, options, clock);
             // One that is too long is refused for that.
             asked.unwrap_or(SAFETY * stable.min(LONGEST_EXPLICIT))
         }
@@ -59,25 +59,30 @@ pub(crate) fn refuse(
             "explicit steps without drag never come to rest: give the scene a drag, or ask for newton".to_owned()
         });
     }
-    let why = too_many(time_to_rest(drag, ask.tolerance), step, limit)?;
+    let why = too_many(time_to_rest(drag, options.tolerance), step, limit)?;
     Some(format!(
         "{why}: ask for newton, for longer mesh edges, or for softer cloth"
     ))
 }
 
 /// The longest stable step of the cloth flat and at rest \[s\].
-fn stable_step(scene: &Scene, ask: &Simulate, clock: &dyn Fn() -> f64) -> f64 {
+fn stable_step(scene: &Scene, options: &SolverOptions, clock: &dyn Fn() -> f64) -> f64 {
     let particles = Particles::apart(scene.start.len());
     let stitches = scene.mesh.stitches.iter().map(|s| (s.a, s.b));
-    let stay = ask.seam_close == SeamClose::Spring && stitches.len() > 0;
+    let stay = options.seam_close == SeamClose::Spring && stitches.len() > 0;
     let stage = Stage {
         particles: &particles,
-        stitches: stay.then(|| (stitches.collect(), closed_stiffness(ask, SEAM_STIFFNESS))),
+        stitches: stay.then(|| {
+            (
+                stitches.collect(),
+                closed_stiffness(options, SEAM_STIFFNESS),
+            )
+        }),
         gravity: false,
         friction: None,
         explicit: false,
     };
-    let mut system = assemble(scene, ask, &stage, clock);
+    let mut system = assemble(scene, options, &stage, clock);
     let flat: Vec<_> = if scene.mesh.triangles.is_empty() {
         scene.start.clone()
     } else {
@@ -87,9 +92,9 @@ fn stable_step(scene: &Scene, ask: &Simulate, clock: &dyn Fn() -> f64) -> f64 {
     let settings = Settings {
         drag: scene.drag.unwrap_or(DRAG),
         speed_limit: f64::INFINITY,
-        residual: ask.tolerance,
+        residual: options.tolerance,
     };
-    match stepper(&mut system, ask.method, &settings) {
+    match stepper(&mut system, options.method, &settings) {
         Ok(Some(mut stepper)) => stepper.stable_step(&mut system, &flat),
         _ => f64::INFINITY,
     }

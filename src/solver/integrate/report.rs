@@ -1,6 +1,6 @@
 //! A motion, and what is known about it.
 
-use crate::solver::report::schema::{Energy, Term};
+use crate::solver::report::schema::{Energy, TermTime};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
@@ -80,7 +80,7 @@ pub struct MotionReport {
     /// Newton iterations of all steps.
     pub newton_iterations: u64,
     /// The terms that ran.
-    pub terms: Vec<Term>,
+    pub terms: Vec<TermTime>,
     /// CPU time \[s\].
     pub cpu_s: f64,
 }

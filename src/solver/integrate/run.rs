@@ -14,7 +14,7 @@ use crate::solver::integrate::step_control::Control;
 use crate::solver::integrate::{SAFETY, Settings, stepper};
 use crate::solver::model::dof_map::Particles;
 use crate::solver::model::system::System;
-use crate::solver::options::{Method, Simulate};
+use crate::solver::options::{Method, SolverOptions};
 use crate::solver::report::describe::energies;
 
 /// Simulated time if none is asked for \[s\].
@@ -32,7 +32,7 @@ const SHORTEST: f64 = 1e-8;
 const BLOCKS_A_LIMIT: u64 = 40;
 
 pub(crate) struct Run<'r, 'c, 'w> {
-    pub(crate) ask: &'r Simulate,
+    pub(crate) options: &'r SolverOptions,
     pub(crate) began: f64,
     pub(crate) particles: &'r Particles,
     pub(crate) frames: Vec<Frame>,
@@ -49,8 +49,8 @@ impl Run<'_, '_, '_> {
         state: &mut State,
         swing: f64,
     ) -> Result<(), String> {
-        let duration = self.ask.duration_s.unwrap_or(DURATION);
-        let rate = self.ask.frame_rate_hz.unwrap_or(FRAME_RATE);
+        let duration = self.options.duration_s.unwrap_or(DURATION);
+        let rate = self.options.frame_rate_hz.unwrap_or(FRAME_RATE);
         let count = self.frame_count(duration, rate)?;
         self.keep(system, state);
         let (mut stepper, mut control) = self.set_up(system, state, swing)?;
@@ -98,13 +98,13 @@ impl Run<'_, '_, '_> {
         let settings = Settings {
             drag: self.report.drag_1_s,
             speed_limit: f64::INFINITY,
-            residual: SOLVED * self.ask.tolerance,
+            residual: SOLVED * self.options.tolerance,
         };
-        let mut method = self.ask.method;
+        let mut method = self.options.method;
         if method == Method::Auto {
             let motive = Motive {
-                step: self.ask.step_s,
-                tolerance: self.ask.tolerance,
+                step: self.options.step_s,
+                tolerance: self.options.tolerance,
                 swing,
             };
             let chosen = choose(system, &state.x, &settings, &motive);
@@ -118,7 +118,7 @@ impl Run<'_, '_, '_> {
         self.report.step_bytes = stepper.step_bytes();
         let stable = stepper.stable_step(system, &state.x);
         self.report.stability_limit_s = stable.is_finite().then_some(stable);
-        let first = match self.ask.step_s {
+        let first = match self.options.step_s {
             Some(asked) if asked > stable => {
                 return Err(format!(
                     "step_s is above the stability limit of {stable:.2e} s: give a shorter one or leave it out"
@@ -128,14 +128,18 @@ impl Run<'_, '_, '_> {
             None => (SAFETY * stable).min(FIRST_IMPLICIT),
         };
         // What may be the longest step later on: chosen implicit steps have no such bound.
-        let longest = self.ask.step_s.unwrap_or(SAFETY * stable);
-        let duration = self.ask.duration_s.unwrap_or(DURATION);
+        let longest = self.options.step_s.unwrap_or(SAFETY * stable);
+        let duration = self.options.duration_s.unwrap_or(DURATION);
         if let Some(why) = too_many(duration, longest, self.context.limits.steps) {
             return Err(format!(
                 "{why}: ask for bdf2 or implicit_euler, for less time, longer mesh edges or softer cloth"
             ));
         }
-        let tolerance = self.ask.step_s.is_none().then_some(self.ask.tolerance);
+        let tolerance = self
+            .options
+            .step_s
+            .is_none()
+            .then_some(self.options.tolerance);
         let mut control = Control::new(tolerance, stepper.order(), first);
         control.limit(SAFETY * stable);
         Ok((stepper, control))
@@ -160,7 +164,7 @@ impl Run<'_, '_, '_> {
             before.copy_from(state);
             let error = match stepper.advance(system, state, h, count) {
                 Ok(error) if state.is_finite() => error,
-                Ok(_) | Err(Trouble::NotFinite) if self.ask.step_s.is_some() => {
+                Ok(_) | Err(Trouble::NotFinite) if self.options.step_s.is_some() => {
                     state.copy_from(&before);
                     return Err(format!(
                         "forces became infinite in steps of {h:.1e} s: give a shorter one or leave it out"
@@ -209,7 +213,7 @@ impl Run<'_, '_, '_> {
     /// Tells how far it is; why to stop, if there is a reason.
     fn watch(&mut self, state: &State) -> Result<(), String> {
         let cpu_s = (self.context.cpu_s)() - self.began;
-        let duration = self.ask.duration_s.unwrap_or(DURATION);
+        let duration = self.options.duration_s.unwrap_or(DURATION);
         (self.context.progress)(Progress {
             stage: "motion".to_owned(),
             fraction: (state.time / duration).clamp(0.0, 1.0),
@@ -218,7 +222,7 @@ impl Run<'_, '_, '_> {
         });
         self.canceled = self.context.cancel.is_canceled();
         let limits = self.context.limits;
-        let allowed = self.ask.time_limit_s.unwrap_or(f64::INFINITY);
+        let allowed = self.options.time_limit_s.unwrap_or(f64::INFINITY);
         if self.canceled {
             Err(format!("canceled at {:.4} s", state.time))
         } else if cpu_s > allowed.min(limits.fit_cpu_s) {

@@ -13,7 +13,7 @@ use crate::solver::integrate::limit;
 use crate::solver::integrate::{Settings, stepper};
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
-use crate::solver::options::{Method, SeamClose, Simulate};
+use crate::solver::options::{Method, SeamClose, SolverOptions};
 use crate::solver::{Context, Drape};
 use nalgebra::Vector3;
 
@@ -70,29 +70,29 @@ enum Ended {
     Stopped,
 }
 
-/// Finds the longest stable step of the method that `ask` names, near the rest shape `rest` of `scene`, held there by its friction.
+/// Finds the longest stable step of the method that `options` names, near the rest shape `rest` of `scene`, held there by its friction.
 ///
 /// # Guarantees
-/// Ends within the time limit of `ask` and when canceled; says so. Numbers are finite.
+/// Ends within the time limit of `options` and when canceled; says so. Numbers are finite.
 ///
 /// # Limitations
 /// `rest` must be at rest to about 1e-8 of the weight, or it moves by itself. Instabilities that need more than a tiny
 /// disturbance (contact that is not touched yet, cloth that stiffens as it stretches) do not show.
 pub fn stable_step(
     scene: &Scene,
-    ask: &Simulate,
+    options: &SolverOptions,
     rest: &Drape,
     context: &mut Context<'_>,
 ) -> StableStep {
     let mut trial = Trial {
         scene,
-        ask,
+        options,
         rest: &rest.positions,
         anchors: &rest.anchors,
         began: (context.cpu_s)(),
         context,
     };
-    match ask.method {
+    match options.method {
         Method::SymplecticEuler | Method::Verlet => trial.explicit(),
         Method::ImplicitEuler | Method::Bdf2 => trial.implicit(),
         Method::Auto | Method::Newton => StableStep {
@@ -102,20 +102,20 @@ pub fn stable_step(
     }
 }
 
-/// The longest step that `trajectory` allows the method of `ask` at the shape `shape` \[m; `#V`\] of `scene` \[s\]; none for methods
+/// The longest step that `trajectory` allows the method of `options` at the shape `shape` \[m; `#V`\] of `scene` \[s\]; none for methods
 /// that are stable with any step.
 pub fn allowed_step(
     scene: &Scene,
-    ask: &Simulate,
+    options: &SolverOptions,
     shape: &[Vector3<f64>],
     context: &mut Context<'_>,
 ) -> Option<f64> {
-    if !ask.method.is_explicit() {
+    if !options.method.is_explicit() {
         return None;
     }
     let trial = Trial {
         scene,
-        ask,
+        options,
         rest: shape,
         anchors: &Anchors::default(),
         began: 0.0,
@@ -126,7 +126,7 @@ pub fn allowed_step(
 
 struct Trial<'a, 'c, 'w> {
     scene: &'a Scene,
-    ask: &'a Simulate,
+    options: &'a SolverOptions,
     rest: &'a [Vector3<f64>],
     anchors: &'a Anchors,
     began: f64,
@@ -137,7 +137,7 @@ impl Trial<'_, '_, '_> {
     fn explicit(&mut self) -> StableStep {
         let square = self.with_system(limit::highest_square_here);
         let drag = self.drag();
-        let theory = match self.ask.method {
+        let theory = match self.options.method {
             Method::Verlet => limit::verlet(square),
             _ => limit::symplectic_euler(square, drag),
         };
@@ -236,7 +236,7 @@ impl Trial<'_, '_, '_> {
 
     /// The limit that `trajectory` keeps to \[s\].
     fn kept_to(&self) -> Option<f64> {
-        let (method, settings) = (self.ask.method, self.settings());
+        let (method, settings) = (self.options.method, self.settings());
         let step = self.with_system(|system, x| match stepper(system, method, &settings) {
             Ok(Some(mut stepper)) => stepper.stable_step(system, x),
             _ => f64::INFINITY,
@@ -254,8 +254,11 @@ impl Trial<'_, '_, '_> {
 
     /// Takes `count` steps of `h` \[s\] from the disturbed rest shape, or fewer if it is further than `grown` \[m\] away before.
     fn steps(&mut self, h: f64, count: u64, grown: f64) -> Ended {
-        let (method, settings) = (self.ask.method, self.settings());
-        let (began, allowed) = (self.began, self.ask.time_limit_s.unwrap_or(f64::INFINITY));
+        let (method, settings) = (self.options.method, self.settings());
+        let (began, allowed) = (
+            self.began,
+            self.options.time_limit_s.unwrap_or(f64::INFINITY),
+        );
         let (clock, cancel) = (self.context.cpu_s, self.context.cancel);
         let allowed = allowed.min(self.context.limits.fit_cpu_s);
         let is_over = move || cancel.is_canceled() || clock() - began > allowed;
@@ -302,22 +305,22 @@ impl Trial<'_, '_, '_> {
     ) -> T {
         let scene = self.scene;
         let stitches = scene.mesh.stitches.iter().map(|s| (s.a, s.b));
-        let weld = self.ask.seam_close == SeamClose::Weld;
+        let weld = self.options.seam_close == SeamClose::Weld;
         let particles = if weld {
             Particles::welded(scene.start.len(), stitches.clone())
         } else {
             Particles::apart(scene.start.len())
         };
-        let stiffness = closed_stiffness(self.ask, SEAM_STIFFNESS);
+        let stiffness = closed_stiffness(self.options, SEAM_STIFFNESS);
         let springs = (!weld && stitches.len() > 0).then(|| (stitches.collect(), stiffness));
         let stage = Stage {
             particles: &particles,
             stitches: springs,
             gravity: true,
             friction: Some(self.anchors),
-            explicit: self.ask.method.is_explicit(),
+            explicit: self.options.method.is_explicit(),
         };
-        let mut system = assemble(scene, self.ask, &stage, self.context.cpu_s);
+        let mut system = assemble(scene, self.options, &stage, self.context.cpu_s);
         f(&mut system, &particles.mean(self.rest))
     }
 }

@@ -10,7 +10,7 @@ use crate::solver::integrate::report::{MotionReport, Trajectory};
 use crate::solver::integrate::run::Run;
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
-use crate::solver::options::{Method, SeamClose, Simulate};
+use crate::solver::options::{Method, SeamClose, SolverOptions};
 use crate::solver::report::describe::add_terms;
 use nalgebra::Vector3;
 
@@ -23,7 +23,7 @@ pub struct Start {
     pub velocities: Option<Vec<Vector3<f64>>>,
 }
 
-/// Simulates the motion of `scene` from `from` for [`Simulate::duration_s`].
+/// Simulates the motion of `scene` from `from` for [`SolverOptions::duration_s`].
 ///
 /// Seams are taken as closed: drape a garment that is not sewn first. Drag is the scene's, or that of its fabrics
 /// (`damping::drag`).
@@ -33,19 +33,19 @@ pub struct Start {
 /// not where it was not. Same input, same bytes.
 pub fn trajectory(
     scene: &Scene,
-    ask: &Simulate,
+    options: &SolverOptions,
     from: Start,
     context: &mut Context<'_>,
 ) -> Trajectory {
     let began = (context.cpu_s)();
     let stitches = scene.mesh.stitches.iter().map(|s| (s.a, s.b));
-    let weld = ask.seam_close == SeamClose::Weld;
+    let weld = options.seam_close == SeamClose::Weld;
     let particles = if weld {
         Particles::welded(scene.start.len(), stitches.clone())
     } else {
         Particles::apart(scene.start.len())
     };
-    let stiffness = closed_stiffness(ask, SEAM_STIFFNESS);
+    let stiffness = closed_stiffness(options, SEAM_STIFFNESS);
     let springs = (!weld && stitches.len() > 0).then(|| (stitches.collect(), stiffness));
     let stage = Stage {
         particles: &particles,
@@ -53,9 +53,9 @@ pub fn trajectory(
         gravity: true,
         friction: Some(&Anchors::default()),
         // Automatic methods may turn out to be explicit.
-        explicit: ask.method.is_explicit() || ask.method == Method::Auto,
+        explicit: options.method.is_explicit() || options.method == Method::Auto,
     };
-    let mut system = assemble(scene, ask, &stage, context.cpu_s);
+    let mut system = assemble(scene, options, &stage, context.cpu_s);
     let mut state =
         State::at_rest(&particles.mean(from.positions.as_ref().unwrap_or(&scene.start)));
     state.windy = true;
@@ -64,7 +64,7 @@ pub fn trajectory(
         system.hold_still(&mut state.v);
     }
     let mut run = Run {
-        ask,
+        options,
         began,
         particles: &particles,
         frames: Vec::new(),

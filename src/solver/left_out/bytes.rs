@@ -5,7 +5,7 @@ use crate::solver::left_out::by_hand::{self, no_clock};
 use crate::solver::left_out::scenes::{Has, scene};
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
-use crate::solver::{Anchors, Simulate};
+use crate::solver::{Anchors, SolverOptions};
 use allocation_counter::{AllocationInfo, measure};
 
 /// Cells along a sheet.
@@ -28,7 +28,7 @@ fn assembled(scene: &Scene) -> AllocationInfo {
         friction: Some(&anchors),
         explicit: false,
     };
-    allocated(|| assemble(scene, &Simulate::default(), &stage, &no_clock))
+    allocated(|| assemble(scene, &SolverOptions::default(), &stage, &no_clock))
 }
 
 #[test]

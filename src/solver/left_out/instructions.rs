@@ -12,7 +12,7 @@ use crate::solver::integrate::{self, Motion};
 use crate::solver::left_out::by_hand::{self, no_clock};
 use crate::solver::left_out::scenes::{Has, scene};
 use crate::solver::optimize::newton::{FIRST_GAMMA, Iteration, Newton, Stop, Verdict};
-use crate::solver::{Context, Drape, Method, Simulate};
+use crate::solver::{Context, Drape, Method, SolverOptions};
 use nalgebra::Vector3;
 use seamster_fixtures::callgrind::{self, Profile, REPORT};
 
@@ -35,8 +35,8 @@ const LACKS: [&str; 6] = [
     "src/export",
 ];
 
-fn ask(method: Method) -> Simulate {
-    Simulate {
+fn ask(method: Method) -> SolverOptions {
+    SolverOptions {
         method,
         // By motion it may not come to rest; a lower one would be refused.
         tolerance: if method == Method::Newton {
@@ -44,12 +44,12 @@ fn ask(method: Method) -> Simulate {
         } else {
             0.9
         },
-        ..Simulate::default()
+        ..SolverOptions::default()
     }
 }
 
 #[inline(never)]
-fn as_a_scene(scene: &Scene, ask: &Simulate) -> Drape {
+fn as_a_scene(scene: &Scene, ask: &SolverOptions) -> Drape {
     let limits = Limits {
         steps: STEPS,
         ..Limits::default()
@@ -65,7 +65,7 @@ fn as_a_scene(scene: &Scene, ask: &Simulate) -> Drape {
 }
 
 #[inline(never)]
-fn bare(scene: &Scene, ask: &Simulate) -> Vec<Vector3<f64>> {
+fn bare(scene: &Scene, ask: &SolverOptions) -> Vec<Vector3<f64>> {
     let mut system = by_hand::system(scene, true);
     let mut x = scene.start.clone();
     let mut judge = |i: Iteration<'_>| {

@@ -6,7 +6,7 @@ use crate::solver::drape;
 use crate::solver::left_out::scenes::{Has, scene};
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
-use crate::solver::{Anchors, Context, Report, SeamClose, Simulate};
+use crate::solver::{Anchors, Context, DrapeReport, SeamClose, SolverOptions};
 
 /// Cells along a sheet: few, since what is assembled counts, not what comes of it.
 const CELLS: usize = 2;
@@ -49,7 +49,7 @@ fn a_system_has_the_terms_that_its_scene_needs_and_no_others() {
             friction: Some(&Anchors::default()),
             explicit: false,
         };
-        let system = assemble(&scene, &Simulate::default(), &stage, &|| 0.0);
+        let system = assemble(&scene, &SolverOptions::default(), &stage, &|| 0.0);
         let contact = system.contact.as_ref();
         let held = contact.is_some_and(|c| c.anchors() != Anchors::default());
         let apart = [("contact", contact.is_some()), ("friction", held)];
@@ -63,10 +63,10 @@ fn a_system_has_the_terms_that_its_scene_needs_and_no_others() {
 }
 
 /// A few iterations: seams that stay springs are a term to the end.
-fn report(has: Has) -> Report {
-    let ask = Simulate {
+fn report(has: Has) -> DrapeReport {
+    let options = SolverOptions {
         seam_close: SeamClose::Spring,
-        ..Simulate::default()
+        ..SolverOptions::default()
     };
     let limits = Limits {
         iterations: 2,
@@ -79,7 +79,7 @@ fn report(has: Has) -> Report {
         progress: &mut |_| {},
         limits: &limits,
     };
-    drape(&scene, &ask, &mut context).report
+    drape(&scene, &options, &mut context).report
 }
 
 #[test]
@@ -91,9 +91,9 @@ fn a_report_names_what_was_left_out_and_says_why() {
         ran.retain(|name| *name != "friction");
         let terms = report.terms.iter().map(|term| term.name.as_str());
         assert_eq!(sorted(terms), ran, "{has:?}");
-        let named = report.left_out.iter().map(|left| left.name.as_str());
+        let named = report.skipped_terms.iter().map(|left| left.name.as_str());
         assert_eq!(sorted(named), left_out, "{has:?}");
-        let mut reasons = report.left_out.iter().map(|left| &left.because);
+        let mut reasons = report.skipped_terms.iter().map(|left| &left.because);
         assert!(reasons.all(|because| !because.is_empty()), "{has:?}");
     }
 }

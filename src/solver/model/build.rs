@@ -11,8 +11,8 @@ use crate::solver::model::bending::bend_patches;
 use crate::solver::model::dof_map::Particles;
 use crate::solver::model::membrane::{carried, membranes, spring_net};
 use crate::solver::model::system::{System, TimedForce};
-use crate::solver::options::Membrane as MembraneKind;
-use crate::solver::options::Simulate;
+use crate::solver::options::MembraneModel;
+use crate::solver::options::SolverOptions;
 use nalgebra::Vector3;
 
 /// Distance that cloth is kept from the skin, besides half its thickness \[m\]: what keeps the middles of triangles, which
@@ -42,19 +42,20 @@ pub(crate) struct Stage<'a> {
 /// The particles and terms of `stage`.
 pub(crate) fn assemble<'a>(
     scene: &Scene,
-    ask: &Simulate,
+    options: &SolverOptions,
     stage: &Stage<'_>,
     clock: &'a dyn Fn() -> f64,
 ) -> System<'a> {
     let particles = stage.particles;
     let mass = particles.sum(&scene.mass);
-    let mut forces: Vec<Box<dyn Force>> = vec![match (&scene.net, &scene.fibres, ask.membrane) {
-        (_, Some(fibres), _) => Box::new(FibreForce::new(carried(fibres, particles))),
-        (None, None, MembraneKind::Continuum) => {
-            Box::new(ContinuumForce::new(membranes(scene, particles)))
-        }
-        _ => Box::new(SpringForce::new(spring_net(scene, particles))),
-    }];
+    let mut forces: Vec<Box<dyn Force>> =
+        vec![match (&scene.net, &scene.fibres, options.membrane) {
+            (_, Some(fibres), _) => Box::new(FibreForce::new(carried(fibres, particles))),
+            (None, None, MembraneModel::Continuum) => {
+                Box::new(ContinuumForce::new(membranes(scene, particles)))
+            }
+            _ => Box::new(SpringForce::new(spring_net(scene, particles))),
+        }];
     let patches = bends(scene).then(|| bend_patches(scene, particles));
     if let Some(patches) = patches.filter(|patches| !patches.is_empty()) {
         forces.push(Box::new(BendForce::new(patches)));

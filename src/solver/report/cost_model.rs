@@ -1,7 +1,7 @@
 //! What a run is expected to take, whether there is time for another level, and what would halve its error.
 
 use crate::solver::drape::monitor::Pace;
-use crate::solver::report::schema::{Advice, LevelReport, Report};
+use crate::solver::report::schema::{Advice, DrapeReport, LevelReport};
 
 /// The CPU time of a level grows with this power of its vertices, that of one iteration with the next: medians of 18 levels of
 /// 13 garments of up to 3900 vertices (finer meshes also take more iterations, as more folds form).
@@ -45,7 +45,7 @@ pub(crate) fn moves_left(levels: &[LevelReport], left: usize) -> Option<f64> {
 }
 
 /// What to change to halve the error of a shape at rest, and what it would cost.
-pub(crate) fn advice(report: &Report) -> Option<Advice> {
+pub(crate) fn advice(report: &DrapeReport) -> Option<Advice> {
     if !report.converged {
         return None;
     }

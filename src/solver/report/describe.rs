@@ -3,7 +3,7 @@
 use crate::scene::Scene;
 use crate::solver::model::build::bends;
 use crate::solver::model::system::System;
-use crate::solver::report::schema::{Energy, LeftOut, Report, Term, Worn};
+use crate::solver::report::schema::{DrapeReport, Energy, SkippedTerm, Support, TermTime};
 use nalgebra::Vector3;
 
 /// How far the middle of a garment may sink while it comes to rest before it counts as fallen off \[m\].
@@ -23,7 +23,7 @@ pub(crate) fn energies(system: &mut System<'_>, x: &[Vector3<f64>]) -> Energy {
 }
 
 /// Adds the time that each term of `system` took.
-pub(crate) fn add_terms(terms: &mut Vec<Term>, system: &System<'_>) {
+pub(crate) fn add_terms(terms: &mut Vec<TermTime>, system: &System<'_>) {
     for term in of_system(system) {
         match terms.iter_mut().find(|t| t.name == term.name) {
             Some(known) => known.cpu_s += term.cpu_s,
@@ -32,17 +32,17 @@ pub(crate) fn add_terms(terms: &mut Vec<Term>, system: &System<'_>) {
     }
 }
 
-fn of_system(system: &System<'_>) -> Vec<Term> {
-    let mut terms: Vec<Term> = system
+fn of_system(system: &System<'_>) -> Vec<TermTime> {
+    let mut terms: Vec<TermTime> = system
         .terms
         .iter()
-        .map(|t| Term {
+        .map(|t| TermTime {
             name: t.force.name().to_owned(),
             cpu_s: t.cpu_s,
         })
         .collect();
     if system.contact.is_some() {
-        terms.push(Term {
+        terms.push(TermTime {
             name: "contact".to_owned(),
             cpu_s: system.contact_cpu_s,
         });
@@ -51,11 +51,11 @@ fn of_system(system: &System<'_>) -> Vec<Term> {
 }
 
 /// The terms that `scene` has no need of, but for those in `ran`: coarser meshes bend even where the cloth does not.
-pub(crate) fn left_out(scene: &Scene, ran: &[Term]) -> Vec<LeftOut> {
+pub(crate) fn left_out(scene: &Scene, ran: &[TermTime]) -> Vec<SkippedTerm> {
     let mut left_out = Vec::new();
     let mut leave = |name: &str, because: &str| {
         if ran.iter().all(|term| term.name != name) {
-            left_out.push(LeftOut {
+            left_out.push(SkippedTerm {
                 name: name.to_owned(),
                 because: because.to_owned(),
             });
@@ -90,7 +90,7 @@ pub(crate) fn mean_height(gravity: &Vector3<f64>, x: &[Vector3<f64>]) -> f64 {
 }
 
 /// Whether the body carries the garment: it came to rest on it without sinking far.
-pub(crate) fn worn(scene: &Scene, report: &Report, sunk: f64) -> Worn {
+pub(crate) fn worn(scene: &Scene, report: &DrapeReport, sunk: f64) -> Support {
     let way = if sunk < 0.0 { "higher" } else { "lower" };
     let moved = format!("{:.0} mm {way} than it was sewn", sunk.abs() * 1e3);
     let (ok, because) = if scene.body.is_none() {
@@ -115,5 +115,5 @@ pub(crate) fn worn(scene: &Scene, report: &Report, sunk: f64) -> Worn {
     } else {
         (true, format!("it came to rest on the body, {moved}"))
     };
-    Worn { ok, because }
+    Support { ok, because }
 }

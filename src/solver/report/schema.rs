@@ -1,31 +1,33 @@
-//! What is known about a drape. Errors are RMS over the vertices.
+//! The report of a drape, as JSON has it. Errors are RMS over the vertices.
 
 use crate::fault::Warning;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-/// How far to trust a drape.
+/// Quality of a drape: convergence, errors, what ran and what it took.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct Report {
-    /// Whether a shape at rest was reached, within what was asked.
+#[serde(rename = "Report")]
+#[schema(as = Report)]
+pub struct DrapeReport {
+    /// True if a shape at rest was reached, to the tolerance asked for.
     pub converged: bool,
-    /// Why it stopped, in words.
+    /// Reason for stopping, in words.
     pub why: String,
     /// `r = sqrt(sum |f_i|² / n) / (M 9.80665 / n)`.
     pub residual: f64,
-    /// Below this, r is rounding.
+    /// Residual below which r is rounding.
     pub residual_floor: f64,
     /// Estimate of the distance to the exact solution on this mesh \[m\].
     pub error_estimate_m: Option<f64>,
-    /// Whether the conditions under which the estimate holds were met.
+    /// True if the conditions under which the estimate holds were met.
     pub error_estimate_valid: bool,
-    /// What the estimate is made of, and how far it is to be trusted.
+    /// Basis of the estimate, and how far it is to be trusted.
     #[serde(default)]
     pub error_estimate_because: String,
     /// Estimate of the distance to the solution on an ever finer mesh \[m\], apart from the solver's error: how far the shape
     /// moved when it went from the mesh of a third of the vertices to this one.
     pub mesh_error_m: Option<f64>,
-    /// What to change to halve the error, and what that would cost.
+    /// Change of one option that would halve the error, and its cost.
     #[serde(default)]
     pub to_halve_the_error: Option<Advice>,
     /// Energy by term.
@@ -38,8 +40,9 @@ pub struct Report {
     pub penetration_max_m: f64,
     /// Pairs of triangles that cross, where that was looked for.
     pub self_intersections: Option<usize>,
-    /// Whether the body carries the garment.
-    pub worn: Worn,
+    /// True if the body carries the garment, and why.
+    #[serde(rename = "worn")]
+    pub support: Support,
     /// Vertices of the mesh.
     pub vertices: usize,
     /// Triangles of the mesh.
@@ -47,13 +50,14 @@ pub struct Report {
     /// Point pairs sewn together.
     pub stitches: usize,
     /// The terms that ran.
-    pub terms: Vec<Term>,
+    pub terms: Vec<TermTime>,
     /// The terms that this scene did not need.
-    pub left_out: Vec<LeftOut>,
+    #[serde(rename = "left_out")]
+    pub skipped_terms: Vec<SkippedTerm>,
     /// Newton iterations on all levels.
     #[serde(default)]
     pub newton_iterations: usize,
-    /// What was planned and expected.
+    /// Levels planned, and the time expected for them.
     #[serde(default)]
     pub plan: Plan,
     /// The levels that ran, coarsest first.
@@ -63,15 +67,16 @@ pub struct Report {
     pub cpu_s: CpuSeconds,
     /// Largest resident memory of the process \[bytes\].
     pub memory_peak_bytes: u64,
-    /// The way to the final shape.
+    /// Convergence history: the error of the shapes on the way to the final one.
     pub error_against_run_time: Vec<ErrorPoint>,
     /// The method that was used.
     pub method: String,
-    /// The rungs of the ladder that were taken.
-    pub ladder: Vec<String>,
+    /// Fallbacks of the solver that were used.
+    #[serde(rename = "ladder")]
+    pub fallbacks: Vec<String>,
     /// Version of the program.
     pub version: String,
-    /// What a user should know of the seams that were sewn.
+    /// Warnings about the seams that were sewn.
     #[serde(default)]
     pub warnings: Vec<Warning>,
 }
@@ -91,16 +96,18 @@ pub struct Energy {
     pub contact: f64,
 }
 
-/// Whether the body carries the garment.
+/// Support of the garment by the body.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct Worn {
-    /// Whether it does.
+#[serde(rename = "Worn")]
+#[schema(as = Worn)]
+pub struct Support {
+    /// True if the body carries the garment.
     pub ok: bool,
-    /// Why, in words.
+    /// Reason, in words.
     pub because: String,
 }
 
-/// What was planned and expected, against what came of it.
+/// Levels and time as planned and expected, against what came of them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Plan {
     /// Vertices of each mesh that was to be solved, coarsest first; one that is solved for softer cloth first is there again.
@@ -109,24 +116,24 @@ pub struct Plan {
     pub time_limit_s: Option<f64>,
     /// CPU time that sewing and draping were expected to take when the coarsest mesh had been solved \[s\].
     pub expected_cpu_s: Option<f64>,
-    /// What came of it, in words.
+    /// Outcome, in words.
     pub outcome: String,
 }
 
 /// A change of one field of `simulate`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Advice {
-    /// The field.
+    /// Name of the field.
     pub field: String,
-    /// What its value is to be multiplied by.
+    /// Factor by which its value is to be multiplied.
     pub factor: f64,
     /// CPU time that the whole run is then expected to take \[s\].
     pub cpu_s: f64,
-    /// Why, in words.
+    /// Reason, in words.
     pub because: String,
 }
 
-/// One level of the cascade of meshes.
+/// One level of the hierarchy of meshes.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct LevelReport {
     /// Vertices of its mesh.
@@ -135,15 +142,17 @@ pub struct LevelReport {
     pub newton_iterations: usize,
     /// CPU time on it \[s\].
     pub cpu_s: f64,
-    /// r where it was left.
+    /// Residual r where it was left.
     pub residual: f64,
     /// RMS distance between the shape that the coarser level handed on and where it was left \[m\].
     pub moved_m: Option<f64>,
 }
 
-/// A term that ran.
+/// A term that ran, and its time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct Term {
+#[serde(rename = "Term")]
+#[schema(as = Term)]
+pub struct TermTime {
     /// `stretch`, `bend`, `gravity`, `seam`, `contact`, ...
     pub name: String,
     /// CPU time in it \[s\].
@@ -152,10 +161,12 @@ pub struct Term {
 
 /// A term that this scene did not need.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct LeftOut {
-    /// The term.
+#[serde(rename = "LeftOut")]
+#[schema(as = LeftOut)]
+pub struct SkippedTerm {
+    /// Name of the term.
     pub name: String,
-    /// Why.
+    /// Reason.
     pub because: String,
 }
 
@@ -164,7 +175,7 @@ pub struct LeftOut {
 pub struct CpuSeconds {
     /// Meshing.
     pub mesh: f64,
-    /// Assembling the scene and the solver's tables.
+    /// Building the scene and the solver's tables.
     pub assemble: f64,
     /// Sewing.
     pub sew: f64,
@@ -176,15 +187,15 @@ pub struct CpuSeconds {
     pub total: f64,
 }
 
-/// How far from the final shape it was, and what was known of that, at one moment.
+/// Distance from the final shape and its estimate at one moment of a fit.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct ErrorPoint {
     /// CPU time of the fit \[s\].
     pub cpu_s: f64,
     /// Distance from the final shape \[m\].
     pub rms_error_m: f64,
-    /// The estimate known then \[m\].
+    /// Estimate known then \[m\].
     pub error_estimate_m: Option<f64>,
-    /// r then.
+    /// Residual r then.
     pub residual: f64,
 }

@@ -4,9 +4,9 @@ use crate::scene::Scene;
 use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
-use crate::solver::options::Simulate;
+use crate::solver::options::SolverOptions;
 use crate::solver::report::describe::energies;
-use crate::solver::report::schema::Report;
+use crate::solver::report::schema::DrapeReport;
 use nalgebra::Vector3;
 
 /// Fills in residual, floor and energies of the shape `x` with its seams as stiff springs, and takes back what was estimated.
@@ -14,14 +14,14 @@ use nalgebra::Vector3;
 /// All of it is finite for any finite shape: what would be beyond all numbers is the greatest of them, since JSON has no other.
 pub(crate) fn describe(
     scene: &Scene,
-    ask: &Simulate,
+    options: &SolverOptions,
     x: &[Vector3<f64>],
     clock: &dyn Fn() -> f64,
-    report: &mut Report,
+    report: &mut DrapeReport,
 ) {
     let particles = Particles::apart(x.len());
     let stitches: Vec<_> = scene.mesh.stitches.iter().map(|s| (s.a, s.b)).collect();
-    let stiffness = closed_stiffness(ask, SEAM_STIFFNESS);
+    let stiffness = closed_stiffness(options, SEAM_STIFFNESS);
     let stage = Stage {
         particles: &particles,
         stitches: (!stitches.is_empty()).then_some((stitches, stiffness)),
@@ -29,7 +29,7 @@ pub(crate) fn describe(
         friction: None,
         explicit: false,
     };
-    let mut system = assemble(scene, ask, &stage, clock);
+    let mut system = assemble(scene, options, &stage, clock);
     let mut force = vec![Vector3::zeros(); x.len()];
     system.net_force(x, &mut force);
     let finite = |v: f64| {

@@ -6,7 +6,7 @@ use seamster::job::thread_cpu_s;
 use seamster::pattern::{ImportOptions, Pattern, import};
 use seamster::progress::CancelToken;
 use seamster::scene::DressForm;
-use seamster::solver::{Context, Simulate};
+use seamster::solver::{Context, SolverOptions};
 use std::path::{Path, PathBuf};
 
 /// The body that `GarmentCode` drafts for where nothing else is said: its mean female.
@@ -35,9 +35,9 @@ fn sewn(pattern: Pattern) -> Outcome {
     let garment = Garment {
         pattern: Some(PatternAsked::Whole(Box::new(pattern))),
         avatar: Some(AvatarAsked::form(MEAN_FEMALE)),
-        simulate: Simulate {
+        simulate: SolverOptions {
             edge_length_m: 0.025,
-            ..Simulate::default()
+            ..SolverOptions::default()
         },
         ..serde_json::from_value(seams).expect("a garment needs its seams alone")
     };
@@ -62,7 +62,7 @@ fn data(left_out: &str) -> Option<PathBuf> {
 fn assert_worn(outcome: &Outcome) {
     let report = &outcome.report;
     assert!(report.converged, "{}", report.why);
-    assert!(report.worn.ok, "{}", report.worn.because);
+    assert!(report.support.ok, "{}", report.support.because);
     assert!(report.seam_gap_max_m < SEAM_GAP, "{report:#?}");
     assert!(report.penetration_max_m < PENETRATION, "{report:#?}");
 }

@@ -7,7 +7,7 @@ use seamster::job::thread_cpu_s;
 use seamster::pattern::{Pattern, SeamPair};
 use seamster::progress::CancelToken;
 use seamster::scene::DressForm;
-use seamster::solver::{Context, Simulate};
+use seamster::solver::{Context, SolverOptions};
 use seamster_fixtures::drafts::{data, garment};
 use std::collections::BTreeMap;
 
@@ -32,9 +32,9 @@ fn asked(pattern: Pattern, pairs: Vec<SeamPair>) -> Garment {
     Garment {
         pattern: Some(PatternAsked::Whole(Box::new(pattern))),
         avatar: Some(AvatarAsked::form(MEAN_FEMALE)),
-        simulate: Simulate {
+        simulate: SolverOptions {
             edge_length_m: EDGE_LENGTH,
-            ..Simulate::default()
+            ..SolverOptions::default()
         },
         ..serde_json::from_value(serde_json::json!({ "seams": pairs }))
             .expect("a garment needs its seams alone")
@@ -83,7 +83,7 @@ fn pencil_skirt_is_sewn_and_worn() {
     let outcome = sewn(asked(draft.pattern, draft.pairs));
     let report = &outcome.report;
     assert!(report.converged, "{}", report.why);
-    assert!(report.worn.ok, "{}", report.worn.because);
+    assert!(report.support.ok, "{}", report.support.because);
     assert!(report.seam_gap_max_m < SEAM_GAP, "{report:#?}");
     assert!(report.penetration_max_m < PENETRATION, "{report:#?}");
 

@@ -14,7 +14,7 @@ use seamster::job::{
     WorkerPool,
 };
 use seamster::progress::{CancelToken, Progress};
-use seamster::solver::Report;
+use seamster::solver::DrapeReport;
 use seamster::study::{Study, StudyAsked};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -110,10 +110,10 @@ fn at(fraction: f64, cpu_s: f64) -> Progress {
 fn outcome(converged: bool) -> Outcome {
     Outcome {
         mesh: Default::default(),
-        report: Report {
+        report: DrapeReport {
             converged,
             why: "as told".to_owned(),
-            ..Report::default()
+            ..DrapeReport::default()
         },
         canceled: false,
     }
@@ -233,7 +233,7 @@ fn converged_fit_succeeds_and_leaves_its_files() {
     assert!(record.created_at <= record.started_at.unwrap());
     assert!(record.started_at <= record.finished_at);
     let report = queue.file(&record, ResultFile::Report).unwrap().unwrap();
-    let report: Report = serde_json::from_slice(&report).unwrap();
+    let report: DrapeReport = serde_json::from_slice(&report).unwrap();
     assert_eq!(report, outcome(true).report);
     assert!(queue.file(&record, ResultFile::Mesh).unwrap().is_some());
     let kept: Garment =
@@ -778,7 +778,7 @@ fn attempt_that_lost_its_lease_has_no_effect() {
     assert_eq!((record.status, record.attempts), (JobStatus::Succeeded, 3));
     assert_eq!(record.result, Some(3));
     let report = queue.file(&record, ResultFile::Report).unwrap().unwrap();
-    let report: Report = serde_json::from_slice(&report).unwrap();
+    let report: DrapeReport = serde_json::from_slice(&report).unwrap();
     assert_eq!(report.why, "the first: false");
     let results = folder.path().join(format!("blobs/results/{id}"));
     assert!(!results.join(first.attempts.to_string()).exists());

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use seamster::config::Limits;
 use seamster::progress::CancelToken;
 use seamster::scene::{RawScene, Scene};
-use seamster::solver::{self, Context, Drape, Method, SeamClose, Simulate};
+use seamster::solver::{self, Context, Drape, Method, SeamClose, SolverOptions};
 use seamster_fixtures::scenes::net::{Family, Net};
 use serde_json::{Value, json};
 
@@ -16,7 +16,7 @@ fn made(value: &Value) -> Scene {
     raw.into_scene(&Limits::default()).unwrap()
 }
 
-fn draped(scene: &Scene, ask: &Simulate) -> Drape {
+fn draped(scene: &Scene, ask: &SolverOptions) -> Drape {
     let (limits, cancel) = (Limits::default(), CancelToken::new());
     let mut context = Context {
         cpu_s: &|| 0.0,
@@ -140,9 +140,9 @@ fn a_raw_scene_is_the_same_after_writing_and_reading() {
 /// r times the mean weight over k at most, times sqrt(2) for the norm over two particles.
 #[test]
 fn a_hung_particle_stretches_its_spring_by_its_weight_over_the_stiffness() {
-    let ask = Simulate {
+    let ask = SolverOptions {
         tolerance: 1e-9,
-        ..Simulate::default()
+        ..SolverOptions::default()
     };
     let drape = draped(&made(&hung()), &ask);
     assert!(drape.report.converged, "{}", drape.report.why);
@@ -167,9 +167,9 @@ fn nothing_moves_along_a_held_axis() {
         "gravity_m_s2": [0.0, -2.0, -9.81],
         "held_axis": 1,
     });
-    let ask = Simulate {
+    let ask = SolverOptions {
         tolerance: 1e-10,
-        ..Simulate::default()
+        ..SolverOptions::default()
     };
     let drape = draped(&made(&scene), &ask);
     assert!(drape.report.converged, "{}", drape.report.why);
@@ -197,7 +197,7 @@ fn a_particle_without_triangles_rests_on_a_body() {
             "body": {"kind": "half_space", "c": [0.0, 0.0, 0.0], "normal": normal},
             "gravity_m_s2": down,
         });
-        let drape = draped(&made(&scene), &Simulate::default());
+        let drape = draped(&made(&scene), &SolverOptions::default());
         assert!(drape.report.converged, "{}", drape.report.why);
         assert_eq!(drape.report.penetration_max_m, 0.0);
         let height = drape.positions[0][axis] * normal[axis];
@@ -211,7 +211,7 @@ fn a_raw_scene_that_nothing_holds_is_seen_to_fall() {
     let mut scene = hung();
     scene["pins"] = json!([]);
     scene["body"] = json!({"kind": "sphere", "c": [0.0, 0.0, 9.0], "r": 0.5});
-    let drape = draped(&made(&scene), &Simulate::default());
+    let drape = draped(&made(&scene), &SolverOptions::default());
     assert!(
         drape.report.why.contains("fell off"),
         "{}",
@@ -228,10 +228,10 @@ fn the_planar_hang_has_one_rest_shape() {
         stiffer: 1.0,
     };
     let scene = net.scene().into_scene(&Limits::default()).unwrap();
-    let ask = |method| Simulate {
+    let ask = |method| SolverOptions {
         method,
         tolerance: 1e-7,
-        ..Simulate::default()
+        ..SolverOptions::default()
     };
     let [newton, paper] = [Method::Newton, Method::SymplecticEuler].map(|method| {
         let drape = draped(&scene, &ask(method));
@@ -258,9 +258,9 @@ fn two_panels_are_sewn_to_a_tube_round_the_capsule() {
         stiffer: 1.0,
     };
     let scene = net.scene().into_scene(&Limits::default()).unwrap();
-    let ask = Simulate {
+    let ask = SolverOptions {
         seam_close: SeamClose::Weld,
-        ..Simulate::default()
+        ..SolverOptions::default()
     };
     let report = draped(&scene, &ask).report;
     assert!(report.converged, "{}", report.why);
@@ -357,10 +357,10 @@ fn gap_of_a_seam_spring_is_its_force_over_its_stiffness() {
         "pins": [0],
         "gravity_m_s2": [0.0, 0.0, -9.81],
     }));
-    let ask = Simulate {
+    let ask = SolverOptions {
         seam_close: SeamClose::Spring,
         seam_stiffness_n_m: Some(500.0),
-        ..Simulate::default()
+        ..SolverOptions::default()
     };
     let drape = draped(&scene, &ask);
     assert!(drape.report.converged, "{}", drape.report.why);

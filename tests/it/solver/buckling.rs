@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use seamster::scene::Scene;
-use seamster::solver::Simulate;
+use seamster::solver::SolverOptions;
 use seamster_fixtures::sheet::{Grid, Sheet, energy_of_start, fabric, mean, settled};
 use std::f64::consts::PI;
 
@@ -85,7 +85,7 @@ fn torsional_stiffness(sheet: &Sheet) -> f64 {
         ..scene
     };
     let area = sheet.size[0] * sheet.size[1];
-    let bend = energy_of_start(&scene, &Simulate::default()).bend;
+    let bend = energy_of_start(&scene, &SolverOptions::default()).bend;
     2.0 * bend / (twist * twist * area) / sheet.fabric.bending_warp_n_m
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use seamster::mesh::Stitch;
 use seamster::scene::{Analytic, Body, Fabric, Scene};
-use seamster::solver::{self, Membrane, Simulate};
+use seamster::solver::{self, MembraneModel, SolverOptions};
 use seamster_fixtures::sheet::{Grid, Sheet, drape, fabric, settled};
 use std::f64::consts::{PI, TAU};
 
@@ -53,15 +53,15 @@ fn band(e: f64, grid: Grid) -> (Scene, f64) {
 #[test]
 fn a_tight_band_presses_with_its_tension_over_the_radius() {
     for (membrane, grid) in [
-        (Membrane::Springs, Grid::Rising),
-        (Membrane::Continuum, Grid::Rising),
-        (Membrane::Continuum, Grid::Jittered),
+        (MembraneModel::Springs, Grid::Rising),
+        (MembraneModel::Continuum, Grid::Rising),
+        (MembraneModel::Continuum, Grid::Jittered),
     ] {
         let (scene, length) = band(0.05, grid);
-        let ask = Simulate {
+        let ask = SolverOptions {
             membrane,
             tolerance: 1e-6,
-            ..Simulate::default()
+            ..SolverOptions::default()
         };
         let shape = drape(&scene, &ask);
         assert!(shape.report.converged, "{}", shape.report.why);
@@ -69,8 +69,8 @@ fn a_tight_band_presses_with_its_tension_over_the_radius() {
         let radius = x.iter().map(|p| p.x.hypot(p.z)).sum::<f64>() / x.len() as f64;
         let along = TAU * radius / length;
         let tension = match membrane {
-            Membrane::Springs => 1000.0 * (along - 1.0),
-            Membrane::Continuum => 1000.0 * along * 0.5 * (along * along - 1.0),
+            MembraneModel::Springs => 1000.0 * (along - 1.0),
+            MembraneModel::Continuum => 1000.0 * along * 0.5 * (along * along - 1.0),
         };
         let forces = solver::contact_force(&scene, x);
         let force: f64 = forces.iter().map(Vector3::norm).sum();
@@ -145,7 +145,7 @@ fn holds_on_slope(mu: f64) -> bool {
     });
     let lift = up * solver::kept_distance(&scene);
     scene.start.iter_mut().for_each(|p| *p += lift);
-    let shape = drape(&scene, &Simulate::default());
+    let shape = drape(&scene, &SolverOptions::default());
     let moved = shape.positions[24].metric_distance(&scene.start[24]);
     shape.report.converged && moved < 0.05
 }
@@ -193,7 +193,7 @@ fn holds_round(ratio: f64, mu: f64) -> bool {
             scene.mass[v] += load / G * if j == 1 { 0.5 } else { 0.25 };
         }
     }
-    let shape = drape(&scene, &Simulate::default());
+    let shape = drape(&scene, &SolverOptions::default());
     let middle = sheet.vertex(cells / 2, 1);
     let moved = shape.positions[middle].metric_distance(&scene.start[middle]);
     shape.report.converged && moved < 0.02

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use seamster::config::Limits;
 use seamster::fit;
 use seamster::progress::{CancelToken, Progress};
-use seamster::solver::{self, Drape, Energy, Method, Simulate};
+use seamster::solver::{self, Drape, Energy, Method, SolverOptions};
 use seamster_fixtures::samples::{sample, with_context};
 use serde_json::json;
 
@@ -33,7 +33,7 @@ fn both_samples_come_to_rest_on_the_body() {
         .unwrap();
         let report = &outcome.report;
         assert!(report.converged, "{name}: {}", report.why);
-        assert!(report.worn.ok, "{name}: {}", report.worn.because);
+        assert!(report.support.ok, "{name}: {}", report.support.because);
         // The bounds that the issue sets for a garment that is sewn and worn.
         assert!(
             report.seam_gap_max_m < 1e-3 && report.penetration_max_m < 1e-3,
@@ -60,11 +60,11 @@ fn the_papers_method_finds_the_shape_that_newton_finds() {
     let broad = json!({"form": {"height_m": 1.68, "bust_m": 1.1, "waist_m": 1.02, "hip_m": 1.12}});
     let changes = json!({"friction": 0, "default_fabric": "ponte-knit", "avatar": broad, "simulate": simulate});
     let prepared = sample("top", changes);
-    let newton = Simulate {
+    let newton = SolverOptions {
         method: Method::Newton,
         ..prepared.garment().simulate.clone()
     };
-    let paper = Simulate {
+    let paper = SolverOptions {
         method: Method::SymplecticEuler,
         ..newton.clone()
     };
@@ -139,7 +139,7 @@ fn what_is_not_at_rest_is_not_called_so() {
     })
     .unwrap()
     .report;
-    assert!(!report.converged && !report.worn.ok);
+    assert!(!report.converged && !report.support.ok);
     assert!(report.why.contains("limit of iterations"), "{}", report.why);
     assert!(report.residual > 1e-5);
 }
@@ -155,7 +155,7 @@ fn a_garment_that_nothing_holds_is_seen_to_fall() {
     })
     .unwrap()
     .report;
-    assert!(!report.converged && !report.worn.ok);
+    assert!(!report.converged && !report.support.ok);
     assert!(report.why.contains("fell off"), "{}", report.why);
 }
 

@@ -4,7 +4,7 @@ use seamster::config::Limits;
 use seamster::fit::{self, Prepared};
 use seamster::job::thread_cpu_s;
 use seamster::progress::CancelToken;
-use seamster::solver::{self, Context, Drape, Report, Simulate, rms_distance};
+use seamster::solver::{self, Context, Drape, DrapeReport, SolverOptions, rms_distance};
 use seamster_fixtures::samples::sample;
 use serde_json::{Value, json};
 
@@ -35,7 +35,7 @@ fn draped_on(name: &str, simulate: Value) -> [Drape; 2] {
         let scene = fit::scene(&prepared, context).expect("samples are sound");
         let ask = prepared.garment().simulate.clone();
         let drape = solver::drape(&scene, &ask, context);
-        let on = Simulate {
+        let on = SolverOptions {
             tolerance: TO_THE_FLOOR,
             ..ask
         };
@@ -88,7 +88,7 @@ fn a_drape_that_goes_on_keeps_what_friction_holds() {
     assert!(moved <= PROMISE.end() * error, "{moved} {error}");
 }
 
-fn fitted(name: &str, simulate: Value) -> Report {
+fn fitted(name: &str, simulate: Value) -> DrapeReport {
     let prepared = prepared(name, simulate);
     with_clock(|context| fit::run(&prepared, context).expect("samples are sound")).report
 }

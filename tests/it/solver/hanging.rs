@@ -1,7 +1,7 @@
 //! Hanging cloth: the catenary, stretch under its own weight and a load, order under refinement.
 
 use nalgebra::Vector3;
-use seamster::solver::{Membrane, Simulate};
+use seamster::solver::{MembraneModel, SolverOptions};
 use seamster_fixtures::sheet::{GRIDS, Grid, Sheet, drape, fabric, mean, settled};
 
 const G: f64 = 9.80665;
@@ -74,7 +74,7 @@ fn the_sag_of_a_hung_strip_is_of_second_order_in_the_cell() {
 #[test]
 fn a_hanging_strip_stretches_by_its_weight_and_load_over_the_modulus() {
     let (length, width, stretch, density, load) = (1.0, 0.2, 1e4, 0.2, 0.5);
-    for membrane in [Membrane::Continuum, Membrane::Springs] {
+    for membrane in [MembraneModel::Continuum, MembraneModel::Springs] {
         for grid in GRIDS {
             let sheet = Sheet {
                 size: [length, width],
@@ -91,17 +91,17 @@ fn a_hanging_strip_stretches_by_its_weight_and_load_over_the_modulus() {
                 let share = if j == 0 || j == 4 { 0.125 } else { 0.25 };
                 scene.mass[v] += load / G * width * share;
             }
-            let ask = Simulate {
+            let ask = SolverOptions {
                 membrane,
                 tolerance: 1e-8,
-                ..Simulate::default()
+                ..SolverOptions::default()
             };
             let shape = drape(&scene, &ask);
             assert!(shape.report.converged, "{}", shape.report.why);
             let longer = -mean(&shape.positions, &end).y - length;
             let exact = density * G * length * length / (2.0 * stretch) + load * length / stretch;
             // Springs have the fabric's moduli only where they lie along its threads.
-            if membrane == Membrane::Continuum || grid != Grid::Jittered {
+            if membrane == MembraneModel::Continuum || grid != Grid::Jittered {
                 assert!(
                     (longer / exact - 1.0).abs() < 5e-3,
                     "{membrane:?} {grid:?}: {longer}"

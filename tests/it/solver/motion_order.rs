@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use seamster::scene::Scene;
-use seamster::solver::{Method, Simulate};
+use seamster::solver::{Method, SolverOptions};
 use seamster_fixtures::motions::{METHODS, apart, ask, attempt, grid, net, run, slope, stirred};
 
 fn order(method: Method) -> f64 {
@@ -107,7 +107,7 @@ fn chosen_steps_meet_the_tolerance_and_shrink_with_it() {
         };
         let mut steps = vec![];
         for tolerance in tolerances {
-            let asked = Simulate {
+            let asked = SolverOptions {
                 step_s: None,
                 tolerance,
                 ..ask(method, 0.0, duration, 10.0)
@@ -351,7 +351,7 @@ fn auto_counts_and_says_so() {
             pins: vec![0],
             ..grid(5, stiffness)
         };
-        let asked = Simulate {
+        let asked = SolverOptions {
             step_s: None,
             tolerance: 1e-3,
             ..ask(Method::Auto, 0.0, 0.05, 20.0)

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use seamster::config::Limits;
 use seamster::progress::CancelToken;
 use seamster::scene::Scene;
-use seamster::solver::{Context, Drape, Method, Simulate, drape};
+use seamster::solver::{Context, Drape, Method, SolverOptions, drape};
 use seamster_fixtures::motions::{METHODS, apart, grid};
 
 /// A net hung by its two upper corners and held in its plane, where its rest shape is the only one.
@@ -19,10 +19,10 @@ fn hung() -> Scene {
 }
 
 fn at_rest(method: Method) -> Drape {
-    let ask = Simulate {
+    let ask = SolverOptions {
         method,
         tolerance: 1e-8,
-        ..Simulate::default()
+        ..SolverOptions::default()
     };
     let (limits, cancel) = (Limits::default(), CancelToken::new());
     let mut context = Context {

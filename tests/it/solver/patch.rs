@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix2, Vector3};
 use seamster::scene::{Fabric, Scene};
-use seamster::solver::Simulate;
+use seamster::solver::SolverOptions;
 use seamster_fixtures::sheet::{Grid, Sheet, energy_of_start, fabric, random, settled};
 
 const SIDE: f64 = 0.2;
@@ -70,7 +70,7 @@ fn an_even_strain_of_the_border_is_even_inside() {
 /// otherwise [N/m]. Strains of 1e-4: what is not linear is below 2e-4.
 fn resistance(warp_angle: f64, strain: Matrix2<f64>) -> f64 {
     let scene = strained(&square(warp_angle), Matrix2::identity() + strain);
-    2.0 * energy_of_start(&scene, &Simulate::default()).stretch / (SIDE * SIDE)
+    2.0 * energy_of_start(&scene, &SolverOptions::default()).stretch / (SIDE * SIDE)
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use seamster::scene::{Scene, Wind};
-use seamster::solver::{Membrane, Simulate};
+use seamster::solver::{MembraneModel, SolverOptions};
 use seamster_fixtures::sheet::{GRIDS, Grid, Sheet, drape, fabric, mean, settled};
 
 /// Pressure of wind of `speed` \[m/s\] on cloth across it \[Pa\]: 1.17 (Hoerner, square plate) times half the density of air at 20 °C
@@ -23,7 +23,7 @@ fn steady(velocity: Vector3<f64>) -> Option<Wind> {
 #[test]
 fn a_strip_hung_in_a_cross_wind_takes_the_angle_of_balance() {
     let (density, length) = (0.15, 0.4);
-    for membrane in [Membrane::Continuum, Membrane::Springs] {
+    for membrane in [MembraneModel::Continuum, MembraneModel::Springs] {
         for (speed, grid) in [
             (1.0, Grid::Rising),
             (2.0, Grid::Alternate),
@@ -41,9 +41,9 @@ fn a_strip_hung_in_a_cross_wind_takes_the_angle_of_balance() {
             let mut scene = sheet.scene(|[u, v]| Vector3::new(v, -u, 1e-3 * u));
             scene.pins = sheet.column(0);
             scene.wind = steady(Vector3::new(0.0, 0.0, speed));
-            let ask = Simulate {
+            let ask = SolverOptions {
                 membrane,
-                ..Simulate::default()
+                ..SolverOptions::default()
             };
             let shape = drape(&scene, &ask);
             assert!(shape.report.converged, "{speed}: {}", shape.report.why);
@@ -104,7 +104,7 @@ fn without_wind_nothing_of_it_is_there() {
     let names = |scene: &Scene| {
         let report = settled(scene, 1e-5).report;
         let ran = report.terms.iter().any(|t| t.name == "wind");
-        (ran, report.left_out.iter().any(|t| t.name == "wind"))
+        (ran, report.skipped_terms.iter().any(|t| t.name == "wind"))
     };
     assert_eq!(names(&scene), (false, true));
     scene.wind = steady(Vector3::new(0.0, 0.0, 2.0));

@@ -6,7 +6,7 @@ use seamster::config::Limits;
 use seamster::fit::Shipped;
 use seamster::progress::CancelToken;
 use seamster::scene::Scene;
-use seamster::solver::{Context, Method, Simulate, Want};
+use seamster::solver::{Analysis, Context, Method, SolverOptions};
 use seamster::study::{
     Study, StudyAsked, StudyPlan, StudyScene, plot_svg, prepare, read_study, run, run_scenes,
 };
@@ -30,7 +30,7 @@ fn on(scene: Scene) -> [StudyScene; 1] {
 /// Drapes of a small net that hangs taut in its plane.
 fn taut_plan() -> StudyPlan {
     StudyPlan {
-        simulate: Simulate::default(),
+        simulate: SolverOptions::default(),
         methods: vec![
             Method::Newton,
             Method::ImplicitEuler,
@@ -112,11 +112,11 @@ fn observed_orders_are_those_of_theory() {
         )
     };
     let plan = StudyPlan {
-        simulate: Simulate {
-            want: Want::Motion,
+        simulate: SolverOptions {
+            analysis: Analysis::Transient,
             duration_s: Some(0.5),
             frame_rate_hz: Some(10.0),
-            ..Simulate::default()
+            ..SolverOptions::default()
         },
         methods: STEPPING.to_vec(),
         tolerances: vec![],
@@ -358,7 +358,7 @@ fn a_motion_is_taken_and_kept_in_what_is_stored() {
     let asked = read_study(asked.to_string().as_bytes()).unwrap();
     let prepared = prepare(asked, &Shipped, &Limits::default()).unwrap();
     let stored = prepared.asked().clone();
-    assert_eq!(stored.garment.simulate.want, Want::Motion);
+    assert_eq!(stored.garment.simulate.analysis, Analysis::Transient);
     assert_eq!(stored.garment.simulate.duration_s, Some(0.1));
     assert_eq!(stored.methods, STEPPING);
     let again = serde_json::to_vec(&stored).unwrap();

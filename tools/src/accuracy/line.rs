@@ -5,7 +5,7 @@ use seamster::config::Limits;
 use seamster::fit;
 use seamster::job::thread_cpu_s;
 use seamster::progress::CancelToken;
-use seamster::solver::{self, Context, Simulate, rms_distance};
+use seamster::solver::{self, Context, SolverOptions, rms_distance};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
@@ -80,14 +80,14 @@ pub(crate) fn measured(
     };
     let scene = fit::scene(&prepared, &context).expect("the mesh is within the limits");
     let assembled = (context.cpu_s)();
-    let ask = Simulate {
+    let ask = SolverOptions {
         tolerance,
         time_limit_s: time_limit.map(|limit| limit - assembled),
         ..prepared.garment().simulate.clone()
     };
     let drape = solver::drape(&scene, &ask, &mut context);
     let cpu_s = (context.cpu_s)();
-    let on = Simulate {
+    let on = SolverOptions {
         tolerance: TO_THE_FLOOR,
         time_limit_s: None,
         ..ask

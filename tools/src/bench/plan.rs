@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Run {
     pub(crate) scene: String,
-    /// Fields of `Simulate` that differ from its defaults.
+    /// Fields of `SolverOptions` that differ from its defaults.
     pub(crate) setting: Value,
     /// CPU time allowed \[s\].
     pub(crate) limit_s: f64,

@@ -9,7 +9,7 @@ use rustix::time::{ClockId, clock_gettime};
 use seamster::config::Limits;
 use seamster::progress::CancelToken;
 use seamster::scene::Scene;
-use seamster::solver::{self, Context, Drape, Method, Simulate, rms_distance};
+use seamster::solver::{self, Context, Drape, Method, SolverOptions, rms_distance};
 use seamster::study::Rest;
 use seamster_fixtures::scenes;
 use serde_json::{Value, json};
@@ -83,9 +83,9 @@ pub(crate) fn measured(run: &Run) -> Option<Line> {
 }
 
 /// Fills in the distance from the reference.
-fn refer(scene: &Scene, ask: &Simulate, stopped: &Drape, confirm: bool, line: &mut Line) {
+fn refer(scene: &Scene, ask: &SolverOptions, stopped: &Drape, confirm: bool, line: &mut Line) {
     let on_by = |method: Method| {
-        let ask = Simulate {
+        let ask = SolverOptions {
             method,
             time_limit_s: Some(REFERENCE_LIMIT),
             ..ask.clone()
@@ -108,7 +108,7 @@ fn refer(scene: &Scene, ask: &Simulate, stopped: &Drape, confirm: bool, line: &m
 }
 
 /// What the run asks of the solver.
-fn simulate(run: &Run) -> Simulate {
+fn simulate(run: &Run) -> SolverOptions {
     let mut asked = json!({"time_limit_s": run.limit_s});
     let fields = run
         .setting
@@ -121,7 +121,7 @@ fn simulate(run: &Run) -> Simulate {
 }
 
 /// A short run once more and again: the median of its times.
-fn repeat(scene: &Scene, ask: &Simulate, first: &mut Timed) {
+fn repeat(scene: &Scene, ask: &SolverOptions, first: &mut Timed) {
     let mut times = vec![(first.cpu_s, first.wall_s)];
     while times.len() < REPEATS && times.iter().map(|t| t.0).sum::<f64>() < SHORT {
         let again = timed(scene, ask);
@@ -131,7 +131,7 @@ fn repeat(scene: &Scene, ask: &Simulate, first: &mut Timed) {
     (first.cpu_s, first.wall_s) = times[times.len() / 2];
 }
 
-fn timed(scene: &Scene, ask: &Simulate) -> Timed {
+fn timed(scene: &Scene, ask: &SolverOptions) -> Timed {
     let (began, cpu_began) = (Instant::now(), cpu_s());
     let drape = with_context(|context| solver::drape(scene, ask, context));
     Timed {
