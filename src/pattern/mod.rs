@@ -5,7 +5,6 @@
 //! pattern that came as JSON. Outlines are simple and clockwise, y up; a [`Point2`] is `[x, y]`.
 
 mod allowance;
-mod assemble;
 mod bspline;
 mod check;
 mod copies;
@@ -16,6 +15,7 @@ mod garmentcode;
 mod ids;
 mod mirror;
 mod options;
+mod outline;
 mod panel;
 mod placement;
 pub(crate) mod point;

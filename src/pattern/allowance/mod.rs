@@ -13,9 +13,10 @@ mod faults;
 mod moving_outline;
 
 use super::mirror::mirrored;
+use super::outline::ring_of;
 use super::point::{Point2, distance, sub};
 use super::polyline::{contains, crossing, length, longest_side, nearest, signed_area};
-use super::{Corner, Edge, Notch, Panel, assemble};
+use super::{Corner, Edge, Notch, Panel};
 use crate::fault::Fault;
 use faults::{nothing_left, refuse};
 use moving_outline::MovingOutline;
@@ -55,17 +56,17 @@ impl Panel {
             );
             return Err(refuse(detail, "give 0"));
         }
-        net(self, allowance_m)
+        inset(self, allowance_m)
     }
 }
 
 /// Returns the panel inside its allowance, by its moving outline.
-fn net(panel: &Panel, width: f64) -> Result<Panel, Fault> {
+fn inset(panel: &Panel, width: f64) -> Result<Panel, Fault> {
     let mut moving = MovingOutline::of(&panel.edges);
     moving.check_corners(panel)?;
     moving.advance(width);
     let edges = moving.edges(panel, width)?;
-    let ring = assemble::ring(&edges);
+    let ring = ring_of(&edges);
     if let Some([x, y]) = crossing(&ring) {
         let detail = format!(
             "with {width} m cut away, parts of panel {} run into each other at ({x:.4}, {y:.4})",
@@ -78,13 +79,11 @@ fn net(panel: &Panel, width: f64) -> Result<Panel, Fault> {
         panel
             .holes
             .iter()
-            .map(|hole| signed_area(&assemble::ring(&hole.edges)))
+            .map(|hole| signed_area(&ring_of(&hole.edges)))
             .sum(),
     ];
     // Turned inside out, or larger than before: nothing of it is left.
-    if ring.len() < 3
-        || area <= 0.0
-        || longest_side(&ring) >= longest_side(&assemble::ring(&panel.edges))
+    if ring.len() < 3 || area <= 0.0 || longest_side(&ring) >= longest_side(&ring_of(&panel.edges))
     {
         return Err(nothing_left(panel, width));
     }
@@ -104,7 +103,7 @@ fn net(panel: &Panel, width: f64) -> Result<Panel, Fault> {
         perimeter_m: edges.iter().map(|edge| edge.length_m).sum(),
         corners: edges.iter().map(corner).collect(),
         notches: notches(panel, &edges, width),
-        cut_line: assemble::ring(&panel.edges),
+        cut_line: ring_of(&panel.edges),
         edges,
         ..panel.clone()
     })

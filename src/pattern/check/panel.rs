@@ -2,7 +2,7 @@
 
 use crate::config::Limits;
 use crate::fault::Fault;
-use crate::pattern::assemble;
+use crate::pattern::outline::ring_of;
 use crate::pattern::point::{Point2, distance, is_readable};
 use crate::pattern::polyline::{crossing, length, longest_side, signed_area};
 use crate::pattern::{Corner, Edge, Hole, Panel};
@@ -111,7 +111,7 @@ impl<'a> PanelChecker<'a> {
         if self.faults.len() > before {
             return false;
         }
-        self.check_ring(&format!("{place}/edges"), &assemble::ring(edges), sign);
+        self.check_ring(&format!("{place}/edges"), &ring_of(edges), sign);
         self.faults.len() == before
     }
 
@@ -189,7 +189,7 @@ impl<'a> PanelChecker<'a> {
     }
 
     fn check_size(&mut self, edges: &[Edge]) {
-        let side = longest_side(&assemble::ring(edges));
+        let side = longest_side(&ring_of(edges));
         let [least, most] = self.limits.panel_size_m;
         if !(least..=most).contains(&side) {
             let detail =
@@ -222,11 +222,11 @@ fn with_pointers(list: &str, points: &[Point2]) -> Vec<(String, Point2)> {
 
 /// Computes lengths and areas of a panel whose outline is right.
 fn measure(panel: &mut Panel) {
-    let outline = signed_area(&assemble::ring(&panel.edges)).abs();
+    let outline = signed_area(&ring_of(&panel.edges)).abs();
     let holes: f64 = panel
         .holes
         .iter()
-        .map(|hole| signed_area(&assemble::ring(&hole.edges)).abs())
+        .map(|hole| signed_area(&ring_of(&hole.edges)).abs())
         .sum();
     panel.area_m2 = outline - holes;
     panel.perimeter_m = panel.edges.iter().map(|edge| edge.length_m).sum();

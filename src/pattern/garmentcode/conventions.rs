@@ -30,13 +30,13 @@ impl Conventions<'_> {
     }
 
     /// Reads a point of the plane \[m\].
-    pub(super) fn point(&self, at: &JsonNode<'_>, findings: &mut SpecFindings) -> Option<Point2> {
-        let point = at.numbers::<2>(findings)?.map(|c| c * self.scale);
+    pub(super) fn point(&self, node: &JsonNode<'_>, findings: &mut SpecFindings) -> Option<Point2> {
+        let point = node.numbers::<2>(findings)?.map(|c| c * self.scale);
         if is_readable(point) {
             return Some(point);
         }
         let detail = "a coordinate is beyond 10 km";
-        findings.fault(at.fault("pattern/not_finite", detail, "correct it"));
+        findings.fault(node.fault("pattern/not_finite", detail, "correct it"));
         None
     }
 }
@@ -59,9 +59,9 @@ pub(super) fn read<'a>(
         ];
         properties.fields(&known, findings);
     }
-    let get = |name| properties.as_ref().and_then(|at| at.get(name));
+    let get = |name| properties.as_ref().and_then(|node| node.get(name));
     let per_meter = match get("units_in_meter") {
-        Some(at) => units_in_meter(&at, findings),
+        Some(node) => units_in_meter(&node, findings),
         None => {
             if options.units.is_none() {
                 let detail = "the file does not say its units; cm was taken (units= overrides)";
@@ -71,10 +71,14 @@ pub(super) fn read<'a>(
         }
     };
     let relative = match get("curvature_coords") {
-        Some(at) => curvature_coords(&at, findings),
+        Some(node) => curvature_coords(&node, findings),
         None => true,
     };
-    let mut flag = |name| get(name).and_then(|at| at.flag(findings)).unwrap_or(false);
+    let mut flag = |name| {
+        get(name)
+            .and_then(|node| node.flag(findings))
+            .unwrap_or(false)
+    };
     let conventions = Conventions {
         limits,
         scale: options.units.map_or(1.0 / per_meter, Units::in_meters),
@@ -102,24 +106,24 @@ fn unit_name(per_meter: f64) -> String {
 }
 
 /// Reads the number of units that make a meter.
-fn units_in_meter(at: &JsonNode<'_>, findings: &mut SpecFindings) -> f64 {
-    let given = at.number(findings);
+fn units_in_meter(node: &JsonNode<'_>, findings: &mut SpecFindings) -> f64 {
+    let given = node.number(findings);
     let found = given.filter(|n| (1e-3..=1e6).contains(n));
     if found.is_none() && given.is_some() {
         let detail = "units_in_meter is how many units make a meter";
-        findings.fault(at.fault("pattern/field", detail, "give 100 for centimeters"));
+        findings.fault(node.fault("pattern/field", detail, "give 100 for centimeters"));
     }
     found.unwrap_or(USUAL)
 }
 
 /// Reads the frame of control points; true if it is that of their edge.
-fn curvature_coords(at: &JsonNode<'_>, findings: &mut SpecFindings) -> bool {
-    match at.text(findings) {
+fn curvature_coords(node: &JsonNode<'_>, findings: &mut SpecFindings) -> bool {
+    match node.text(findings) {
         Some("absolute") => false,
         Some("relative") | None => true,
         Some(_) => {
             let detail = "curvature_coords is \"relative\" or \"absolute\"";
-            findings.fault(at.fault("pattern/field", detail, "correct it"));
+            findings.fault(node.fault("pattern/field", detail, "correct it"));
             true
         }
     }

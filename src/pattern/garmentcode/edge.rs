@@ -35,22 +35,22 @@ pub(super) enum EdgeCurve {
 impl EdgeCurve {
     /// Reads the curvature of an edge. `relative`: control points are relative to their edge.
     pub(super) fn read(
-        at: &JsonNode<'_>,
+        node: &JsonNode<'_>,
         relative: bool,
         findings: &mut SpecFindings,
     ) -> Option<Self> {
-        if at.value.is_array() {
-            let controls = vec![at.numbers::<2>(findings)?];
+        if node.value.is_array() {
+            let controls = vec![node.numbers::<2>(findings)?];
             return Some(Self::Bezier { controls, relative });
         }
-        at.fields(&["type", "params"], findings)?;
-        let kind = at.require("type", findings);
-        let params = at.require("params", findings);
+        node.fields(&["type", "params"], findings)?;
+        let kind = node.require("type", findings);
+        let params = node.require("params", findings);
         let (kind, params) = (kind?, params?);
         match kind.text(findings)? {
-            "circle" => Self::arc(&params, findings),
-            "quadratic" => Self::bezier(&params, 1, relative, findings),
-            "cubic" => Self::bezier(&params, 2, relative, findings),
+            "circle" => Self::read_arc(&params, findings),
+            "quadratic" => Self::read_bezier(&params, 1, relative, findings),
+            "cubic" => Self::read_bezier(&params, 2, relative, findings),
             _ => {
                 let detail = format!("{} is not a kind of curve", kind.value);
                 let fix = "the kinds are quadratic, cubic and circle";
@@ -60,7 +60,8 @@ impl EdgeCurve {
         }
     }
 
-    fn bezier(
+    /// Reads `count` control points.
+    fn read_bezier(
         params: &JsonNode<'_>,
         count: usize,
         relative: bool,
@@ -82,7 +83,8 @@ impl EdgeCurve {
         Some(Self::Bezier { controls, relative })
     }
 
-    fn arc(params: &JsonNode<'_>, findings: &mut SpecFindings) -> Option<Self> {
+    /// Reads radius, size and side of an arc.
+    fn read_arc(params: &JsonNode<'_>, findings: &mut SpecFindings) -> Option<Self> {
         let items = params.items(3, findings)?;
         let [radius, large, right] = items.as_slice() else {
             let detail = format!("{} parameters where 3 are needed", items.len());
@@ -124,14 +126,14 @@ impl EdgeCurve {
             Self::Line => vec![a, b],
             Self::Bezier { controls, relative } => {
                 let at = |p: &Point2| if *relative { absolute(a, b, *p) } else { *p };
-                bezier(a, b, controls.iter().map(at).collect())
+                bezier_points(a, b, controls.iter().map(at).collect())
             }
             Self::Arc {
                 radius,
                 large,
                 right,
             } => {
-                let bulge = bulge(distance(a, b), *radius, *large)?;
+                let bulge = bulge_of(distance(a, b), *radius, *large)?;
                 let mut points = curve::bulge(a, b, if *right { bulge } else { -bulge });
                 points.push(b);
                 points
@@ -148,7 +150,8 @@ fn absolute(a: Point2, b: Point2, [x, y]: Point2) -> Point2 {
     [a[0] + x * e[0] - y * e[1], a[1] + x * e[1] + y * e[0]]
 }
 
-fn bezier(a: Point2, b: Point2, between: Vec<Point2>) -> Vec<Point2> {
+/// Returns the points of a Bézier curve, both ends included.
+fn bezier_points(a: Point2, b: Point2, between: Vec<Point2>) -> Vec<Point2> {
     let controls = [vec![a], between, vec![b]].concat();
     let degree = controls.len() - 1;
     let knots: Vec<f64> = (0..2 * controls.len())
@@ -168,7 +171,7 @@ fn bezier(a: Point2, b: Point2, between: Vec<Point2>) -> Vec<Point2> {
 
 /// Returns the tangent of a quarter of the sweep of an arc over a chord: twice its height over the
 /// chord.
-fn bulge(chord: f64, radius: f64, large: bool) -> Option<f64> {
+fn bulge_of(chord: f64, radius: f64, large: bool) -> Option<f64> {
     let half = 0.5 * chord;
     if half > radius * (1.0 + ROUNDING) || half == 0.0 {
         return None;

@@ -89,15 +89,15 @@ fn read(
     let known = [&["pattern", "properties"][..], &parametric].concat();
     root.fields(&known, findings);
     for name in parametric {
-        let Some(at) = root.get(name) else { continue };
+        let Some(node) = root.get(name) else { continue };
         let is_empty = |v: &Value| match v {
             Value::Array(items) => items.is_empty(),
             Value::Object(fields) => fields.is_empty(),
             other => other.is_null(),
         };
-        if !is_empty(at.value) {
+        if !is_empty(node.value) {
             let detail = format!("{name} are not kept: panels are read as they are drawn");
-            findings.warn("pattern/parameters_ignored", &at.pointer, detail);
+            findings.warn("pattern/parameters_ignored", &node.pointer, detail);
         }
     }
     if let Some(size) = &options.size {
@@ -127,8 +127,8 @@ fn read(
         placements: BTreeMap::new(),
         warnings: Vec::new(),
     };
-    if let Some(at) = root.get("pattern") {
-        fill(&mut pattern, &at, &conventions, findings);
+    if let Some(node) = root.get("pattern") {
+        fill(&mut pattern, &node, &conventions, findings);
     }
     pattern
 }
@@ -143,13 +143,13 @@ fn name(options: &ImportOptions, limits: &Limits) -> String {
 /// Adds panels, placements and seams to `pattern`.
 fn fill(
     pattern: &mut Pattern,
-    at: &JsonNode<'_>,
+    node: &JsonNode<'_>,
     conventions: &Conventions<'_>,
     findings: &mut SpecFindings,
 ) {
     let known = ["panels", "stitches", "panel_order", "new_panel_order"];
-    at.fields(&known, findings);
-    let Some(entries) = at.get("panels").map(|panels| panels.entries(findings)) else {
+    node.fields(&known, findings);
+    let Some(entries) = node.get("panels").map(|panels| panels.entries(findings)) else {
         return;
     };
     let limits = conventions.limits;
@@ -167,12 +167,12 @@ fn fill(
     let names: Vec<String> = entries.iter().map(|(name, _)| (*name).to_owned()).collect();
     let mut drawn_panels = stitches::DrawnPanels::new();
     let mut panels: Vec<Panel> = Vec::with_capacity(entries.len());
-    for ((name, at), id) in entries.iter().zip(ids::from_names(&names, &pattern.name)) {
-        let mut drawn = panel::read((*name, at), conventions, findings);
+    for ((name, node), id) in entries.iter().zip(ids::from_names(&names, &pattern.name)) {
+        let mut drawn = panel::read((*name, node), conventions, findings);
         if let Some(drawn) = &mut drawn {
             drawn.panel.id.clone_from(&id);
         }
-        let placement = placement::read(at, drawn.as_ref(), conventions, findings);
+        let placement = placement::read(node, drawn.as_ref(), conventions, findings);
         pattern.placements.extend(placement.map(|p| (id, p)));
         panels.extend(drawn.as_ref().map(|drawn| drawn.panel.clone()));
         drawn_panels.insert(name, drawn);
@@ -181,12 +181,12 @@ fn fill(
                 "the outlines up to here have more than {} points",
                 limits.dxf_vertices
             );
-            findings.fault(at.fault("pattern/too_large", detail, "split the garment"));
+            findings.fault(node.fault("pattern/too_large", detail, "split the garment"));
             return;
         }
     }
     pattern.panels = panels;
-    if let Some(stitches) = at.get("stitches") {
+    if let Some(stitches) = node.get("stitches") {
         pattern.seams = stitches::read(&stitches, &drawn_panels, limits, findings);
     }
 }

@@ -58,17 +58,17 @@ impl DrawnPanel {
 
 /// Reads a panel. Its faults are added to `findings`.
 pub(super) fn read(
-    (name, at): (&str, &JsonNode<'_>),
+    (name, node): (&str, &JsonNode<'_>),
     conventions: &Conventions<'_>,
     findings: &mut SpecFindings,
 ) -> Option<DrawnPanel> {
     let known = ["translation", "rotation", "vertices", "edges", "label"];
-    at.fields(&known, findings)?;
+    node.fields(&known, findings)?;
     let before = findings.faults.len();
-    let vertices = vertices(at, conventions, findings);
-    let label = label(at, conventions, findings);
-    let listed = at.require("edges", findings)?;
-    let edges = edges(&listed, &vertices?, conventions, findings)?;
+    let vertices = read_vertices(node, conventions, findings);
+    let label = read_label(node, conventions, findings);
+    let listed = node.require("edges", findings)?;
+    let edges = read_edges(&listed, &vertices?, conventions, findings)?;
     let used: Vec<Point2> = edges.iter().map(|edge| edge.points[0]).collect();
     let sum = used
         .iter()
@@ -78,13 +78,13 @@ pub(super) fn read(
     for edge in &edges {
         ring.extend(&edge.points[..edge.points.len() - 1]);
     }
-    check(&listed, &ring, conventions, findings);
+    check_outline(&listed, &ring, conventions, findings);
     if findings.faults.len() > before {
         return None;
     }
     let area = signed_area(&ring);
     let reversed = area > 0.0;
-    let outline = stored(edges, reversed);
+    let outline = stored_edges(edges, reversed);
     let face = if reversed { Face::Up } else { Face::Down };
     Some(DrawnPanel {
         panel: Panel {
@@ -109,22 +109,23 @@ fn corner(edge: &Edge) -> Corner {
     Corner { index, x, y }
 }
 
-fn label(
-    at: &JsonNode<'_>,
+/// Reads a label; `None` where it is empty.
+fn read_label(
+    node: &JsonNode<'_>,
     conventions: &Conventions<'_>,
     findings: &mut SpecFindings,
 ) -> Option<String> {
-    let text = at.get("label")?.text(findings)?;
+    let text = node.get("label")?.text(findings)?;
     (!text.is_empty()).then(|| conventions.short(text))
 }
 
 /// Reads the vertices \[m\].
-fn vertices(
-    at: &JsonNode<'_>,
+fn read_vertices(
+    node: &JsonNode<'_>,
     conventions: &Conventions<'_>,
     findings: &mut SpecFindings,
 ) -> Option<Vec<Point2>> {
-    let listed = at.require("vertices", findings)?;
+    let listed = node.require("vertices", findings)?;
     let items = listed.items(conventions.limits.panel_vertices, findings)?;
     let points = items.iter().map(|item| conventions.point(item, findings));
     let points: Vec<Option<Point2>> = points.collect();
@@ -132,7 +133,7 @@ fn vertices(
 }
 
 /// Reads the edges, each of which begins where the one before it ends.
-fn edges(
+fn read_edges(
     listed: &JsonNode<'_>,
     vertices: &[Point2],
     conventions: &Conventions<'_>,
@@ -146,7 +147,7 @@ fn edges(
     }
     let read: Vec<Option<DrawnEdge>> = items
         .iter()
-        .map(|item| edge(item, vertices, conventions, findings))
+        .map(|item| read_edge(item, vertices, conventions, findings))
         .collect();
     let edges = read.into_iter().collect::<Option<Vec<DrawnEdge>>>()?;
     let mut used = vec![false; vertices.len()];
@@ -170,22 +171,23 @@ fn edges(
     Some(edges)
 }
 
-fn edge(
-    at: &JsonNode<'_>,
+/// Reads an edge between two of `vertices`.
+fn read_edge(
+    node: &JsonNode<'_>,
     vertices: &[Point2],
     conventions: &Conventions<'_>,
     findings: &mut SpecFindings,
 ) -> Option<DrawnEdge> {
-    at.fields(&["endpoints", "curvature", "label"], findings)?;
-    let label = label(at, conventions, findings);
-    let curve = match at.get("curvature") {
+    node.fields(&["endpoints", "curvature", "label"], findings)?;
+    let label = read_label(node, conventions, findings);
+    let curve = match node.get("curvature") {
         Some(given) => {
             let curve = EdgeCurve::read(&given, conventions.relative, findings);
             curve.map(|curve| curve.scaled(conventions.scale))
         }
         None => Some(EdgeCurve::Line),
     };
-    let ends = at.require("endpoints", findings)?;
+    let ends = node.require("endpoints", findings)?;
     let items = ends.items(2, findings)?;
     let indices: Vec<Option<usize>> = items.iter().map(|item| item.index(findings)).collect();
     let ends_at = match indices.as_slice() {
@@ -204,7 +206,7 @@ fn edge(
     }
     let Some(points) = curve?.points(a, b) else {
         let detail = "the ends of the edge are farther apart than the diameter of its arc";
-        findings.fault(at.fault("pattern/edge", detail, "give a larger radius"));
+        findings.fault(node.fault("pattern/edge", detail, "give a larger radius"));
         return None;
     };
     let ends = ends_at;
@@ -216,8 +218,8 @@ fn edge(
 }
 
 /// Checks that the outline is simple and has an area and a size within the limits.
-fn check(
-    at: &JsonNode<'_>,
+fn check_outline(
+    node: &JsonNode<'_>,
     ring: &[Point2],
     conventions: &Conventions<'_>,
     findings: &mut SpecFindings,
@@ -230,7 +232,7 @@ fn check(
             "the outline has {} points; at most {most} are read",
             ring.len()
         );
-        findings.fault(at.fault("pattern/too_large", detail, "draw it with fewer edges"));
+        findings.fault(node.fault("pattern/too_large", detail, "draw it with fewer edges"));
         return;
     }
     let side = longest_side(ring);
@@ -239,18 +241,18 @@ fn check(
         let detail =
             format!("the panel is {side:.3e} m long; sizes from {least} to {most} m are read");
         let fix = "correct units_in_meter, or say the units with units=mm|cm|m|inch";
-        findings.fault(at.fault("pattern/implausible_size", detail, fix));
+        findings.fault(node.fault("pattern/implausible_size", detail, fix));
     } else if ring.len() < 3 || signed_area(ring).abs() < 1e-6 * side * side {
-        findings.fault(at.fault("pattern/no_area", "the panel has no area", "draw it anew"));
+        findings.fault(node.fault("pattern/no_area", "the panel has no area", "draw it anew"));
     } else if let Some([x, y]) = crossing(ring) {
         let [x, y] = [x, y].map(|c| c / conventions.scale);
         let detail = format!("the outline crosses or touches itself at ({x:.4}, {y:.4})");
-        findings.fault(at.fault("pattern/self_intersecting", detail, "mend the outline"));
+        findings.fault(node.fault("pattern/self_intersecting", detail, "mend the outline"));
     }
 }
 
 /// Returns the edges as stored: clockwise from the same first corner.
-fn stored(drawn: Vec<DrawnEdge>, reversed: bool) -> Vec<Edge> {
+fn stored_edges(drawn: Vec<DrawnEdge>, reversed: bool) -> Vec<Edge> {
     let count = drawn.len();
     let mut drawn = drawn;
     if reversed {

@@ -1,4 +1,4 @@
-//! Bytes to JSON. A name that comes twice in an object is refused: one of the two would be lost.
+//! Bytes to JSON. A name that comes twice in an object is a fault: one of the two would be lost.
 
 use crate::fault::Fault;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
@@ -8,13 +8,14 @@ use std::fmt;
 
 /// Reads JSON.
 pub(super) fn parse(bytes: &[u8]) -> Result<Value, Fault> {
-    let wrong = |error: serde_json::Error| {
-        let place = format!("line {}", error.line());
-        Fault::new("pattern/not_json", place, format!("not JSON: {error}"))
-            .fix("upload a GarmentCode specification as it was written")
-    };
-    serde_json::from_slice::<NamedOnce>(bytes).map_err(wrong)?;
-    serde_json::from_slice(bytes).map_err(wrong)
+    serde_json::from_slice::<NamedOnce>(bytes).map_err(not_json)?;
+    serde_json::from_slice(bytes).map_err(not_json)
+}
+
+fn not_json(error: serde_json::Error) -> Fault {
+    let place = format!("line {}", error.line());
+    Fault::new("pattern/not_json", place, format!("not JSON: {error}"))
+        .fix("upload a GarmentCode specification as it was written")
 }
 
 /// JSON in whose objects no name comes twice.
@@ -22,13 +23,14 @@ struct NamedOnce;
 
 impl<'de> Deserialize<'de> for NamedOnce {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(Names)
+        deserializer.deserialize_any(NamedOnceVisitor)
     }
 }
 
-struct Names;
+/// The visitor that reads [`NamedOnce`].
+struct NamedOnceVisitor;
 
-impl<'de> Visitor<'de> for Names {
+impl<'de> Visitor<'de> for NamedOnceVisitor {
     type Value = NamedOnce;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -11,19 +11,19 @@ use crate::pattern::{Placement, PlacementAnchor, RotationOrder, Wrap};
 
 /// Reads the placement of a panel; `None` where nothing is stated.
 pub(super) fn read(
-    at: &JsonNode<'_>,
+    node: &JsonNode<'_>,
     drawn: Option<&DrawnPanel>,
     conventions: &Conventions<'_>,
     findings: &mut SpecFindings,
 ) -> Option<Placement> {
-    let translation = at.get("translation");
-    let rotation = at.get("rotation");
+    let translation = node.get("translation");
+    let rotation = node.get("rotation");
     if translation.is_none() && rotation.is_none() {
         return None;
     }
     let zero = Some([0.0; 3]);
-    let moved = translation.map_or(zero, |t| numbers(&t, conventions.scale, findings));
-    let angles = rotation.map_or(zero, |r| numbers(&r, 1.0, findings));
+    let moved = translation.map_or(zero, |t| read_numbers(&t, conventions.scale, findings));
+    let angles = rotation.map_or(zero, |r| read_numbers(&r, 1.0, findings));
     let (moved, angles, drawn) = (moved?, angles?, drawn?);
     let order = conventions.rotation_order;
     let rotation = matrix(angles, order);
@@ -43,7 +43,7 @@ pub(super) fn read(
     }
     if offset.iter().any(|c| c.abs() > FARTHEST) {
         let detail = "the panel is placed beyond 10 km";
-        findings.fault(at.fault("pattern/not_finite", detail, "correct its translation"));
+        findings.fault(node.fault("pattern/not_finite", detail, "correct its translation"));
         return None;
     }
     let rotate_deg = match order {
@@ -60,12 +60,12 @@ pub(super) fn read(
 }
 
 /// Reads three numbers times `scale`.
-fn numbers(at: &JsonNode<'_>, scale: f64, findings: &mut SpecFindings) -> Option<[f64; 3]> {
-    let numbers = at.numbers::<3>(findings)?.map(|x| x * scale);
+fn read_numbers(node: &JsonNode<'_>, scale: f64, findings: &mut SpecFindings) -> Option<[f64; 3]> {
+    let numbers = node.numbers::<3>(findings)?.map(|x| x * scale);
     if numbers.iter().all(|x| x.abs() <= FARTHEST) {
         return Some(numbers);
     }
     let detail = "a number is beyond 10 km or 10000 degrees";
-    findings.fault(at.fault("pattern/not_finite", detail, "correct it"));
+    findings.fault(node.fault("pattern/not_finite", detail, "correct it"));
     None
 }

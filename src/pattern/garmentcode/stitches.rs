@@ -18,32 +18,32 @@ pub(super) type DrawnPanels<'a> = BTreeMap<&'a str, Option<DrawnPanel>>;
 
 /// Reads all stitches.
 pub(super) fn read(
-    at: &JsonNode<'_>,
+    node: &JsonNode<'_>,
     panels: &DrawnPanels<'_>,
     limits: &Limits,
     findings: &mut SpecFindings,
 ) -> Vec<SeamPair> {
-    let items = at.items(limits.seams, findings).unwrap_or_default();
+    let items = node.items(limits.seams, findings).unwrap_or_default();
     let stitches = items.iter().enumerate();
     stitches
-        .filter_map(|(i, item)| stitch(i, item, panels, findings))
+        .filter_map(|(i, item)| read_stitch(i, item, panels, findings))
         .collect()
 }
 
 /// Reads a stitch.
-fn stitch(
+fn read_stitch(
     index: usize,
-    at: &JsonNode<'_>,
+    node: &JsonNode<'_>,
     panels: &DrawnPanels<'_>,
     findings: &mut SpecFindings,
 ) -> Option<SeamPair> {
-    let items = at.items(3, findings)?;
+    let items = node.items(3, findings)?;
     let [a, b, rest @ ..] = items.as_slice() else {
         let detail = "a stitch has two sides";
-        findings.fault(at.fault("pattern/stitch", detail, "give two edges"));
+        findings.fault(node.fault("pattern/stitch", detail, "give two edges"));
         return None;
     };
-    let word = rest.first().map(|word| right_wrong(word, findings));
+    let word = rest.first().map(|word| read_right_wrong(word, findings));
     let [a, b] = [a, b].map(|side| read_side(side, panels, findings));
     let (a, b) = (a?, b?);
     let right_wrong = word.unwrap_or(Some(false))? || a.right_wrong || b.right_wrong;
@@ -64,16 +64,16 @@ fn stitch(
 }
 
 /// Reads the third entry of a stitch: the word, or an object with the word as a key.
-fn right_wrong(at: &JsonNode<'_>, findings: &mut SpecFindings) -> Option<bool> {
-    if at.value.is_object() {
-        at.fields(&["right_wrong"], findings)?;
-        return at.require("right_wrong", findings)?.flag(findings);
+fn read_right_wrong(node: &JsonNode<'_>, findings: &mut SpecFindings) -> Option<bool> {
+    if node.value.is_object() {
+        node.fields(&["right_wrong"], findings)?;
+        return node.require("right_wrong", findings)?.flag(findings);
     }
-    if at.value == "right_wrong" {
+    if node.value == "right_wrong" {
         return Some(true);
     }
     let detail = "the third entry of a stitch is \"right_wrong\"";
-    findings.fault(at.fault("pattern/stitch", detail, "leave it out or correct it"));
+    findings.fault(node.fault("pattern/stitch", detail, "leave it out or correct it"));
     None
 }
 
@@ -86,14 +86,14 @@ struct StitchSide {
 
 /// Reads one side of a stitch.
 fn read_side(
-    at: &JsonNode<'_>,
+    node: &JsonNode<'_>,
     panels: &DrawnPanels<'_>,
     findings: &mut SpecFindings,
 ) -> Option<StitchSide> {
-    at.fields(&["panel", "edge", "right_wrong"], findings)?;
-    let name = at.require("panel", findings);
-    let edge = at.require("edge", findings);
-    let right_wrong = at.get("right_wrong").map(|flag| flag.flag(findings));
+    node.fields(&["panel", "edge", "right_wrong"], findings)?;
+    let name = node.require("panel", findings);
+    let edge = node.require("edge", findings);
+    let right_wrong = node.get("right_wrong").map(|flag| flag.flag(findings));
     let (name, edge) = (name?, edge?);
     let (panel, index) = (name.text(findings), edge.index(findings));
     let (panel, index) = (panel?, index?);

@@ -21,10 +21,7 @@ pub(super) fn path(
     line: usize,
     most: usize,
 ) -> Result<EntityPath, Fault> {
-    let refuse = |what: &str| {
-        Fault::new("pattern/spline", at_line(line), what.to_owned())
-            .fix("export curves as polylines, or draw this one anew")
-    };
+    let refuse = |what: &str| refuse(line, what);
     let degree = usize::try_from(s.degree_of_curve)
         .map_err(|_| refuse("the spline's degree is negative"))?;
     let controls: Vec<Point2> = s.control_points.iter().map(xy).collect();
@@ -68,6 +65,11 @@ pub(super) fn path(
         weights: &s.weight_values,
     };
     Ok(EntityPath::curve(curve.points(most)))
+}
+
+fn refuse(line: usize, what: &str) -> Fault {
+    Fault::new("pattern/spline", at_line(line), what.to_owned())
+        .fix("export curves as polylines, or draw this one anew")
 }
 
 /// Returns the points of the cubic spline through `fit`, both ends included: twice differentiable in

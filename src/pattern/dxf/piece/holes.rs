@@ -6,8 +6,8 @@ use super::fold::FoldLine;
 use super::rings;
 use crate::config::Limits;
 use crate::pattern::Hole;
-use crate::pattern::assemble;
 use crate::pattern::dxf::findings::DxfFindings;
+use crate::pattern::outline::Outline;
 
 /// Returns the holes, counter-clockwise; on a half piece the mirror image of each as well.
 pub(super) fn holes(
@@ -38,7 +38,7 @@ fn hole(ring: CorneredRing) -> Hole {
     let mut ring = ring.into_clockwise();
     ring.points[1..].reverse();
     ring.is_corner[1..].reverse();
-    let outline = assemble::outline(&ring.points, &ring.is_corner);
+    let outline = Outline::cut(&ring.points, &ring.is_corner);
     Hole {
         corners: outline.corners,
         edges: outline.edges,

@@ -48,13 +48,13 @@ pub(super) fn assign(
         findings,
     };
     for chain in mirror {
-        assigner.fold_line(chain);
+        assigner.give_fold_line(chain);
     }
     for mark in notch_marks(sheet) {
-        assigner.notch(mark);
+        assigner.give_notch(mark);
     }
     for entity in &sheet.entities {
-        assigner.mark(entity);
+        assigner.give_mark(entity);
     }
 }
 
@@ -71,7 +71,7 @@ impl MarkAssigner<'_> {
         owner(outlines(self.pieces), place, self.is_alone)
     }
 
-    fn fold_line(&mut self, chain: &PathChain) {
+    fn give_fold_line(&mut self, chain: &PathChain) {
         let Some(line) = ends(&chain.points) else {
             return;
         };
@@ -84,7 +84,7 @@ impl MarkAssigner<'_> {
         }
     }
 
-    fn notch(&mut self, mark: NotchMark) {
+    fn give_notch(&mut self, mark: NotchMark) {
         match mark.points.first().and_then(|p| self.owner(*p)) {
             Some(piece) => self.pieces[piece].marks.notches.push(mark),
             None => self.findings.skip("notch outside the pieces", mark.line),
@@ -92,7 +92,7 @@ impl MarkAssigner<'_> {
     }
 
     /// Gives a turn point, drill hole or grain line to its piece.
-    fn mark(&mut self, entity: &DxfEntity) {
+    fn give_mark(&mut self, entity: &DxfEntity) {
         let role = role(&entity.layer);
         let name = match role {
             LayerRole::Turn => "turn point",

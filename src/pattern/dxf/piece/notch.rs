@@ -4,8 +4,8 @@
 use super::dxf_piece::{DxfPiece, NotchMark};
 use super::fold::FoldLine;
 use crate::pattern::Notch;
-use crate::pattern::assemble::{self, Outline};
 use crate::pattern::dxf::findings::DxfFindings;
+use crate::pattern::outline::{Outline, notch_at, ring_of};
 use crate::pattern::point::{Point2, distance, lerp};
 use crate::pattern::polyline::{PolylineFoot, nearest, segments};
 
@@ -48,7 +48,7 @@ pub(super) fn notches(
     fold: Option<FoldLine>,
     findings: &mut DxfFindings,
 ) -> Vec<Notch> {
-    let ring = assemble::ring(&outline.edges);
+    let ring = ring_of(&outline.edges);
     let marks = &piece.marks.notches;
     let mut placed: Vec<PlacedNotch> = Vec::new();
     for (index, mark) in marks.iter().enumerate() {
@@ -81,7 +81,7 @@ pub(super) fn notches(
         .enumerate()
         .map(|(index, notch)| Notch {
             depth_m: notch.depth,
-            ..assemble::notch(&outline.edges, notch.foot, marks[notch.mark].kind, index)
+            ..notch_at(&outline.edges, notch.foot, marks[notch.mark].kind, index)
         })
         .collect()
 }

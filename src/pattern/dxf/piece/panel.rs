@@ -5,8 +5,8 @@ use super::dxf_piece::DxfPiece;
 use super::fold::FoldLine;
 use super::{holes, notch, rings};
 use crate::config::Limits;
-use crate::pattern::assemble;
 use crate::pattern::dxf::findings::DxfFindings;
+use crate::pattern::outline::{Outline, ring_of};
 use crate::pattern::point::{Point2, cross, distance, sub};
 use crate::pattern::polyline::signed_area;
 use crate::pattern::{Grain, Panel};
@@ -38,11 +38,11 @@ pub(crate) fn build(
     if !rings::is_simple(piece, &ring, findings) {
         return None;
     }
-    let outline = assemble::outline(&ring.points, &ring.is_corner);
+    let outline = Outline::cut(&ring.points, &ring.is_corner);
     let holes = holes::holes(piece, fold, limits, findings);
     let hole_area: f64 = holes
         .iter()
-        .map(|hole| signed_area(&assemble::ring(&hole.edges)))
+        .map(|hole| signed_area(&ring_of(&hole.edges)))
         .sum();
     Some(Panel {
         id: String::new(),

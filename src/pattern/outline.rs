@@ -1,4 +1,4 @@
-//! A closed polyline with marked corners as corners and edges, and notches put on edges.
+//! An outline: corners, the edges between them, and notches on these.
 
 use super::point::{Point2, distance};
 use super::polyline::{PolylineFoot, length};
@@ -12,39 +12,41 @@ pub(crate) struct Outline {
     pub(crate) edges: Vec<Edge>,
 }
 
-/// Cuts a closed polyline at its corners, the first of which must be point 0.
-pub(crate) fn outline(points: &[Point2], is_corner: &[bool]) -> Outline {
-    let at: Vec<usize> = (0..points.len()).filter(|i| is_corner[*i]).collect();
-    let count = at.len();
-    let corners = at
-        .iter()
-        .enumerate()
-        .map(|(index, i)| Corner {
-            index,
-            x: points[*i][0],
-            y: points[*i][1],
-        })
-        .collect();
-    let edges = (0..count)
-        .map(|index| {
-            let end = at.get(index + 1).copied().unwrap_or(points.len());
-            let mut points_on: Vec<Point2> = points[at[index]..end].to_vec();
-            points_on.push(points[end % points.len()]);
-            Edge {
+impl Outline {
+    /// Cuts a closed polyline at its corners, the first of which must be point 0.
+    pub(crate) fn cut(points: &[Point2], is_corner: &[bool]) -> Self {
+        let at: Vec<usize> = (0..points.len()).filter(|i| is_corner[*i]).collect();
+        let count = at.len();
+        let corners = at
+            .iter()
+            .enumerate()
+            .map(|(index, i)| Corner {
                 index,
-                from: index,
-                to: (index + 1) % count,
-                length_m: length(&points_on),
-                points: points_on,
-                label: None,
-            }
-        })
-        .collect();
-    Outline { corners, edges }
+                x: points[*i][0],
+                y: points[*i][1],
+            })
+            .collect();
+        let edges = (0..count)
+            .map(|index| {
+                let end = at.get(index + 1).copied().unwrap_or(points.len());
+                let mut points_on: Vec<Point2> = points[at[index]..end].to_vec();
+                points_on.push(points[end % points.len()]);
+                Edge {
+                    index,
+                    from: index,
+                    to: (index + 1) % count,
+                    length_m: length(&points_on),
+                    points: points_on,
+                    label: None,
+                }
+            })
+            .collect();
+        Self { corners, edges }
+    }
 }
 
 /// Returns the closed polyline that edges make up.
-pub(crate) fn ring(edges: &[Edge]) -> Vec<Point2> {
+pub(crate) fn ring_of(edges: &[Edge]) -> Vec<Point2> {
     edges
         .iter()
         .flat_map(|edge| {
@@ -56,7 +58,7 @@ pub(crate) fn ring(edges: &[Edge]) -> Vec<Point2> {
 }
 
 /// Returns the notch at a foot on the closed polyline that `edges` make up.
-pub(crate) fn notch(edges: &[Edge], foot: PolylineFoot, kind: NotchKind, index: usize) -> Notch {
+pub(crate) fn notch_at(edges: &[Edge], foot: PolylineFoot, kind: NotchKind, index: usize) -> Notch {
     let mut segment = foot.segment;
     for edge in edges {
         let count = edge.points.len().saturating_sub(1);
@@ -91,7 +93,7 @@ mod tests {
     #[test]
     fn edges_run_from_corner_to_corner() {
         let points = [[0.0, 0.0], [0.0, 1.0], [0.5, 1.1], [1.0, 1.0], [1.0, 0.0]];
-        let found = outline(&points, &[true, true, false, true, true]);
+        let found = Outline::cut(&points, &[true, true, false, true, true]);
         assert_eq!(
             found
                 .edges
@@ -102,15 +104,15 @@ mod tests {
         );
         assert_eq!(found.edges[1].points, points[1..4]);
         assert_eq!(found.edges[3].points, [[1.0, 0.0], [0.0, 0.0]]);
-        assert_eq!(ring(&found.edges), points);
+        assert_eq!(ring_of(&found.edges), points);
     }
 
     #[test]
     fn notch_lies_at_its_fraction_of_the_edge() {
         let points = [[0.0, 0.0], [0.0, 1.0], [0.0, 2.0], [2.0, 2.0], [2.0, 0.0]];
-        let found = outline(&points, &[true, false, true, true, true]);
+        let found = Outline::cut(&points, &[true, false, true, true, true]);
         let foot = nearest(segments(&points), [0.01, 1.5]).expect("segments");
-        let notch = notch(&found.edges, foot, NotchKind::V, 0);
+        let notch = notch_at(&found.edges, foot, NotchKind::V, 0);
         assert_eq!((notch.edge, notch.at), (0, 0.75));
     }
 }
