@@ -8,6 +8,7 @@ mod allowance;
 mod bspline;
 mod check;
 mod copies;
+mod crossing;
 mod curve;
 mod document;
 mod dxf;

@@ -90,74 +90,6 @@ pub(crate) fn nearest(
         .min_by(|a, b| a.distance.total_cmp(&b.distance))
 }
 
-/// Returns a point where a closed polyline crosses or touches itself; `None` for a simple one.
-///
-/// Segments are sorted along the axis on which they are shorter, and only those whose boxes overlap are compared.
-pub(crate) fn crossing(ring: &[Point2]) -> Option<Point2> {
-    let n = ring.len();
-    let segment = |i: usize| (ring[i], ring[(i + 1) % n]);
-    let extent = |k: usize| {
-        segments(ring)
-            .map(|(a, b)| (b[k] - a[k]).abs())
-            .sum::<f64>()
-    };
-    let [low_bound, high_bound] = bounds(ring);
-    let crowded = |k: usize| extent(k) / (high_bound[k] - low_bound[k]).max(f64::MIN_POSITIVE);
-    let (along, across) = if crowded(0) <= crowded(1) {
-        (0, 1)
-    } else {
-        (1, 0)
-    };
-    let low = |i: usize| segment(i).0[along].min(segment(i).1[along]);
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by(|i, j| low(*i).total_cmp(&low(*j)));
-    for (k, &i) in order.iter().enumerate() {
-        let (a, b) = segment(i);
-        let right = a[along].max(b[along]);
-        for &j in order[k + 1..].iter().take_while(|j| low(**j) <= right) {
-            let (c, d) = segment(j);
-            if a[across].max(b[across]) < c[across].min(d[across])
-                || c[across].max(d[across]) < a[across].min(b[across])
-            {
-                continue;
-            }
-            let place = if (i + 1) % n == j {
-                folded_back(a, b, d)
-            } else if (j + 1) % n == i {
-                folded_back(c, d, b)
-            } else {
-                meeting(a, b, c, d)
-            };
-            if place.is_some() {
-                return place;
-            }
-        }
-    }
-    None
-}
-
-/// Returns `b` where the polyline `a`, `b`, `c` turns back on itself there.
-fn folded_back(a: Point2, b: Point2, c: Point2) -> Option<Point2> {
-    let (u, v) = (sub(b, a), sub(c, b));
-    (cross(u, v) == 0.0 && dot(u, v) < 0.0).then_some(b)
-}
-
-/// Returns a point that two closed segments share.
-fn meeting(a: Point2, b: Point2, c: Point2, d: Point2) -> Option<Point2> {
-    let side = |p: Point2, q: Point2, r: Point2| cross(sub(q, p), sub(r, p));
-    let (s1, s2) = (side(a, b, c), side(a, b, d));
-    let (s3, s4) = (side(c, d, a), side(c, d, b));
-    if s1 * s2 < 0.0 && s3 * s4 < 0.0 {
-        let t = s3 / (s3 - s4);
-        return Some(lerp(a, b, t));
-    }
-    let within = |p: Point2, q: Point2, r: Point2| dot(sub(r, p), sub(r, q)) <= 0.0;
-    [(s1, a, b, c), (s2, a, b, d), (s3, c, d, a), (s4, c, d, b)]
-        .into_iter()
-        .find(|(s, p, q, r)| *s == 0.0 && within(*p, *q, *r))
-        .map(|(.., r)| r)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -169,22 +101,11 @@ mod tests {
         assert_eq!(signed_area(&SQUARE), 4.0);
         assert_eq!(perimeter(&SQUARE), 8.0);
         assert!(contains(&SQUARE, [1.0, 1.0]) && !contains(&SQUARE, [3.0, 1.0]));
-        assert_eq!(crossing(&SQUARE), None);
     }
 
     #[test]
     fn area_far_from_the_origin_keeps_its_digits() {
         let far: Vec<Point2> = SQUARE.iter().map(|p| [p[0] + 1e9, p[1] - 1e9]).collect();
         assert_eq!(signed_area(&far), 4.0);
-    }
-
-    #[test]
-    fn crossings_touches_and_spikes_are_found() {
-        let bow_tie = [[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]];
-        assert_eq!(crossing(&bow_tie), Some([1.0, 1.0]));
-        let touching = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 0.0], [0.0, 4.0]];
-        assert_eq!(crossing(&touching), Some([2.0, 0.0]));
-        let spike = [[0.0, 0.0], [4.0, 0.0], [4.0, 6.0], [4.0, 2.0], [0.0, 2.0]];
-        assert!(crossing(&spike).is_some());
     }
 }

@@ -12,10 +12,11 @@
 mod faults;
 mod moving_outline;
 
+use super::crossing::crossing;
 use super::mirror::mirrored;
 use super::outline::ring_of;
 use super::point::{Point2, distance, sub};
-use super::polyline::{contains, crossing, length, longest_side, nearest, signed_area};
+use super::polyline::{contains, length, longest_side, nearest, signed_area};
 use super::{Corner, Edge, Notch, Panel};
 use crate::fault::Fault;
 use faults::{nothing_left, refuse};

@@ -27,9 +27,10 @@ struct MovingSegment {
 }
 
 impl MovingSegment {
-    /// Returns the unit vector inwards.
-    fn inwards(&self) -> Point2 {
-        [self.along[1], -self.along[0]]
+    /// Returns one of its ends when it has moved by `t`.
+    fn end_at(&self, end: usize, t: f64) -> Point2 {
+        let inwards = [self.along[1], -self.along[0]];
+        [0, 1].map(|c| self.ends[end][c] + t * inwards[c])
     }
 }
 
@@ -46,27 +47,29 @@ impl MovingOutline {
         });
         let segments: Vec<(usize, [Point2; 2])> = segments.collect();
         let count = segments.len();
-        let line = |(i, (edge, [a, b])): (usize, (usize, [Point2; 2]))| {
-            let long = distance(a, b);
-            MovingSegment {
-                edge,
-                ends: [a, b],
-                along: [(b[0] - a[0]) / long, (b[1] - a[1]) / long],
-                previous: (i + count - 1) % count,
-                next: (i + 1) % count,
-                is_gone: false,
-            }
-        };
-        Self(segments.into_iter().enumerate().map(line).collect())
+        let segments = segments.into_iter().enumerate();
+        let moving = segments.map(|(i, (edge, [a, b]))| MovingSegment {
+            edge,
+            ends: [a, b],
+            along: sub(b, a).map(|c| c / distance(a, b)),
+            previous: (i + count - 1) % count,
+            next: (i + 1) % count,
+            is_gone: false,
+        });
+        Self(moving.collect())
     }
 
     /// Checks that no corner juts into the cloth too sharply for a miter.
     pub(super) fn check_corners(&self, panel: &Panel) -> Result<(), Fault> {
-        for line in &self.0 {
-            let before = &self.0[line.previous];
-            let turn = cross(before.along, line.along).atan2(dot(before.along, line.along));
+        for segment in &self.0 {
+            let before = &self.0[segment.previous];
+            let (cross, dot) = (
+                cross(before.along, segment.along),
+                dot(before.along, segment.along),
+            );
+            let turn = cross.atan2(dot);
             if turn > 0.0 && (0.5 * turn).cos() * MITER < 1.0 {
-                let [x, y] = line.ends[0];
+                let [x, y] = segment.ends[0];
                 let detail = format!(
                     "panel {} has a slit that ends at ({x:.4}, {y:.4}): there is no allowance to cut away there",
                     panel.id
@@ -81,11 +84,7 @@ impl MovingOutline {
     /// Returns the point where segments `i` and `k`, neighbors, meet when the outline has moved by `t`.
     fn meeting(&self, i: usize, k: usize, t: f64) -> Point2 {
         let (a, b) = (&self.0[i], &self.0[k]);
-        let moved = |line: &MovingSegment, end: usize| {
-            let inwards = line.inwards();
-            [0, 1].map(|c| line.ends[end][c] + t * inwards[c])
-        };
-        let (p, q) = (moved(a, 1), moved(b, 0));
+        let (p, q) = (a.end_at(1, t), b.end_at(0, t));
         let sine = cross(a.along, b.along);
         if sine.abs() < PARALLEL {
             return [0, 1].map(|c| f64::midpoint(p[c], q[c]));
@@ -94,20 +93,22 @@ impl MovingOutline {
         [0, 1].map(|c| p[c] + s * a.along[c])
     }
 
-    /// Returns the way that the outline moves until segment `i` has shrunk to nothing; infinite for one
-    /// that does not shrink.
-    fn vanishing_way(&self, i: usize) -> f64 {
-        /// The length is linear in the way gone: two ways determine it \[m\].
+    /// Returns the length of segment `i` when the outline has moved by `t`; it is linear in `t`.
+    fn length_at(&self, i: usize, t: f64) -> f64 {
+        let segment = &self.0[i];
+        let end = self.meeting(i, segment.next, t);
+        dot(
+            sub(end, self.meeting(segment.previous, i, t)),
+            segment.along,
+        )
+    }
+
+    /// Returns the distance by which the outline moves until segment `i` has shrunk to nothing;
+    /// infinite for one that does not shrink.
+    fn collapse_distance(&self, i: usize) -> f64 {
+        /// A distance that, with 0, determines the length \[m\].
         const STEP: f64 = 0.01;
-        let line = &self.0[i];
-        let long = |t| {
-            let ends = sub(
-                self.meeting(i, line.next, t),
-                self.meeting(line.previous, i, t),
-            );
-            dot(ends, line.along)
-        };
-        let (now, then) = (long(0.0), long(STEP));
+        let (now, then) = (self.length_at(i, 0.0), self.length_at(i, STEP));
         if then < now {
             STEP * now / (now - then)
         } else {
@@ -117,12 +118,14 @@ impl MovingOutline {
 
     /// Leaves out the segments that shrink to nothing within `width`, in that order.
     pub(super) fn advance(&mut self, width: f64) {
-        let mut ends: Vec<f64> = (0..self.0.len()).map(|i| self.vanishing_way(i)).collect();
-        let event = |t: f64, i: usize| Reverse((OrderedWay(t), i));
+        let mut ends: Vec<f64> = (0..self.0.len())
+            .map(|i| self.collapse_distance(i))
+            .collect();
+        let event = |t: f64, i: usize| Reverse((OrderedDistance(t), i));
         let soon = (0..self.0.len()).filter(|i| ends[*i] <= width);
         let mut events: BinaryHeap<_> = soon.map(|i| event(ends[i], i)).collect();
         let mut remaining = self.0.len();
-        while let Some(Reverse((OrderedWay(t), i))) = events.pop() {
+        while let Some(Reverse((OrderedDistance(t), i))) = events.pop() {
             if self.0[i].is_gone || t != ends[i] || remaining < 3 {
                 continue;
             }
@@ -133,7 +136,7 @@ impl MovingOutline {
             remaining -= 1;
             for k in [previous, next] {
                 // What would have ended before now ends now: its neighbor was in the way.
-                ends[k] = self.vanishing_way(k).max(t);
+                ends[k] = self.collapse_distance(k).max(t);
                 if ends[k] <= width {
                     events.push(event(ends[k], k));
                 }
@@ -174,19 +177,19 @@ impl MovingOutline {
     }
 }
 
-/// A way gone, ordered.
+/// A distance, ordered.
 #[derive(PartialEq)]
-struct OrderedWay(f64);
+struct OrderedDistance(f64);
 
-impl Eq for OrderedWay {}
+impl Eq for OrderedDistance {}
 
-impl PartialOrd for OrderedWay {
+impl PartialOrd for OrderedDistance {
     fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
         Some(self.cmp(other))
     }
 }
 
-impl Ord for OrderedWay {
+impl Ord for OrderedDistance {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
         self.0.total_cmp(&other.0)
     }

@@ -2,9 +2,10 @@
 
 use crate::config::Limits;
 use crate::fault::Fault;
+use crate::pattern::crossing::crossing;
 use crate::pattern::outline::ring_of;
 use crate::pattern::point::{Point2, distance, is_readable};
-use crate::pattern::polyline::{crossing, length, longest_side, signed_area};
+use crate::pattern::polyline::{length, longest_side, signed_area};
 use crate::pattern::{Corner, Edge, Hole, Panel};
 
 /// An edge begins and ends at its corners to this accuracy: JSON writers round \[m\].

@@ -7,8 +7,9 @@ use super::conventions::Conventions;
 use super::edge::EdgeCurve;
 use super::findings::SpecFindings;
 use super::node::JsonNode;
+use crate::pattern::crossing::crossing;
 use crate::pattern::point::Point2;
-use crate::pattern::polyline::{crossing, length, longest_side, signed_area};
+use crate::pattern::polyline::{length, longest_side, signed_area};
 use crate::pattern::{Corner, Direction, Edge, Face, Panel};
 
 /// An edge as drawn.

@@ -3,6 +3,7 @@
 
 pub(super) mod affine;
 mod convert;
+mod fit_spline;
 pub(super) mod geometry;
 pub(super) mod load;
 mod plane;

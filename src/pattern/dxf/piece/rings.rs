@@ -6,9 +6,10 @@ use super::dxf_piece::DxfPiece;
 use super::fold::FoldLine;
 use crate::config::Limits;
 use crate::fault::Fault;
+use crate::pattern::crossing::crossing;
 use crate::pattern::dxf::findings::{DxfFindings, at_line};
 use crate::pattern::point::{Point2, cross, distance, sub};
-use crate::pattern::polyline::{crossing, longest_side, segments};
+use crate::pattern::polyline::{longest_side, segments};
 
 /// Ends of a sew line this near to a fold line lie on it \[m\].
 const ON_FOLD: f64 = 2e-4;
