@@ -53,7 +53,8 @@ check: page
 test: page browser chromium valgrind
 	@if cargo nextest --version >/dev/null 2>&1; \
 	  then echo cargo nextest run; cargo nextest run --locked --workspace; \
-	  else echo cargo test; cargo test --locked --workspace; fi
+	  else echo cargo test; cargo test --locked --workspace --lib && cargo test --locked --test it && \
+	    cargo test --locked --test process -- --test-threads=1; fi
 	cargo build --locked
 	SEAMSTER_BIN=target/debug/seamster node tests/browser/page.mjs
 

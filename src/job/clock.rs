@@ -1,11 +1,58 @@
-//! The clock of a job.
+//! Clocks: the CPU time of a job, and the time by which leases run out.
 
 use rustix::time::{ClockId, clock_gettime};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+/// Monotonic time by which leases run out.
+pub trait Clock: Send + Sync {
+    /// Returns the time since a fixed moment.
+    fn now(&self) -> Duration;
+}
+
+/// The monotonic clock of the machine.
+#[derive(Clone, Copy, Debug)]
+pub struct SystemClock {
+    start: Instant,
+}
+
+impl Default for SystemClock {
+    fn default() -> Self {
+        Self {
+            start: Instant::now(),
+        }
+    }
+}
+
+impl Clock for SystemClock {
+    fn now(&self) -> Duration {
+        self.start.elapsed()
+    }
+}
+
+/// A clock that stands still until a test moves it; its clones show the same time.
+#[derive(Clone, Debug, Default)]
+pub struct ManualClock {
+    now: Arc<Mutex<Duration>>,
+}
+
+impl ManualClock {
+    /// Moves the clock on.
+    pub fn advance(&self, time: Duration) {
+        *self.now.lock().unwrap_or_else(PoisonError::into_inner) += time;
+    }
+}
+
+impl Clock for ManualClock {
+    fn now(&self) -> Duration {
+        *self.now.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
 
 /// Returns the CPU time that this thread has used \[s\]: unlike the time of day it does not depend on what else the machine does.
 pub fn thread_cpu_s() -> f64 {
     let time = clock_gettime(ClockId::ThreadCPUTime);
-    std::time::Duration::try_from(time)
+    Duration::try_from(time)
         .expect("a thread has used no negative time")
         .as_secs_f64()
 }
@@ -14,7 +61,6 @@ pub fn thread_cpu_s() -> f64 {
 mod tests {
     use super::*;
     use std::hint::black_box;
-    use std::time::{Duration, Instant};
 
     #[test]
     fn work_counts_and_sleep_does_not() {

@@ -1,5 +1,6 @@
 //! The contract of [`JobStore`] and [`Documents`], as tests that each implementation runs.
 
+use super::clock::ManualClock;
 use super::kind::JobKind;
 use super::record::JobRecord;
 use super::status::JobStatus;
@@ -11,41 +12,45 @@ use jiff::Timestamp;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use uuid::Uuid;
 
-/// Longer than any test.
-const LONG: Duration = Duration::from_secs(600);
-/// Short enough to wait for.
-const SHORT: Duration = Duration::from_millis(300);
+/// Far more than a notice takes on a busy machine.
+const NOTICE_TIMEOUT: Duration = Duration::from_secs(60);
 const NO_LIMIT: usize = usize::MAX;
 
-/// Runs every test, for each kind of job. `open(space, lease)` opens the store named `space`: the same name finds what was
-/// there, once the store opened before is dropped.
-pub(super) fn store_contract(open: impl Fn(&str, Duration) -> Arc<dyn JobStore>) {
+/// Runs every test, for each kind of job.
+///
+/// `open(space)` opens the store named `space`, whose leases run out by `clock`: the same name finds what was there, once the
+/// store opened before is dropped.
+pub(super) fn store_contract(clock: &ManualClock, open: impl Fn(&str) -> Arc<dyn JobStore>) {
     for kind in JobKind::ALL {
-        let open = |space: &str, lease| open(&format!("{}-{space}", kind.as_str()), lease);
-        contract_of_one_kind(kind, &open);
+        let open = |space: &str| open(&format!("{}-{space}", kind.as_str()));
+        contract_of_one_kind(kind, clock, &open);
     }
-    kinds_share_the_queue_and_no_list(&*open("kinds", LONG));
+    kinds_share_the_queue_and_no_list(&*open("kinds"));
 }
 
-fn contract_of_one_kind(kind: JobKind, open: &impl Fn(&str, Duration) -> Arc<dyn JobStore>) {
-    submitted_job_is_found(kind, &*open("found", LONG));
-    stale_revision_changes_nothing(kind, &*open("stale", LONG));
-    concurrent_changes_are_all_kept(kind, &open("concurrent", LONG));
-    oldest_job_is_claimed_first_and_once(kind, &*open("oldest", LONG));
-    concurrent_claims_differ(kind, &open("claims", LONG));
-    lease_that_is_not_renewed_runs_out(kind, &*open("lease", SHORT));
-    renewed_lease_lasts(kind, &*open("renewed", SHORT));
-    ended_lease_hands_out_again_unless_final(kind, &*open("ended", LONG));
-    lost_lease_cannot_end_the_next(kind, &*open("lost", SHORT));
-    same_key_is_the_same_job(kind, &*open("key", LONG));
-    concurrent_submissions_of_one_key_are_one_job(kind, &open("keys", LONG));
-    full_queue_refuses(kind, &*open("full", LONG));
-    pages_are_newest_first_and_whole(kind, &*open("pages", LONG));
-    notices_reach_all_who_listen(kind, &*open("notices", LONG));
-    what_ran_when_the_process_died_is_handed_out_again(kind, open);
+fn contract_of_one_kind(
+    kind: JobKind,
+    clock: &ManualClock,
+    open: &impl Fn(&str) -> Arc<dyn JobStore>,
+) {
+    submitted_job_is_found(kind, &*open("found"));
+    stale_revision_changes_nothing(kind, &*open("stale"));
+    concurrent_changes_are_all_kept(kind, &open("concurrent"));
+    oldest_job_is_claimed_first_and_once(kind, &*open("oldest"));
+    concurrent_claims_differ(kind, &open("claims"));
+    lease_that_is_not_renewed_runs_out(kind, clock, &*open("lease"));
+    renewed_lease_lasts(kind, clock, &*open("renewed"));
+    ended_lease_hands_out_again_unless_final(kind, &*open("ended"));
+    lost_lease_cannot_end_the_next(kind, clock, &*open("lost"));
+    same_key_is_the_same_job(kind, &*open("key"));
+    concurrent_submissions_of_one_key_are_one_job(kind, &open("keys"));
+    full_queue_refuses(kind, &*open("full"));
+    pages_are_newest_first_and_whole(kind, &*open("pages"));
+    notices_reach_all_who_listen(kind, &*open("notices"));
+    what_ran_when_the_process_died_is_handed_out_again(kind, clock, open);
 }
 
 fn new(kind: JobKind) -> JobRecord {
@@ -166,25 +171,25 @@ fn concurrent_claims_differ(kind: JobKind, store: &Arc<dyn JobStore>) {
     assert_eq!(claimed.into_iter().collect::<BTreeSet<_>>(), jobs);
 }
 
-fn lease_that_is_not_renewed_runs_out(kind: JobKind, store: &dyn JobStore) {
+fn lease_that_is_not_renewed_runs_out(kind: JobKind, clock: &ManualClock, store: &dyn JobStore) {
     let id = submit(kind, store);
     let first = claim(store).expect("one waits");
     set_status(store, id, JobStatus::Running);
-    thread::sleep(2 * store.lease_time());
+    clock.advance(store.lease_time());
     let second = claim(store).expect("its lease ran out");
     assert_eq!(second.job, id);
     assert!(!store.renew(&first).unwrap());
     assert!(store.renew(&second).unwrap());
 }
 
-fn renewed_lease_lasts(kind: JobKind, store: &dyn JobStore) {
+fn renewed_lease_lasts(kind: JobKind, clock: &ManualClock, store: &dyn JobStore) {
     submit(kind, store);
     let lease = claim(store).expect("one waits");
-    let start = Instant::now();
-    while start.elapsed() < 3 * store.lease_time() {
-        assert!(store.renew(&lease).unwrap());
+    let almost = store.lease_time() - Duration::from_millis(1);
+    for _ in 0..3 {
+        clock.advance(almost);
         assert_eq!(claim(store), None);
-        thread::sleep(store.lease_time() / 10);
+        assert!(store.renew(&lease).unwrap());
     }
 }
 
@@ -193,10 +198,7 @@ fn ended_lease_hands_out_again_unless_final(kind: JobKind, store: &dyn JobStore)
     let lease = claim(store).expect("one waits");
     let notices = store.listen();
     store.end(&lease).unwrap();
-    assert_eq!(
-        notices.recv_timeout(Duration::from_secs(10)),
-        Ok(JobNotice::Queued)
-    );
+    assert_eq!(notices.recv_timeout(NOTICE_TIMEOUT), Ok(JobNotice::Queued));
     let lease = claim(store).expect("it was given back");
     assert_eq!(lease.job, id);
     set_status(store, id, JobStatus::Succeeded);
@@ -204,10 +206,10 @@ fn ended_lease_hands_out_again_unless_final(kind: JobKind, store: &dyn JobStore)
     assert_eq!(claim(store), None);
 }
 
-fn lost_lease_cannot_end_the_next(kind: JobKind, store: &dyn JobStore) {
+fn lost_lease_cannot_end_the_next(kind: JobKind, clock: &ManualClock, store: &dyn JobStore) {
     submit(kind, store);
     let first = claim(store).expect("one waits");
-    thread::sleep(2 * store.lease_time());
+    clock.advance(store.lease_time());
     let second = claim(store).expect("its lease ran out");
     store.end(&first).unwrap();
     assert!(store.renew(&second).unwrap());
@@ -308,17 +310,20 @@ fn notices_reach_all_who_listen(kind: JobKind, store: &dyn JobStore) {
     let id = submit(kind, store);
     store.publish(JobNotice::Cancel(id));
     for listener in listeners {
-        let wait = Duration::from_secs(10);
-        assert_eq!(listener.recv_timeout(wait), Ok(JobNotice::Queued));
-        assert_eq!(listener.recv_timeout(wait), Ok(JobNotice::Cancel(id)));
+        assert_eq!(listener.recv_timeout(NOTICE_TIMEOUT), Ok(JobNotice::Queued));
+        assert_eq!(
+            listener.recv_timeout(NOTICE_TIMEOUT),
+            Ok(JobNotice::Cancel(id))
+        );
     }
 }
 
 fn what_ran_when_the_process_died_is_handed_out_again(
     kind: JobKind,
-    open: &impl Fn(&str, Duration) -> Arc<dyn JobStore>,
+    clock: &ManualClock,
+    open: &impl Fn(&str) -> Arc<dyn JobStore>,
 ) {
-    let store = open("died", SHORT);
+    let store = open("died");
     let (ran, done) = (submit(kind, &*store), submit(kind, &*store));
     claim(&*store).expect("one waits");
     let mut record = get(&*store, ran);
@@ -327,8 +332,8 @@ fn what_ran_when_the_process_died_is_handed_out_again(
     store.replace(&record).unwrap();
     set_status(&*store, done, JobStatus::Succeeded);
     drop(store);
-    let store = open("died", SHORT);
-    thread::sleep(2 * store.lease_time());
+    let store = open("died");
+    clock.advance(store.lease_time());
     assert_eq!(claim(&*store).map(|lease| lease.job), Some(ran));
     assert_eq!(claim(&*store), None);
     assert_eq!(get(&*store, ran).attempts, 1);

@@ -28,7 +28,7 @@ mod worker;
 
 pub use blobs::{Blobs, FileBlobs};
 pub use catalogue::{AvatarRecord, Catalogue, Stored};
-pub use clock::thread_cpu_s;
+pub use clock::{Clock, ManualClock, SystemClock, thread_cpu_s};
 pub use events::{JobEvent, JobEventKind, JobEvents};
 pub use failure::JobFailure;
 pub use kind::JobKind;

@@ -1,6 +1,5 @@
 //! Integration tests in one program; its modules mirror those of `src`.
 
-mod cli;
 mod export;
 mod fit;
 mod http;

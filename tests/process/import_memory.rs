@@ -1,10 +1,11 @@
-//! Large files: what they cost in memory. One test alone, because the peak of memory is that of the whole process.
+//! Memory that reading a file takes: in proportion to a large one, bounded for a hostile one.
 
 use seamster::config::Limits;
 use seamster::pattern::{ImportOptions, import};
 use seamster_fixtures::dxf::DxfBuilder;
+use std::path::PathBuf;
 
-/// The most memory that this process had at any time [bytes]; `None` where the system does not say.
+/// Peak of the memory of this process since [`reset_peak`] \[bytes\]; `None` where the system does not say.
 fn peak_memory() -> Option<usize> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status
@@ -12,6 +13,12 @@ fn peak_memory() -> Option<usize> {
         .find_map(|line| line.strip_prefix("VmHWM:"))?;
     let kilobytes: usize = line.split_whitespace().next()?.parse().ok()?;
     Some(1024 * kilobytes)
+}
+
+/// Begins the peak anew, so that what ran before in this process does not count.
+fn reset_peak() {
+    // Where the kernel cannot do it the peak of before counts too, and a test is harder to pass.
+    let _ = std::fs::write("/proc/self/clear_refs", "5");
 }
 
 /// Pieces as CAD writes them: a block each, runs of polylines with a vertex in eight lines, turn points.
@@ -48,6 +55,7 @@ fn filled(add: impl Fn(DxfBuilder, [f64; 2]) -> DxfBuilder) -> Vec<u8> {
 
 #[test]
 fn large_files_stay_within_their_share_of_memory() {
+    reset_peak();
     let Some(before) = peak_memory() else {
         println!("left out: memory of large files (the system does not tell it)");
         return;
@@ -77,4 +85,30 @@ fn large_files_stay_within_their_share_of_memory() {
         assert_eq!(pattern.panels.len(), 1);
         assert!(share(bytes.len()) < 60);
     }
+}
+
+#[test]
+fn hostile_files_take_little_memory() {
+    let Some(data) = std::env::var_os("SEAMSTER_TEST_DATA").map(PathBuf::from) else {
+        println!("left out: memory of hostile files (SEAMSTER_TEST_DATA is unset)");
+        return;
+    };
+    reset_peak();
+    let Some(before) = peak_memory() else {
+        println!("left out: memory of hostile files (the system does not tell it)");
+        return;
+    };
+    for entry in std::fs::read_dir(data.join("dxf-bad")).expect("a folder of hostile files") {
+        let path = entry.expect("an entry").path();
+        if path.is_file() {
+            let bytes = std::fs::read(&path).expect("a file that can be read");
+            drop(import(
+                &bytes,
+                &ImportOptions::default(),
+                &Limits::default(),
+            ));
+        }
+    }
+    let grown = (peak_memory().expect("told before") - before) >> 20;
+    assert!(grown < 200, "peak of all hostile files: {grown} MB");
 }

@@ -1,5 +1,10 @@
-//! Tests that need a process of their own: they read its memory, so that nothing else may run in it.
+//! Tests on whole processes: the program as it is started and killed, and the memory of the test itself.
 //!
-//! cargo-nextest runs every test in its own process; `cargo test` must run this program with `--test-threads=1`.
+//! cargo-nextest runs every test in a process of its own. `cargo test` must run this program with `--test-threads=1`, so that
+//! nothing else takes memory while it is measured, and no two services compete for the machine.
 
+mod api_examples;
+mod commands;
 mod import_memory;
+mod program;
+mod service;

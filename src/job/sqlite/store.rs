@@ -2,13 +2,14 @@
 
 use super::leases::Leases;
 use super::{rows, schema};
+use crate::job::clock::{Clock, SystemClock};
 use crate::job::status::JobStatus;
 use crate::job::store::{JobNotice, StoreError};
 use rusqlite::{Connection, Params, Row, Transaction, TransactionBehavior};
 use std::fs::{File, TryLockError};
 use std::path::Path;
 use std::sync::mpsc::Sender;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 /// Duration of a lease that is not renewed: far above any stall of a busy machine.
@@ -31,21 +32,25 @@ impl SqliteStore {
     /// # Errors
     /// If it cannot be used, or another process uses it.
     pub fn open(folder: &Path) -> Result<Self, StoreError> {
-        Self::open_with_lease(folder, LEASE)
+        Self::open_with_leases(folder, LEASE, Arc::new(SystemClock::default()))
     }
 
-    /// Opens the store as [`SqliteStore::open`] does, with leases of the given duration.
+    /// Opens the store as [`SqliteStore::open`] does, with leases that last `lease` by `clock`.
     ///
     /// # Errors
     /// If it cannot be used, or another process uses it.
-    pub fn open_with_lease(folder: &Path, lease: Duration) -> Result<Self, StoreError> {
+    pub fn open_with_leases(
+        folder: &Path,
+        lease: Duration,
+        clock: Arc<dyn Clock>,
+    ) -> Result<Self, StoreError> {
         let failed = |cause| StoreError::new(format!("opening {}", folder.display()), cause);
         let lock = lock_folder(folder).map_err(failed)?;
         let file = folder.join("seamster.db");
         let connection = schema::open_database(&file).map_err(failed)?;
         let store = Self {
             connection: Mutex::new(connection),
-            leases: Leases::with_duration(lease),
+            leases: Leases::new(lease, clock),
             listeners: Mutex::default(),
             _lock: lock,
         };

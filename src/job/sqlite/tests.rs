@@ -1,6 +1,7 @@
 //! Tests of the `SQLite` store: the contracts, the lock, old files, durability.
 
 use super::SqliteStore;
+use crate::job::clock::ManualClock;
 use crate::job::contract::{documents_contract, store_contract};
 use crate::job::kind::JobKind;
 use crate::job::status::JobStatus;
@@ -9,13 +10,17 @@ use crate::job::store::{
 };
 use rusqlite::Connection;
 use std::sync::Arc;
+use std::time::Duration;
 use uuid::Uuid;
 
 #[test]
 fn contract_is_kept() {
     let folder = tempfile::tempdir().unwrap();
-    store_contract(|space, lease| {
-        Arc::new(SqliteStore::open_with_lease(&folder.path().join(space), lease).unwrap())
+    let clock = ManualClock::default();
+    store_contract(&clock, |space| {
+        let folder = folder.path().join(space);
+        let lease = Duration::from_secs(30);
+        Arc::new(SqliteStore::open_with_leases(&folder, lease, Arc::new(clock.clone())).unwrap())
     });
     documents_contract(&SqliteStore::open(folder.path()).unwrap());
 }

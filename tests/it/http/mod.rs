@@ -1,5 +1,4 @@
 //! Tests of `http`: the service over its own socket.
 
-mod api_examples;
 mod service;
 mod studies;

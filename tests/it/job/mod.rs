@@ -1,3 +1,4 @@
 //! Tests of `job`: the queue, its store and its workers.
 
+mod counted_renewals;
 mod queue;

@@ -2,52 +2,30 @@
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+use crate::program::Service;
 use serde_json::Value;
 use std::collections::BTreeSet;
-use std::net::{TcpListener, TcpStream};
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
-use std::time::{Duration, Instant};
+use std::process::Command;
 use tempfile::TempDir;
 
-/// The program, serving on a port of its own; it ends when dropped.
-struct Program {
-    child: Child,
-    base: String,
+/// A service, and the folder that examples write into.
+struct ExampleRun {
+    service: Service,
     folder: TempDir,
 }
 
-impl Program {
+impl ExampleRun {
     fn start() -> Self {
-        // The port is free now; that somebody else takes it before the program does is not worth a protocol.
-        let address = TcpListener::bind("127.0.0.1:0")
-            .unwrap()
-            .local_addr()
-            .unwrap();
         let folder = tempfile::tempdir().unwrap();
-        let child = Command::new(env!("CARGO_BIN_EXE_seamster"))
-            .args(["serve", "--listen", &address.to_string(), "--data"])
-            .arg(folder.path().join("data"))
-            .stdin(Stdio::null())
-            .spawn()
-            .unwrap();
-        let program = Self {
-            child,
-            base: format!("http://{address}"),
-            folder,
-        };
-        let end = Instant::now() + Duration::from_secs(30);
-        while TcpStream::connect(address).is_err() {
-            assert!(Instant::now() < end, "the program does not listen");
-            std::thread::sleep(Duration::from_millis(20));
-        }
-        program
+        let service = Service::start(&folder.path().join("data"));
+        Self { service, folder }
     }
 
     /// Runs an example and returns what it prints.
     fn run(&self, example: &str) -> String {
         let output = Command::new(examples().join(example))
-            .env("BASE", &self.base)
+            .env("BASE", format!("http://{}", self.service.address))
             .env("OUT", self.folder.path())
             .env("SEAMSTER", env!("CARGO_BIN_EXE_seamster"))
             .output()
@@ -59,13 +37,6 @@ impl Program {
 
     fn file(&self, name: &str) -> Vec<u8> {
         std::fs::read(self.folder.path().join(name)).unwrap()
-    }
-}
-
-impl Drop for Program {
-    fn drop(&mut self) {
-        let _ = self.child.kill();
-        let _ = self.child.wait();
     }
 }
 
@@ -136,18 +107,18 @@ fn quick_start_of_the_readme_is_run_by_these_tests() {
 
 #[test]
 fn pattern_comes_back_with_its_panels() {
-    let program = Program::start();
-    let answers = lines(&program.run("pattern.sh"));
+    let example = ExampleRun::start();
+    let answers = lines(&example.run("pattern.sh"));
     assert_eq!(answers[0]["panels"].as_array().unwrap().len(), 3);
     assert_eq!(answers[1]["patterns"].as_array().unwrap().len(), 2);
     assert_eq!(answers[1]["patterns"][1]["id"], answers[0]["id"]);
-    assert!(program.file("skirt.svg").starts_with(b"<svg "));
+    assert!(example.file("skirt.svg").starts_with(b"<svg "));
 }
 
 #[test]
 fn seams_are_checked_and_a_wrong_corner_is_found() {
-    let program = Program::start();
-    let answers = lines(&program.run("seams.sh"));
+    let example = ExampleRun::start();
+    let answers = lines(&example.run("seams.sh"));
     assert_eq!(answers[0]["ok"], true, "{}", answers[0]);
     assert_eq!(answers[1]["ok"], false);
     let fault = &answers[1]["seams"][0]["errors"][0];
@@ -156,13 +127,13 @@ fn seams_are_checked_and_a_wrong_corner_is_found() {
 
 #[test]
 fn seams_are_suggested_and_sewn() {
-    let program = Program::start();
-    let answers = lines(&program.run("suggest.sh"));
+    let example = ExampleRun::start();
+    let answers = lines(&example.run("suggest.sh"));
     let found = answers[0]["seams"].as_array().unwrap();
     assert!(!found.is_empty());
     assert!(found.iter().all(|seam| seam["because"].is_string()));
     assert_eq!(answers[1]["status"], "succeeded", "{}", answers[1]);
-    let garment: Value = serde_json::from_slice(&program.file("skirt.garment.json")).unwrap();
+    let garment: Value = serde_json::from_slice(&example.file("skirt.garment.json")).unwrap();
     let ids = |seams: &Value| -> Vec<_> {
         let seams = seams.as_array().unwrap().iter();
         seams.map(|seam| seam["id"].clone()).collect()
@@ -172,18 +143,18 @@ fn seams_are_suggested_and_sewn() {
 
 #[test]
 fn fit_leaves_a_mesh_and_a_report() {
-    let program = Program::start();
-    let fit = &lines(&program.run("fit.sh"))[0];
+    let example = ExampleRun::start();
+    let fit = &lines(&example.run("fit.sh"))[0];
     assert_eq!(fit["status"], "succeeded", "{fit}");
-    let report: Value = serde_json::from_slice(&program.file("skirt.report.json")).unwrap();
+    let report: Value = serde_json::from_slice(&example.file("skirt.report.json")).unwrap();
     assert_eq!(report["converged"], true, "{report}");
     assert!(
         report["seam_gap_max_m"].as_f64().unwrap() < 1e-3,
         "{report}"
     );
-    let glb = gltf::Gltf::from_slice(&program.file("skirt.glb")).unwrap();
+    let glb = gltf::Gltf::from_slice(&example.file("skirt.glb")).unwrap();
     assert_eq!(glb.meshes().count(), 3);
-    let obj = program.file("skirt.obj");
+    let obj = example.file("skirt.obj");
     let options = tobj::LoadOptions::default();
     let (models, _) =
         tobj::load_obj_buf(&mut obj.as_slice(), &options, |_| Ok(Default::default())).unwrap();
@@ -192,8 +163,8 @@ fn fit_leaves_a_mesh_and_a_report() {
 
 #[test]
 fn events_end_with_the_final_status() {
-    let program = Program::start();
-    let text = program.run("events.sh");
+    let example = ExampleRun::start();
+    let text = example.run("events.sh");
     let mut last = None;
     let mut progress = 0;
     for event in text.split("\n\n").filter(|event| event.contains("data:")) {
@@ -210,25 +181,25 @@ fn events_end_with_the_final_status() {
 
 #[test]
 fn command_line_leaves_a_mesh_and_a_report() {
-    let program = Program::start();
-    program.run("sew.sh");
-    let report: Value = serde_json::from_slice(&program.file("skirt.report.json")).unwrap();
+    let example = ExampleRun::start();
+    example.run("sew.sh");
+    let report: Value = serde_json::from_slice(&example.file("skirt.report.json")).unwrap();
     assert_eq!(report["converged"], true, "{report}");
-    gltf::Gltf::from_slice(&program.file("skirt.glb")).unwrap();
+    gltf::Gltf::from_slice(&example.file("skirt.glb")).unwrap();
 }
 
 #[test]
 fn canceled_fit_says_so() {
-    let program = Program::start();
-    let fit = &lines(&program.run("cancel.sh"))[0];
+    let example = ExampleRun::start();
+    let fit = &lines(&example.run("cancel.sh"))[0];
     assert_eq!(fit["status"], "canceled", "{fit}");
 }
 
 #[test]
 fn study_leaves_a_table_and_a_plot() {
-    let program = Program::start();
-    program.run("study.sh");
-    let study: Value = serde_json::from_slice(&program.file("skirt.study.json")).unwrap();
+    let example = ExampleRun::start();
+    example.run("study.sh");
+    let study: Value = serde_json::from_slice(&example.file("skirt.study.json")).unwrap();
     assert_eq!(study["status"], "succeeded", "{study}");
     let runs = study["report"]["runs"].as_array().unwrap();
     assert_eq!(runs.len(), 6, "{study}");
@@ -238,13 +209,13 @@ fn study_leaves_a_table_and_a_plot() {
             .unwrap()
             .is_empty()
     );
-    assert!(program.file("skirt.study.svg").starts_with(b"<svg "));
+    assert!(example.file("skirt.study.svg").starts_with(b"<svg "));
 }
 
 #[test]
 fn own_fabric_gets_an_id() {
-    let program = Program::start();
-    let answers = lines(&program.run("own_fabric.sh"));
+    let example = ExampleRun::start();
+    let answers = lines(&example.run("own_fabric.sh"));
     let shipped = answers[0]["fabrics"].as_array().unwrap();
     assert!(shipped.iter().any(|fabric| fabric["id"] == "cotton-poplin"));
     assert!(answers[1]["id"].as_str().is_some_and(|id| !id.is_empty()));
@@ -252,12 +223,12 @@ fn own_fabric_gets_an_id() {
 
 #[test]
 fn avatar_has_landmarks_and_a_mesh() {
-    let program = Program::start();
-    let avatar = &lines(&program.run("avatar.sh"))[0];
+    let example = ExampleRun::start();
+    let avatar = &lines(&example.run("avatar.sh"))[0];
     assert!(
         !avatar["landmarks"].as_object().unwrap().is_empty(),
         "{avatar}"
     );
-    let glb = gltf::Gltf::from_slice(&program.file("form.glb")).unwrap();
+    let glb = gltf::Gltf::from_slice(&example.file("form.glb")).unwrap();
     assert_eq!(glb.meshes().count(), 1);
 }

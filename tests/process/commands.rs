@@ -1,70 +1,15 @@
-//! The program as it is started: command line, exit codes, signals, and what survives them.
+//! The program's commands: what they write, what they print, and their exit codes.
 
 #![expect(
     clippy::unwrap_used,
     reason = "a failure is a failed test, in its helpers too"
 )]
 
+use crate::program::{code, garment, run, sample, seamster, stderr};
 use serde_json::{Value, json};
 use std::net::TcpListener;
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
-use std::thread::sleep;
-use std::time::{Duration, Instant};
-
-/// Far above what any of this takes on a busy machine.
-const PATIENCE: Duration = Duration::from_secs(240);
-
-fn seamster(arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_seamster"));
-    command.args(arguments);
-    for name in [
-        "LISTEN", "DATA", "STORE", "BLOBS", "WORKERS", "TOKENS", "HOSTS", "LOG",
-    ] {
-        command.env_remove(format!("SEAMSTER_{name}"));
-    }
-    command
-}
-
-fn run(arguments: &[&str]) -> Output {
-    seamster(arguments).output().unwrap()
-}
-
-fn code(output: &Output) -> Option<i32> {
-    output.status.code()
-}
-
-fn stderr(output: &Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn sample(file: &str) -> String {
-    format!("{}/static/samples/{file}", env!("CARGO_MANIFEST_DIR"))
-}
-
-/// The sample skirt's garment, sewn coarsely and from a fabric of its own: what is tested here is not the shape.
-fn garment() -> Value {
-    let text = std::fs::read_to_string(sample("skirt.garment.json")).unwrap();
-    let mut garment: Value = serde_json::from_str(&text).unwrap();
-    garment["simulate"] = json!({"edge_length_m": 0.03, "tolerance": 1e-4});
-    garment["default_fabric"] = json!("own");
-    garment["panels"] = without_fabrics(&garment["panels"]);
-    garment["fabrics"] = json!({"own": {
-        "name": "own", "density_kg_m2": 0.12, "thickness_m": 0.0003,
-        "stretch_warp_n_m": 2000.0, "stretch_weft_n_m": 2000.0, "shear_n_m": 60.0,
-        "bending_warp_n_m": 8e-6, "bending_weft_n_m": 5e-6,
-        "friction": 0.3, "damping_ratio": 0.1, "source": "made up for this test",
-    }});
-    garment
-}
-
-fn without_fabrics(panels: &Value) -> Value {
-    let mut panels = panels.as_object().cloned().unwrap_or_default();
-    for panel in panels.values_mut().filter_map(Value::as_object_mut) {
-        panel.remove("fabric");
-    }
-    panels.into()
-}
+use std::path::Path;
+use std::process::Output;
 
 fn written(folder: &Path, name: &str, garment: &Value) -> String {
     let path = folder.join(name);
@@ -316,186 +261,11 @@ fn schemas_are_printed_as_json() {
     }
 }
 
-/// A running service, killed when dropped.
-struct Service {
-    child: Child,
-    address: String,
-    agent: ureq::Agent,
-}
-
-impl Service {
-    fn start(data: &Path) -> Self {
-        let address = free_address();
-        let data = data.to_str().unwrap();
-        let child = seamster(&[
-            "serve",
-            "--listen",
-            &address,
-            "--data",
-            data,
-            "--workers",
-            "1",
-        ])
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
-        let agent = ureq::Agent::config_builder()
-            .timeout_global(Some(Duration::from_secs(30)))
-            .build();
-        let service = Self {
-            child,
-            address,
-            agent: agent.into(),
-        };
-        until("it is ready", || service.is_ready().then_some(()));
-        service
-    }
-
-    fn is_ready(&self) -> bool {
-        run(&["health", "--listen", &self.address]).status.success()
-    }
-
-    fn get(&self, path: &str) -> Value {
-        let url = format!("http://{}{path}", self.address);
-        let mut answer = self.agent.get(&url).call().unwrap();
-        answer.body_mut().read_json().unwrap()
-    }
-
-    fn post(&self, path: &str, body: &[u8], kind: &str) -> Value {
-        let url = format!("http://{}{path}", self.address);
-        let request = self.agent.post(&url).header("content-type", kind);
-        let mut answer = request.send(body).unwrap();
-        answer.body_mut().read_json().unwrap()
-    }
-
-    /// Submits the sample skirt and returns where its fit is.
-    fn submit(&self) -> String {
-        let dxf = std::fs::read(sample("skirt.dxf")).unwrap();
-        let pattern = self.post("/v1/patterns", &dxf, "application/dxf");
-        let mut garment = garment();
-        garment["pattern"] = pattern["id"].clone();
-        let body = garment.to_string();
-        let fit = self.post("/v1/fits", body.as_bytes(), "application/json");
-        format!("/v1/fits/{}", fit["id"].as_str().unwrap())
-    }
-
-    fn has_status(&self, fit: &str, statuses: &[&str]) -> Option<Value> {
-        let record = self.get(fit);
-        let is_one = statuses.contains(&record["status"].as_str().unwrap());
-        is_one.then_some(record)
-    }
-
-    fn signal(&self, name: &str) {
-        let id = self.child.id().to_string();
-        let sent = Command::new("kill").args(["-s", name, &id]).status();
-        assert!(sent.unwrap().success());
-    }
-
-    /// Waits for the process to end by itself.
-    fn ended(mut self) -> Option<i32> {
-        until("it ends", || self.child.try_wait().unwrap()).code()
-    }
-}
-
-impl Drop for Service {
-    fn drop(&mut self) {
-        // It may have ended by itself: then there is nothing to kill.
-        let _ = self.child.kill();
-        let _ = self.child.wait();
-    }
-}
-
-fn free_address() -> String {
-    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
-    listener.local_addr().unwrap().to_string()
-}
-
-fn until<T>(what: &str, mut find: impl FnMut() -> Option<T>) -> T {
-    let deadline = Instant::now() + PATIENCE;
-    loop {
-        if let Some(found) = find() {
-            return found;
-        }
-        assert!(Instant::now() < deadline, "{what}: not in {PATIENCE:?}");
-        sleep(Duration::from_millis(5));
-    }
-}
-
-const FINAL: [&str; 3] = ["succeeded", "failed", "canceled"];
-
-#[test]
-fn killed_service_finishes_the_fit_after_a_restart() {
-    let data = tempfile::tempdir().unwrap();
-    let service = Service::start(data.path());
-    let fit = service.submit();
-    until("it runs", || service.has_status(&fit, &["running"]));
-    service.signal("KILL");
-    drop(service);
-    let service = Service::start(data.path());
-    let record = until("it ends", || service.has_status(&fit, &FINAL));
-    assert_eq!(record["status"], "succeeded", "{record}");
-    assert_eq!(record["attempts"], 2);
-    let report = service.get(&format!("{fit}/report"));
-    assert_eq!(report["converged"], true);
-}
-
-#[test]
-fn killed_service_finishes_the_study_after_a_restart() {
-    let data = tempfile::tempdir().unwrap();
-    let service = Service::start(data.path());
-    let dxf = std::fs::read(sample("skirt.dxf")).unwrap();
-    let mut garment = garment();
-    garment["pattern"] = service.post("/v1/patterns", &dxf, "application/dxf")["id"].clone();
-    let asked = serde_json::json!({
-        "garment": garment, "methods": ["newton"], "tolerances": [1e-1, 1e-2], "edge_lengths_m": [0.05],
-    });
-    let body = asked.to_string();
-    let study = service.post("/v1/studies", body.as_bytes(), "application/json");
-    let study = format!("/v1/studies/{}", study["id"].as_str().unwrap());
-    until("it runs", || service.has_status(&study, &["running"]));
-    service.signal("KILL");
-    drop(service);
-    let service = Service::start(data.path());
-    let record = until("it ends", || service.has_status(&study, &FINAL));
-    assert_eq!(record["status"], "succeeded", "{record}");
-    assert_eq!(record["attempts"], 2);
-    assert_eq!(record["report"]["runs"].as_array().unwrap().len(), 2);
-}
-
-#[test]
-fn terminated_service_gives_the_fit_back_and_ends() {
-    let data = tempfile::tempdir().unwrap();
-    let service = Service::start(data.path());
-    let fit = service.submit();
-    until("it runs", || service.has_status(&fit, &["running"]));
-    let asked = Instant::now();
-    service.signal("TERM");
-    assert_eq!(service.ended(), Some(0));
-    assert!(asked.elapsed() < Duration::from_secs(10));
-    let service = Service::start(data.path());
-    let record = until("it ends", || service.has_status(&fit, &FINAL));
-    assert_eq!(record["status"], "succeeded", "{record}");
-    assert_eq!(record["attempts"], 2);
-}
-
-#[test]
-fn second_service_on_the_same_folder_is_refused() {
-    let data = tempfile::tempdir().unwrap();
-    let _service = Service::start(data.path());
-    let folder: PathBuf = data.path().to_owned();
-    let output = run(&[
-        "serve",
-        "--listen",
-        &free_address(),
-        "--data",
-        folder.to_str().unwrap(),
-    ]);
-    assert_eq!(code(&output), Some(1));
-    assert!(stderr(&output).contains("another process"));
-}
-
 #[test]
 fn health_fails_where_nothing_listens() {
-    let output = run(&["health", "--listen", &free_address()]);
+    let bound = TcpListener::bind("127.0.0.1:0").unwrap();
+    let address = bound.local_addr().unwrap().to_string();
+    drop(bound);
+    let output = run(&["health", "--listen", &address]);
     assert_eq!(code(&output), Some(1));
 }

@@ -1,3 +1,0 @@
-//! Tests of `cli`: the program run as a process.
-
-mod commands;

@@ -1,0 +1,88 @@
+//! The service as a process: what survives its end, and how it ends.
+
+#![expect(
+    clippy::unwrap_used,
+    reason = "a failure is a failed test, in its helpers too"
+)]
+
+use crate::program::{Service, code, garment, run, sample, stderr, until};
+use std::path::PathBuf;
+
+const FINAL: [&str; 3] = ["succeeded", "failed", "canceled"];
+
+#[test]
+fn killed_service_finishes_the_fit_after_a_restart() {
+    let data = tempfile::tempdir().unwrap();
+    let service = Service::start(data.path());
+    let fit = service.submit();
+    until("it runs", || service.has_status(&fit, &["running"]));
+    service.signal("KILL");
+    drop(service);
+    let service = Service::start(data.path());
+    let record = until("it ends", || service.has_status(&fit, &FINAL));
+    assert_eq!(record["status"], "succeeded", "{record}");
+    assert_eq!(record["attempts"], 2);
+    let report = service.get(&format!("{fit}/report"));
+    assert_eq!(report["converged"], true);
+}
+
+#[test]
+fn killed_service_finishes_the_study_after_a_restart() {
+    let data = tempfile::tempdir().unwrap();
+    let service = Service::start(data.path());
+    let dxf = std::fs::read(sample("skirt.dxf")).unwrap();
+    let mut garment = garment();
+    garment["pattern"] = service.post("/v1/patterns", &dxf, "application/dxf")["id"].clone();
+    let asked = serde_json::json!({
+        "garment": garment, "methods": ["newton"], "tolerances": [1e-1, 1e-2], "edge_lengths_m": [0.05],
+    });
+    let body = asked.to_string();
+    let study = service.post("/v1/studies", body.as_bytes(), "application/json");
+    let study = format!("/v1/studies/{}", study["id"].as_str().unwrap());
+    until("it runs", || service.has_status(&study, &["running"]));
+    service.signal("KILL");
+    drop(service);
+    let service = Service::start(data.path());
+    let record = until("it ends", || service.has_status(&study, &FINAL));
+    assert_eq!(record["status"], "succeeded", "{record}");
+    assert_eq!(record["attempts"], 2);
+    assert_eq!(record["report"]["runs"].as_array().unwrap().len(), 2);
+}
+
+#[test]
+fn terminated_service_gives_the_fit_back_and_ends() {
+    let data = tempfile::tempdir().unwrap();
+    let service = Service::start(data.path());
+    let fit = service.submit();
+    until("it runs", || service.has_status(&fit, &["running"]));
+    service.signal("TERM");
+    assert_eq!(service.ended(), Some(0));
+    let service = Service::start(data.path());
+    let record = until("it ends", || service.has_status(&fit, &FINAL));
+    assert_eq!(record["status"], "succeeded", "{record}");
+    assert_eq!(record["attempts"], 2);
+}
+
+#[test]
+fn health_is_well_where_a_service_listens() {
+    let data = tempfile::tempdir().unwrap();
+    let service = Service::start(data.path());
+    let output = run(&["health", "--listen", &service.address]);
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+}
+
+#[test]
+fn second_service_on_the_same_folder_is_refused() {
+    let data = tempfile::tempdir().unwrap();
+    let _service = Service::start(data.path());
+    let folder: PathBuf = data.path().to_owned();
+    let output = run(&[
+        "serve",
+        "--listen",
+        "127.0.0.1:0",
+        "--data",
+        folder.to_str().unwrap(),
+    ]);
+    assert_eq!(code(&output), Some(1));
+    assert!(stderr(&output).contains("another process"));
+}
