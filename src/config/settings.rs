@@ -2,7 +2,7 @@
 
 use super::limits::Limits;
 use clap::Args;
-use std::net::SocketAddr;
+use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::path::PathBuf;
 use std::str::FromStr;
 
@@ -84,6 +84,16 @@ impl Config {
     pub fn worker_count(&self) -> usize {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         self.workers.unwrap_or(cores.saturating_sub(1)).max(1)
+    }
+
+    /// Returns the address by which the service is reached from this machine.
+    pub fn local_address(&self) -> SocketAddr {
+        let ip = match self.listen.ip() {
+            IpAddr::V4(ip) if ip.is_unspecified() => Ipv4Addr::LOCALHOST.into(),
+            IpAddr::V6(ip) if ip.is_unspecified() => Ipv6Addr::LOCALHOST.into(),
+            ip => ip,
+        };
+        SocketAddr::new(ip, self.listen.port())
     }
 }
 
@@ -172,6 +182,14 @@ mod tests {
         for listen in ["127.0.0.1:0", "[::1]:0", "[::ffff:127.0.0.1]:0"] {
             assert!(parse(&["--listen", listen]).unwrap().validated().is_ok());
         }
+    }
+
+    #[test]
+    fn service_on_all_addresses_is_reached_by_loopback() {
+        let at = |listen: &str| parse(&["--listen", listen]).unwrap().local_address();
+        assert_eq!(at("0.0.0.0:80").to_string(), "127.0.0.1:80");
+        assert_eq!(at("[::]:80").to_string(), "[::1]:80");
+        assert_eq!(at("192.0.2.1:80").to_string(), "192.0.2.1:80");
     }
 
     #[test]

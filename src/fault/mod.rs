@@ -1,12 +1,14 @@
 //! Faults and warnings: what is wrong with an input, where, and how to mend it.
 
 mod codes;
+mod line;
 mod nearest;
 
 pub use codes::{
     AvatarCode, FabricCode, FaultCode, FileCode, FitCode, GarmentCode, MeshCode, PatternCode,
     PlacementCode, RequestCode, SceneCode, SeamCode, StudyCode, codes_markdown,
 };
+pub use line::without_controls;
 pub(crate) use nearest::nearest;
 
 use serde::{Deserialize, Serialize};

@@ -2,6 +2,7 @@
 
 mod buckling;
 mod cantilever;
+mod cholesky;
 mod contact;
 mod drape;
 mod estimates;
