@@ -5,7 +5,7 @@ use super::faces::SeamRelations;
 use super::parity::{FaceRelation, ParityUnionFind};
 use super::place::opposite;
 use super::{RoutedSeam, Track};
-use crate::pattern::{OutlineRun, Panel, Place, SeamPair, Side};
+use crate::pattern::{OutlineRun, Panel, Place, Point2, SeamPair, Side, polyline};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -160,17 +160,9 @@ impl SeamCheckContext<'_> {
 
 /// The corner at the reflection of `corner` about the upright line through the middle of the panel; not itself.
 fn mirror_corner(panel: &Panel, corner: usize) -> Option<usize> {
-    let bounds = |coordinate: fn(&[f64; 2]) -> f64| {
-        let values = panel
-            .edges
-            .iter()
-            .flat_map(|edge| &edge.points)
-            .map(coordinate);
-        values.fold([f64::MAX, f64::MIN], |[low, high], v| {
-            [low.min(v), high.max(v)]
-        })
-    };
-    let ([left, right], [low, high]) = (bounds(|p| p[0]), bounds(|p| p[1]));
+    let edges = panel.edges.iter();
+    let points: Vec<Point2> = edges.flat_map(|edge| edge.points.iter().copied()).collect();
+    let [[left, low], [right, high]] = polyline::bounds(&points);
     let of = panel.corners.get(corner)?;
     panel
         .corners

@@ -2,14 +2,14 @@
 
 use super::Face;
 use crate::config::Limits;
-use crate::pattern::{Pattern, SeamPair};
+use crate::pattern::{Pattern, Point2, SeamPair};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use utoipa::ToSchema;
 
 /// Start position in space \[m\] of a point of a panel, from the panel's index, its face and pattern
 /// coordinates \[m\]; nothing where that is not known.
-pub type StartPositions<'a> = &'a dyn Fn(usize, Face, [f64; 2]) -> Option<[f64; 3]>;
+pub type StartPositions<'a> = &'a dyn Fn(usize, Face, Point2) -> Option<[f64; 3]>;
 
 /// Input of a seam check.
 #[derive(Clone, Copy, Debug)]

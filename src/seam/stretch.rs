@@ -1,8 +1,9 @@
 //! A stretch: a part of one edge, with a direction along it.
 
 use super::Track;
-use super::track::{distance, is_mirrored};
-use crate::pattern::Pattern;
+use super::track::is_mirrored;
+use crate::pattern::point::{distance, lerp};
+use crate::pattern::{Pattern, Point2};
 
 /// A part of one edge, with a direction along it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,12 +46,12 @@ impl Stretch {
     }
 
     /// Returns the points where it begins and ends, in pattern coordinates \[m\].
-    pub(super) fn ends(&self, pattern: &Pattern) -> [[f64; 2]; 2] {
+    pub(super) fn ends(&self, pattern: &Pattern) -> [Point2; 2] {
         [0.0, 1.0].map(|share| self.point(pattern, share))
     }
 
     /// Returns the point at this share of its length, in pattern coordinates \[m\].
-    pub(super) fn point(&self, pattern: &Pattern, share: f64) -> [f64; 2] {
+    pub(super) fn point(&self, pattern: &Pattern, share: f64) -> Point2 {
         let panel = &pattern.panels[self.panel];
         let at = self.from + share * (self.to - self.from);
         let length = self.track.length(panel, self.edge);
@@ -59,13 +60,12 @@ impl Stretch {
 }
 
 /// Returns the point of a polyline at this arc length.
-fn point_at(points: &[[f64; 2]], at: f64) -> [f64; 2] {
+fn point_at(points: &[Point2], at: f64) -> Point2 {
     let mut left = at;
     for pair in points.windows(2) {
         let length = distance(pair[0], pair[1]);
         if left <= length && length > 0.0 {
-            let share = left / length;
-            return [0, 1].map(|k| pair[0][k] + share * (pair[1][k] - pair[0][k]));
+            return lerp(pair[0], pair[1], left / length);
         }
         left -= length;
     }

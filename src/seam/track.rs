@@ -1,6 +1,7 @@
 //! Tracks that stretches lie on: outlines, holes and internal lines, each a sequence of edges.
 
-use crate::pattern::{Edge, Panel};
+use crate::pattern::point::distance;
+use crate::pattern::{Edge, Panel, Point2, polyline};
 
 /// An internal line whose ends are nearer than this is closed \[m\]: outlines are read to a few micrometers.
 const CLOSED_M: f64 = 1e-5;
@@ -48,7 +49,7 @@ impl Track {
     }
 
     /// Returns the polyline of one of its edges \[m\]; empty if it is not there.
-    pub(crate) fn points(self, panel: &Panel, edge: usize) -> &[[f64; 2]] {
+    pub(crate) fn points(self, panel: &Panel, edge: usize) -> &[Point2] {
         let points = match self {
             Self::Line(line) => panel.internal_lines.get(line).filter(|_| edge == 0),
             ring => ring.edges(panel).get(edge).map(|edge| &edge.points),
@@ -59,10 +60,7 @@ impl Track {
     /// Returns the arc length of one of its edges \[m\].
     pub(super) fn length(self, panel: &Panel, edge: usize) -> f64 {
         match self {
-            Self::Line(_) => {
-                let points = self.points(panel, edge);
-                points.windows(2).map(|p| distance(p[0], p[1])).sum()
-            }
+            Self::Line(_) => polyline::length(self.points(panel, edge)),
             ring => ring
                 .edges(panel)
                 .get(edge)
@@ -74,8 +72,4 @@ impl Track {
 /// Returns true for the mirrored copy of another panel: its corners are numbered as its source's, so in space they run the other way round.
 pub(super) fn is_mirrored(panel: &Panel) -> bool {
     panel.copy_of.is_some()
-}
-
-pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (a[0] - b[0]).hypot(a[1] - b[1])
 }

@@ -1,6 +1,7 @@
 //! Features of a panel's outline: bend of each edge, turn of each corner, with darts closed.
 
-use crate::pattern::{Edge, Panel};
+use crate::pattern::point::{cross, dot, sub, turn};
+use crate::pattern::{Edge, Panel, Point2};
 use std::f64::consts::{PI, TAU};
 
 /// Outlines of more edges than this fit no template.
@@ -33,7 +34,7 @@ pub(super) struct EdgeFeatures {
     /// Its mean height in the drawing \[m\].
     pub(super) height: f64,
     /// Start and end, in the order of numbers \[m\].
-    pub(super) ends: [[f64; 2]; 2],
+    pub(super) ends: [Point2; 2],
 }
 
 /// Two edges that meet at the tip of a dart and are sewn together.
@@ -59,7 +60,7 @@ pub(super) struct OutlineFeatures {
     /// Every edge of the outline.
     pub(super) edges: Vec<EdgeFeatures>,
     /// The points of every edge \[m\].
-    pub(super) points: std::rc::Rc<Vec<Vec<[f64; 2]>>>,
+    pub(super) points: std::rc::Rc<Vec<Vec<Point2>>>,
     /// Its darts.
     pub(super) darts: Vec<Dart>,
     /// The edges that are left once the darts are sewn, in order.
@@ -73,7 +74,11 @@ impl OutlineFeatures {
     pub(super) fn of(panel: &Panel, slits: bool) -> Self {
         let mirrored = panel.copy_of.is_some();
         let sense = if mirrored { 1.0 } else { -1.0 };
-        let edges: Vec<EdgeFeatures> = panel.edges.iter().map(|e| edge_shape(e, sense)).collect();
+        let edges: Vec<EdgeFeatures> = panel
+            .edges
+            .iter()
+            .map(|e| edge_features(e, sense))
+            .collect();
         let count = edges.len();
         let turns: Vec<f64> = (0..count)
             .map(|i| sense * turn_between(&panel.edges[(i + count - 1) % count], &panel.edges[i]))
@@ -95,7 +100,7 @@ impl OutlineFeatures {
 
     /// Returns the features of the mirrored copy: reflected x -> -x, with the same numbers.
     pub(super) fn reflected(&self) -> Self {
-        let reflect = |[x, y]: [f64; 2]| [-x, y];
+        let reflect = |[x, y]: Point2| [-x, y];
         let points = self
             .points
             .iter()
@@ -142,7 +147,7 @@ impl OutlineFeatures {
     }
 
     /// Returns the distance of a point from the straight line through the ends of a run of edges, positive on the side of the panel \[m\].
-    pub(super) fn above(&self, edges: &[usize], point: [f64; 2]) -> f64 {
+    pub(super) fn above(&self, edges: &[usize], point: Point2) -> f64 {
         let (Some(first), Some(last)) = (edges.first(), edges.last()) else {
             return 0.0;
         };
@@ -153,7 +158,7 @@ impl OutlineFeatures {
     }
 
     /// The points of a run of edges, in order \[m\].
-    pub(super) fn polyline(&self, edges: &[usize]) -> Vec<[f64; 2]> {
+    pub(super) fn polyline(&self, edges: &[usize]) -> Vec<Point2> {
         edges
             .iter()
             .flat_map(|e| self.points[*e].iter().copied())
@@ -177,16 +182,16 @@ impl OutlineFeatures {
     }
 }
 
-fn edge_shape(edge: &Edge, sense: f64) -> EdgeFeatures {
+fn edge_features(edge: &Edge, sense: f64) -> EdgeFeatures {
     let bend: f64 = edge
         .points
         .windows(3)
-        .map(|p| sense * turn(sub(p[1], p[0]), sub(p[2], p[1])))
+        .map(|p| sense * turn(p[0], p[1], p[2]))
         .sum();
     let curl: f64 = edge
         .points
         .windows(3)
-        .map(|p| turn(sub(p[1], p[0]), sub(p[2], p[1])).abs())
+        .map(|p| turn(p[0], p[1], p[2]).abs())
         .sum();
     let lifted: f64 = edge
         .points
@@ -206,13 +211,13 @@ fn edge_shape(edge: &Edge, sense: f64) -> EdgeFeatures {
 
 /// The turn where one edge ends and the next begins, counter-clockwise positive \[rad\].
 fn turn_between(before: &Edge, after: &Edge) -> f64 {
-    let reversed: Vec<[f64; 2]> = before.points.iter().rev().copied().collect();
+    let reversed: Vec<Point2> = before.points.iter().rev().copied().collect();
     let arriving = leaving(&reversed).map(|c| -c);
-    turn(arriving, leaving(&after.points))
+    turn_of(arriving, leaving(&after.points))
 }
 
 /// Direction in which a polyline leaves its first point, not of unit length.
-fn leaving(points: &[[f64; 2]]) -> [f64; 2] {
+fn leaving(points: &[Point2]) -> Point2 {
     let Some(&first) = points.first() else {
         return [1.0, 0.0];
     };
@@ -229,12 +234,9 @@ fn leaving(points: &[[f64; 2]]) -> [f64; 2] {
     sub(last, first)
 }
 
-fn turn(u: [f64; 2], v: [f64; 2]) -> f64 {
-    (u[0] * v[1] - u[1] * v[0]).atan2(u[0] * v[0] + u[1] * v[1])
-}
-
-fn sub(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
+/// Returns the turn from one direction to another, counter-clockwise positive \[rad\].
+fn turn_of(u: Point2, v: Point2) -> f64 {
+    cross(u, v).atan2(dot(u, v))
 }
 
 fn darts(edges: &[EdgeFeatures], turns: &[f64], [opening, mouth]: [f64; 2]) -> Vec<Dart> {

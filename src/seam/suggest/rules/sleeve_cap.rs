@@ -1,5 +1,6 @@
 //! The front of a sleeve's cap: the side whose notches fit the front of the armhole, or which is cut out more.
 
+use crate::pattern::Point2;
 use crate::seam::suggest::garment_model::GarmentModel;
 use crate::seam::suggest::labeled_panel::{LabeledPanel, RoleSegment};
 use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
@@ -46,7 +47,7 @@ fn cut_out(sleeve: &LabeledPanel, cap: &RoleSegment) -> Option<DrawnSide> {
     };
     let base = [last[0] - first[0], last[1] - first[1]];
     let width = base[0].hypot(base[1]).max(1e-9);
-    let place = |p: &[f64; 2]| {
+    let place = |p: &Point2| {
         let d = [p[0] - first[0], p[1] - first[1]];
         let along = (d[0] * base[0] + d[1] * base[1]) / (width * width);
         let up = (d[0] * base[1] - d[1] * base[0]).abs() / width;
