@@ -98,15 +98,7 @@ pub fn check_placed(
         stated: &stated,
         fronts_first: &fronts_first,
     };
-    let shorter_order = |implied: &SeamRelations<'_>, faces: &[Vec<Face>; 2]| {
-        let seam = seams.iter().find(|seam| seam.index == implied.seam)?;
-        reversal::shorter_order(pattern, seam, faces, starts)
-    };
-    let colorer = FaceColorer {
-        fronts_first: &fronts_first,
-        shorter_order: &shorter_order,
-    };
-    let coloring = colorer.color(&stated, &relations);
+    let coloring = color(&context, &stated, &fronts_first);
     for twist in twist::find(&context, &stated, &coloring) {
         findings[twist.seam].errors.push(twist.fault);
         corrected.extend(twist.corrected);
@@ -127,6 +119,24 @@ pub fn check_placed(
     let (mut check, set) = answer(pattern, findings, set, corrected);
     check.warnings = loose_panels(pattern, pairs);
     (check, set)
+}
+
+/// Colors the panels by stated faces, seams and start positions.
+fn color(
+    context: &SeamCheckContext<'_>,
+    stated: &[Option<Face>],
+    fronts_first: &[usize],
+) -> FaceColoring {
+    let shorter_order = |implied: &SeamRelations<'_>, faces: &[Vec<Face>; 2]| {
+        let mut seams = context.seams.iter();
+        let seam = seams.find(|seam| seam.index == implied.seam)?;
+        reversal::shorter_order(context.pattern, seam, faces, context.starts)
+    };
+    let colorer = FaceColorer {
+        fronts_first,
+        shorter_order: &shorter_order,
+    };
+    colorer.color(stated, context.relations)
 }
 
 fn too_many(count: usize, most: usize) -> Fault {

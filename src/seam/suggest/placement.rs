@@ -3,7 +3,12 @@
 use super::garment_model::GarmentModel;
 use super::labeled_panel::LabeledPanel;
 use super::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
-use crate::pattern::{Placement, PlacementAnchor, Wrap};
+use crate::pattern::PlacementAnchor::{
+    self, ArmLeft, ArmLeftBack, ArmLeftFront, ArmRight, ArmRightBack, ArmRightFront, Neck,
+    NeckBack, NeckFront, SkirtBack, SkirtFront, TorsoBack, TorsoFront, Waist, WaistBack,
+    WaistFront,
+};
+use crate::pattern::{Placement, Wrap};
 
 /// Returns the placement of each panel that has a place, with its index.
 pub(super) fn placements(garment: &GarmentModel) -> Vec<(usize, Placement)> {
@@ -20,53 +25,23 @@ fn placement(garment: &GarmentModel, part: &LabeledPanel) -> Option<Placement> {
         None => 0.0,
     };
     let (at, offset_m) = match part.kind {
-        PanelKind::Bodice | PanelKind::Yoke => (
-            pick(
-                behind,
-                PlacementAnchor::TorsoFront,
-                PlacementAnchor::TorsoBack,
-            ),
-            beside(part, side),
-        ),
-        PanelKind::Skirt if is_all_round(garment, part) => (PlacementAnchor::SkirtFront, [0.0; 3]),
+        PanelKind::Bodice | PanelKind::Yoke => {
+            (pick(behind, TorsoFront, TorsoBack), beside(part, side))
+        }
+        PanelKind::Skirt if is_all_round(garment, part) => (SkirtFront, [0.0; 3]),
         PanelKind::Skirt if part.front_back.is_none() => gore(garment, part),
         PanelKind::Skirt | PanelKind::Trouser => {
             let [x, ..] = beside(part, side);
-            let at = pick(
-                behind,
-                PlacementAnchor::SkirtFront,
-                PlacementAnchor::SkirtBack,
-            );
+            let at = pick(behind, SkirtFront, SkirtBack);
             (at, [x, -above(garment, part), 0.0])
         }
         PanelKind::Godet => {
-            let at = pick(
-                behind,
-                PlacementAnchor::SkirtFront,
-                PlacementAnchor::SkirtBack,
-            );
+            let at = pick(behind, SkirtFront, SkirtBack);
             (at, [0.0, -0.4, 0.1 * if behind { -1.0 } else { 1.0 }])
         }
-        PanelKind::Waistband => (
-            band(
-                part,
-                [
-                    PlacementAnchor::Waist,
-                    PlacementAnchor::WaistFront,
-                    PlacementAnchor::WaistBack,
-                ],
-            ),
-            [0.0; 3],
-        ),
+        PanelKind::Waistband => (band(part, [Waist, WaistFront, WaistBack]), [0.0; 3]),
         PanelKind::NeckBand | PanelKind::Collar | PanelKind::CollarStand | PanelKind::Hood => {
-            let at = band(
-                part,
-                [
-                    PlacementAnchor::Neck,
-                    PlacementAnchor::NeckFront,
-                    PlacementAnchor::NeckBack,
-                ],
-            );
+            let at = band(part, [Neck, NeckFront, NeckBack]);
             (
                 at,
                 if side == 0.0 {
@@ -78,11 +53,7 @@ fn placement(garment: &GarmentModel, part: &LabeledPanel) -> Option<Placement> {
         }
         PanelKind::Sleeve | PanelKind::ArmBand => (arm(part)?, [0.0; 3]),
         PanelKind::Cuff if on_leg(garment, part) => {
-            let at = pick(
-                behind,
-                PlacementAnchor::SkirtFront,
-                PlacementAnchor::SkirtBack,
-            );
+            let at = pick(behind, SkirtFront, SkirtBack);
             let leg = tallest(garment, PanelKind::Trouser);
             (at, [side * 0.1, -leg, 0.0])
         }
@@ -122,12 +93,12 @@ fn band(part: &LabeledPanel, [whole, front, back]: [PlacementAnchor; 3]) -> Plac
 
 fn arm(part: &LabeledPanel) -> Option<PlacementAnchor> {
     Some(match (part.laterality?, part.front_back) {
-        (Laterality::Left, None) => PlacementAnchor::ArmLeft,
-        (Laterality::Left, Some(FrontBack::Front)) => PlacementAnchor::ArmLeftFront,
-        (Laterality::Left, Some(FrontBack::Back)) => PlacementAnchor::ArmLeftBack,
-        (Laterality::Right, None) => PlacementAnchor::ArmRight,
-        (Laterality::Right, Some(FrontBack::Front)) => PlacementAnchor::ArmRightFront,
-        (Laterality::Right, Some(FrontBack::Back)) => PlacementAnchor::ArmRightBack,
+        (Laterality::Left, None) => ArmLeft,
+        (Laterality::Left, Some(FrontBack::Front)) => ArmLeftFront,
+        (Laterality::Left, Some(FrontBack::Back)) => ArmLeftBack,
+        (Laterality::Right, None) => ArmRight,
+        (Laterality::Right, Some(FrontBack::Front)) => ArmRightFront,
+        (Laterality::Right, Some(FrontBack::Back)) => ArmRightBack,
     })
 }
 
@@ -166,13 +137,9 @@ fn gore(garment: &GarmentModel, part: &LabeledPanel) -> (PlacementAnchor, [f64; 
         .unwrap_or_default();
     let in_front = gores.len().div_ceil(2);
     let (anchor, place, of) = if at < in_front {
-        (PlacementAnchor::SkirtFront, at, in_front)
+        (SkirtFront, at, in_front)
     } else {
-        (
-            PlacementAnchor::SkirtBack,
-            gores.len() - 1 - at,
-            gores.len() - in_front,
-        )
+        (SkirtBack, gores.len() - 1 - at, gores.len() - in_front)
     };
     #[expect(clippy::cast_precision_loss, reason = "a handful of gores")]
     let step = place as f64 - 0.5 * (of as f64 - 1.0);
