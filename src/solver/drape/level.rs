@@ -6,7 +6,7 @@ use crate::solver::drape::relax::settle;
 use crate::solver::drape::sew::{SEAM_STIFFNESS, close};
 use crate::solver::drape::stage::{Bounds, How};
 use crate::solver::forces::contact::Anchors;
-use crate::solver::integrate::Motion;
+use crate::solver::integrate::dynamic_relaxation::DynamicRelaxation;
 use crate::solver::optimize::newton::{FIRST_GAMMA, NEAR_GAMMA};
 use crate::solver::options::SolverOptions;
 use crate::solver::report::history::ToGo;
@@ -90,9 +90,9 @@ impl Level<'_, '_, '_> {
     }
 
     /// How a stage is run whose motion, if it is one, is `motion`.
-    pub(crate) fn how(&self, motion: Motion) -> How {
+    pub(crate) fn how(&self, motion: DynamicRelaxation) -> How {
         How {
-            motion: self.options.method.is_time_stepping().then_some(Motion {
+            motion: self.options.method.is_time_stepping().then_some(DynamicRelaxation {
                 method: self.options.method,
                 step: self.options.step_s,
                 ..motion

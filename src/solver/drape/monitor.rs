@@ -2,9 +2,10 @@
 
 use crate::progress::Progress;
 use crate::solver::Context;
-use crate::solver::optimize::newton::Verdict;
+use crate::solver::optimize::iterate::Termination;
 use crate::solver::report::history::{ToGo, Way};
 use nalgebra::Vector3;
+use std::ops::ControlFlow;
 
 /// Share of the progress that sewing is told as.
 pub(crate) const SEWING_SHARE: f64 = 0.4;
@@ -128,7 +129,7 @@ impl<'c, 'w> Trace<'c, 'w> {
     /// The time is up when another iteration as long as the last ones, and the factor that an error estimate takes, would end
     /// after the limit: an iteration is not cut short.
     #[inline(never)] // so that a profile tells what it takes
-    pub(crate) fn look(&mut self, look: &Look<'_>) -> Verdict {
+    pub(crate) fn look(&mut self, look: &Look<'_>) -> ControlFlow<Termination> {
         let cpu_s = self.cpu_s();
         self.pace.look(cpu_s);
         self.fraction = self.fraction.max(look.fraction.clamp(0.0, 1.0));
@@ -145,9 +146,9 @@ impl<'c, 'w> Trace<'c, 'w> {
         self.canceled |= self.context.cancel.is_canceled();
         self.out_of_time |= cpu_s + 2.0 * self.pace.iteration > self.time_limit;
         if self.is_over() {
-            Verdict::Interrupt
+            ControlFlow::Break(Termination::Interrupted)
         } else {
-            Verdict::Continue
+            ControlFlow::Continue(())
         }
     }
 }

@@ -12,7 +12,8 @@ use crate::solver::report::describe::{left_out, worn};
 use crate::solver::report::measure::{self, rms_distance};
 use crate::solver::report::schema::{DrapeReport, Plan};
 use crate::solver::report::unfinished;
-use crate::solver::{Context, Drape, integrate};
+use crate::solver::integrate::stability::feasibility;
+use crate::solver::{Context, Drape};
 use nalgebra::Vector3;
 
 /// Residual to which the coarser levels are solved: their shapes are off by their mesh error anyway.
@@ -106,7 +107,7 @@ fn run(
 impl Run<'_, '_, '_, '_> {
     fn go(mut self) -> Drape {
         let scene = self.cascade.scene(0);
-        let refused = integrate::refuse(scene, self.options, self.bounds.steps, self.clock);
+        let refused = feasibility::refuse(scene, self.options, self.bounds.steps, self.clock);
         let (mut x, last, rest) = match refused {
             None => self.down(),
             Some(why) => {

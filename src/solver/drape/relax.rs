@@ -3,17 +3,19 @@
 use crate::solver::drape::level::{Level, Rest, SETTLED};
 use crate::solver::drape::monitor::{Look, SEWING_SHARE, Trace};
 use crate::solver::drape::sew::closed_stiffness;
-use crate::solver::drape::stage::{Ended, How, note_rungs, run};
-use crate::solver::integrate::Motion;
+use crate::solver::drape::stage::{Ended, How, note_fallbacks, run};
+use crate::solver::integrate::dynamic_relaxation::DynamicRelaxation;
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
 use crate::solver::model::system::System;
-use crate::solver::optimize::newton::{Iteration, NEAR_GAMMA, Newton, Stop, Verdict};
+use crate::solver::optimize::iterate::{Iterate, Termination};
+use crate::solver::optimize::newton::{NEAR_GAMMA, Newton};
 use crate::solver::options::{Method, SeamClose};
 use crate::solver::report::describe::{add_terms, energies, mean_height};
 use crate::solver::report::measure;
 use crate::solver::report::schema::DrapeReport;
 use nalgebra::Vector3;
+use std::ops::ControlFlow;
 
 /// How far the middle of a garment sinks before it is plain that nothing will stop it \[m\].
 const FREE_FALL: f64 = 0.5;
@@ -24,7 +26,7 @@ pub(crate) const SADDLE: f64 = 0.01;
 /// Drag \[1/s\] and speed limit \[m/s\] of explicit steps. A garment sways at about 4 rad/s: twice that is critical.
 pub(crate) const DRAG: f64 = 8.0;
 pub(crate) const SPEED_LIMIT: f64 = 5.0;
-const MOTION: Motion = Motion {
+const MOTION: DynamicRelaxation = DynamicRelaxation {
     method: Method::SymplecticEuler,
     drag: DRAG,
     speed_limit: SPEED_LIMIT,
@@ -63,7 +65,7 @@ pub(crate) fn settle(
     let floor = system.residual_floor(&shape);
     let tolerance = level.tolerance.max(level.floors * floor);
     let mut fall = Fall {
-        how: level.how(Motion {
+        how: level.how(DynamicRelaxation {
             drag: level.scene.drag.unwrap_or(MOTION.drag),
             tolerance,
             ..MOTION
@@ -76,11 +78,11 @@ pub(crate) fn settle(
     };
     let (ended, newton) = fall.run(&mut system, &mut shape);
     *x = particles.spread(&shape);
-    note_rungs(&mut report.fallbacks, ended.rungs);
+    note_fallbacks(&mut report.fallbacks, ended.fallbacks);
     report.newton_iterations += ended.iterations;
     report.residual = ended.residual;
     report.residual_floor = floor;
-    report.converged = ended.stop == Stop::Reached;
+    report.converged = ended.stop == Termination::Reached;
     report.why = ended.reason(level.trace.canceled);
     if report.converged && tolerance > level.tolerance {
         report.why = format!(
@@ -112,7 +114,7 @@ fn estimate(
     (newton, ended): (Option<Newton>, &Ended),
     report: &mut DrapeReport,
 ) {
-    let at_rest = ended.stop == Stop::Reached;
+    let at_rest = ended.stop == Termination::Reached;
     let newton = newton.or_else(|| {
         let newton = at_rest.then(|| Newton::new(system, NEAR_GAMMA));
         newton?.ok()
@@ -156,18 +158,18 @@ impl Fall<'_, '_, '_> {
         let first_height = mean_height(&self.gravity, shape);
         let (mut last, mut fell) = (f64::NAN, false);
         let how = self.how;
-        let mut judge = |i: Iteration<'_>| {
+        let mut callback = |i: Iterate<'_>| {
             last = i.residual;
             fell = first_height - mean_height(&self.gravity, i.positions) > FREE_FALL;
-            self.judge(i, fell)
+            self.callback(i, fell)
         };
-        let (mut ended, newton) = run(system, shape, how, &mut judge);
+        let (mut ended, newton) = run(system, shape, how, &mut callback);
         ended.residual = last;
         ended.fell = fell;
         (ended, newton)
     }
 
-    fn judge(&mut self, i: Iteration<'_>, fell: bool) -> Verdict {
+    fn callback(&mut self, i: Iterate<'_>, fell: bool) -> ControlFlow<Termination> {
         let tolerance = self.tolerance;
         let done = (1.0 - (i.residual / tolerance).ln() / (10.0 / tolerance).ln()).clamp(0.0, 1.0);
         let spread = || self.particles.spread(i.positions);
@@ -179,10 +181,10 @@ impl Fall<'_, '_, '_> {
             estimate_before: i.estimate_before,
             shape: &spread,
         };
-        let verdict = self.trace.look(&look);
+        let flow = self.trace.look(&look);
         if fell {
-            Verdict::Interrupt
-        } else if verdict == Verdict::Continue
+            ControlFlow::Break(Termination::Interrupted)
+        } else if flow.is_continue()
             && i.residual
                 <= if i.convex {
                     tolerance
@@ -190,9 +192,9 @@ impl Fall<'_, '_, '_> {
                     SADDLE * tolerance
                 }
         {
-            Verdict::Reached
+            ControlFlow::Break(Termination::Reached)
         } else {
-            verdict
+            flow
         }
     }
 }

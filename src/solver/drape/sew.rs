@@ -2,17 +2,18 @@
 
 use crate::solver::drape::level::{Level, SETTLED};
 use crate::solver::drape::monitor::{Look, SEWING_SHARE};
-use crate::solver::drape::stage::{Ended, note_rungs, push_once, run};
-use crate::solver::integrate::Motion;
+use crate::solver::drape::stage::{Ended, note_fallbacks, push_once, run};
+use crate::solver::integrate::dynamic_relaxation::DynamicRelaxation;
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
-use crate::solver::optimize::newton::{Iteration, Stop, Verdict};
+use crate::solver::optimize::iterate::{Iterate, Termination};
 use crate::solver::options::Method;
 use crate::solver::options::SolverOptions;
 use crate::solver::report::describe::add_terms;
 use crate::solver::report::measure;
 use crate::solver::report::schema::DrapeReport;
 use nalgebra::Vector3;
+use std::ops::ControlFlow;
 
 /// Stiffness of a stitch if none is asked for \[N/m\]: about that of the cloth beside it.
 pub(crate) const SEAM_STIFFNESS: f64 = 1e4;
@@ -21,7 +22,7 @@ const CLOSED_STIFFER: f64 = 10.0;
 /// How often the stitches are made ten times stiffer when the seams settle with a gap.
 const STIFFER_AT_MOST: usize = 3;
 /// Drag \[1/s\] and speed limit \[m/s\] of explicit steps while sewing.
-const MOTION: Motion = Motion {
+const MOTION: DynamicRelaxation = DynamicRelaxation {
     method: Method::SymplecticEuler,
     drag: 40.0,
     speed_limit: 2.0,
@@ -52,12 +53,12 @@ pub(crate) fn close(
         let mut tries = 0;
         loop {
             let ended = pull(level, x, (&stitches, stiffness), report);
-            note_rungs(&mut report.fallbacks, ended.rungs);
+            note_fallbacks(&mut report.fallbacks, ended.fallbacks);
             let gap = measure::seam_gap(&stitches, x);
             if gap < level.options.seam_eps_m {
                 break;
             }
-            if ended.stop != Stop::Reached || tries == STIFFER_AT_MOST {
+            if ended.stop != Termination::Reached || tries == STIFFER_AT_MOST {
                 return Err(format!(
                     "the seams of stage {stage} are still {:.2} mm apart: {}",
                     gap * 1e3,
@@ -94,11 +95,11 @@ fn pull(
     level.trace.begin_stage();
     let trace = &mut level.trace;
     let mut last = f64::NAN;
-    let mut judge = |i: Iteration<'_>| {
+    let mut callback = |i: Iterate<'_>| {
         last = i.residual;
         let gap = measure::seam_gap(stitches, i.positions);
         let closed = (gap / first_gap).ln() / (eps / first_gap).min(0.9).ln();
-        let verdict = trace.look(&Look {
+        let flow = trace.look(&Look {
             stage: "sew",
             fraction: SEWING_SHARE * closed,
             residual: i.residual,
@@ -107,13 +108,13 @@ fn pull(
             shape: &|| i.positions.to_vec(),
         });
         let settled = gap < eps || (i.number > 0 && i.residual < SETTLED);
-        if verdict == Verdict::Continue && settled {
-            Verdict::Reached
+        if flow.is_continue() && settled {
+            ControlFlow::Break(Termination::Reached)
         } else {
-            verdict
+            flow
         }
     };
-    let mut ended = run(&mut system, x, how, &mut judge).0;
+    let mut ended = run(&mut system, x, how, &mut callback).0;
     ended.residual = last;
     add_terms(&mut report.terms, &system);
     report.newton_iterations += ended.iterations;

@@ -1,15 +1,16 @@
 //! One stage of a fit run to its end, by motion or by Newton's method.
 
-use crate::solver::integrate::{self, Motion};
+use crate::solver::integrate::dynamic_relaxation::{self, DynamicRelaxation};
 use crate::solver::model::system::System;
-use crate::solver::optimize::newton::{Iteration, Newton, Rungs, Stop, Verdict};
+use crate::solver::optimize::iterate::{Callback, Termination};
+use crate::solver::optimize::newton::{Fallbacks, Newton};
 use nalgebra::Vector3;
 
 /// One stage run to its end.
 pub(crate) struct Ended {
-    pub(crate) stop: Stop,
+    pub(crate) stop: Termination,
     pub(crate) residual: f64,
-    pub(crate) rungs: Rungs,
+    pub(crate) fallbacks: Fallbacks,
     /// Newton iterations.
     pub(crate) iterations: usize,
     /// Whether it was ended because the garment was falling.
@@ -31,7 +32,7 @@ pub(crate) struct Bounds {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct How {
     /// By motion, if it is given; else by Newton's method.
-    pub(crate) motion: Option<Motion>,
+    pub(crate) motion: Option<DynamicRelaxation>,
     /// γ that Newton's method begins with \[s\].
     pub(crate) first_gamma: f64,
     pub(crate) bounds: Bounds,
@@ -42,30 +43,30 @@ pub(crate) fn run(
     system: &mut System<'_>,
     x: &mut [Vector3<f64>],
     how: How,
-    judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
+    callback: &mut Callback<'_>,
 ) -> (Ended, Option<Newton>) {
     let ended = |stop| Ended {
         stop,
         residual: f64::NAN,
-        rungs: Rungs::default(),
+        fallbacks: Fallbacks::default(),
         iterations: 0,
         fell: false,
         too_long: None,
     };
     if let Some(motion) = how.motion {
-        return match integrate::run(system, x, motion, how.bounds.steps, judge) {
+        return match dynamic_relaxation::run(system, x, motion, how.bounds.steps, callback) {
             Ok(moved) => {
-                let rungs = Rungs {
+                let fallbacks = Fallbacks {
                     smaller_step: moved.shorter,
-                    ..Rungs::default()
+                    ..Fallbacks::default()
                 };
                 let ended = ended(moved.stop);
-                (Ended { rungs, ..ended }, None)
+                (Ended { fallbacks, ..ended }, None)
             }
             Err(stable) => (
                 Ended {
                     too_long: Some(stable),
-                    ..ended(Stop::Stalled)
+                    ..ended(Termination::Stalled)
                 },
                 None,
             ),
@@ -73,17 +74,17 @@ pub(crate) fn run(
     }
     match Newton::new(system, how.first_gamma) {
         Ok(mut newton) => {
-            let stop = newton.run(system, x, how.bounds.iterations, judge);
+            let stop = newton.run(system, x, how.bounds.iterations, callback);
             (
                 Ended {
-                    rungs: newton.rungs,
+                    fallbacks: newton.fallbacks,
                     iterations: newton.iterations,
                     ..ended(stop)
                 },
                 Some(newton),
             )
         }
-        Err(_) => (ended(Stop::OutOfMemory), None),
+        Err(_) => (ended(Termination::OutOfMemory), None),
     }
 }
 
@@ -100,24 +101,24 @@ impl Ended {
             return "it fell off the body: nothing holds it up".to_owned();
         }
         match self.stop {
-            Stop::Reached => format!("at rest: r = {r:.1e}"),
-            Stop::Interrupted if canceled => format!("canceled at r = {r:.1e}"),
-            Stop::Interrupted => format!("the time allowed was up at r = {r:.1e}"),
-            Stop::Stalled => format!("no step lowers the energy any more, at r = {r:.1e}"),
-            Stop::Iterations => format!("the limit of iterations was reached at r = {r:.1e}"),
-            Stop::OutOfMemory => "there is no memory for the matrix factor: ask for longer mesh edges".to_owned(),
-            Stop::NotFinite => "forces became infinite: look for panels that start inside the body or seams of very unlike length".to_owned(),
+            Termination::Reached => format!("at rest: r = {r:.1e}"),
+            Termination::Interrupted if canceled => format!("canceled at r = {r:.1e}"),
+            Termination::Interrupted => format!("the time allowed was up at r = {r:.1e}"),
+            Termination::Stalled => format!("no step lowers the energy any more, at r = {r:.1e}"),
+            Termination::IterationLimit => format!("the limit of iterations was reached at r = {r:.1e}"),
+            Termination::OutOfMemory => "there is no memory for the matrix factor: ask for longer mesh edges".to_owned(),
+            Termination::NotFinite => "forces became infinite: look for panels that start inside the body or seams of very unlike length".to_owned(),
         }
     }
 }
 
-/// Adds the rungs that were taken to the report's list.
-pub(crate) fn note_rungs(ladder: &mut Vec<String>, rungs: Rungs) {
+/// Adds the fallbacks that were taken to the report's list.
+pub(crate) fn note_fallbacks(ladder: &mut Vec<String>, fallbacks: Fallbacks) {
     for (taken, name) in [
-        (rungs.true_hessian, "true_hessian"),
-        (rungs.convex_part, "convex_part"),
-        (rungs.diagonal_shift, "diagonal_shift"),
-        (rungs.smaller_step, "smaller_step"),
+        (fallbacks.true_hessian, "true_hessian"),
+        (fallbacks.projected_hessian, "convex_part"),
+        (fallbacks.diagonal_shift, "diagonal_shift"),
+        (fallbacks.smaller_step, "smaller_step"),
     ] {
         if taken {
             push_once(ladder, name);

@@ -15,7 +15,7 @@ use crate::solver::model::system::STANDARD_GRAVITY;
 const SLOWEST_SWING: f64 = 0.5 * 2.404_825_557_695_773;
 
 /// Slowest swing of the cloth of `scene` \[rad/s\]; 0 if it has no length.
-pub(crate) fn slowest_swing(scene: &Scene) -> f64 {
+pub(crate) fn fundamental_frequency(scene: &Scene) -> f64 {
     let mut longest = 0.0_f64;
     for panel in &scene.mesh.panels {
         for axis in 0..2 {
@@ -44,7 +44,7 @@ pub(crate) fn drag(scene: &Scene) -> f64 {
         damped += own * scene.fabrics[cut.fabric].damping_ratio;
     }
     if mass > 0.0 {
-        2.0 * damped / mass * slowest_swing(scene)
+        2.0 * damped / mass * fundamental_frequency(scene)
     } else {
         0.0
     }

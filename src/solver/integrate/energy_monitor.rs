@@ -5,7 +5,7 @@
 //! side's map is a rotation, their product need not be). Drag takes 2 c K a second, K the kinetic energy. Where the energy falls
 //! by less than half of that, the steps are too long.
 
-use crate::solver::integrate::integrator::State;
+use crate::solver::integrate::integrator::ParticleState;
 use crate::solver::model::system::System;
 
 /// Blocks of steps after which the balance is drawn.
@@ -16,7 +16,7 @@ const LEAST: f64 = 0.5;
 const FELT: f64 = 1e-10;
 
 /// The energy of a motion with drag, watched.
-pub(crate) struct Balance {
+pub(crate) struct EnergyMonitor {
     /// \[1/s\]
     drag: f64,
     /// Kinetic energy after the last block \[J\].
@@ -28,7 +28,7 @@ pub(crate) struct Balance {
     blocks: usize,
 }
 
-impl Balance {
+impl EnergyMonitor {
     pub(crate) fn new(drag: f64) -> Self {
         Self {
             drag,
@@ -40,7 +40,7 @@ impl Balance {
     }
 
     /// After a block of steps that took `time` \[s\]: whether the steps drive the cloth.
-    pub(crate) fn is_driven(&mut self, system: &mut System<'_>, state: &State, time: f64) -> bool {
+    pub(crate) fn gains_energy(&mut self, system: &mut System<'_>, state: &ParticleState, time: f64) -> bool {
         let moving = state.v.iter().zip(&system.mass);
         let kinetic = 0.5 * moving.map(|(v, m)| m * v.norm_squared()).sum::<f64>();
         self.taken += self.drag * (self.kinetic + kinetic) * time;

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 /// Positions \[m\] and velocities \[m/s\] of all particles at one time.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct State {
+pub(crate) struct ParticleState {
     pub(crate) x: Vec<Vector3<f64>>,
     pub(crate) v: Vec<Vector3<f64>>,
     /// \[s\]
@@ -14,7 +14,7 @@ pub(crate) struct State {
     pub(crate) windy: bool,
 }
 
-impl State {
+impl ParticleState {
     /// At rest at `x`.
     pub(crate) fn at_rest(x: &[Vector3<f64>]) -> Self {
         Self {
@@ -41,15 +41,15 @@ impl State {
 
 /// Why steps could not be taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Trouble {
+pub(crate) enum StepError {
     /// The equations of an implicit step were not solved.
-    NotSolved,
+    NotConverged,
     /// Numbers that are not finite.
     NotFinite,
 }
 
 /// A trajectory method, with all scratch memory that it needs.
-pub(crate) trait Stepper {
+pub(crate) trait Integrator {
     /// Order of the global error in the step.
     fn order(&self) -> i32;
 
@@ -67,13 +67,13 @@ pub(crate) trait Stepper {
     fn advance(
         &mut self,
         system: &mut System<'_>,
-        state: &mut State,
+        state: &mut ParticleState,
         h: f64,
         count: u64,
-    ) -> Result<f64, Trouble>;
+    ) -> Result<f64, StepError>;
 
     /// Remembers that the steps of `h` \[s\] that began at `before` are part of the trajectory.
-    fn accept(&mut self, _before: &State, _h: f64) {}
+    fn accept(&mut self, _before: &ParticleState, _h: f64) {}
 
     /// Operations of one step, counted; what they cost a processor is about the same for all.
     fn operations(&self) -> f64;
@@ -92,7 +92,7 @@ pub(crate) trait Stepper {
 /// Tells what remembers the way of the cloth where it is, and wind how it moves.
 ///
 /// Velocities are those that the step begins with (with Verlet, of the half step before): wind is lagged by a step.
-pub(crate) fn accept(system: &mut System<'_>, state: &State) {
+pub(crate) fn accept(system: &mut System<'_>, state: &ParticleState) {
     if state.windy {
         system.set_motion(&state.v, state.time);
     }

@@ -16,7 +16,7 @@ const SHRINKING: f64 = 0.2;
 
 /// Chooses steps.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Control {
+pub(crate) struct StepControl {
     /// The error allowed over the time that it is made in \[m/s\]; none for a fixed step.
     tolerance: Option<f64>,
     order: i32,
@@ -28,7 +28,7 @@ pub(crate) struct Control {
     wanted: f64,
 }
 
-impl Control {
+impl StepControl {
     /// Begins with the step `first` \[s\], and stays with it if there is no tolerance.
     pub(crate) fn new(tolerance: Option<f64>, order: i32, first: f64) -> Self {
         Self {
@@ -85,7 +85,7 @@ mod tests {
 
     #[test]
     fn a_fixed_step_divides_the_time_evenly() {
-        let control = Control::new(None, 2, 0.003);
+        let control = StepControl::new(None, 2, 0.003);
         assert_eq!(control.next(0.01), (0.0025, 4));
         assert_eq!(control.next(0.003), (0.003, 1));
         assert_eq!(control.next(0.003 * 7.0).1, 7);
@@ -96,7 +96,7 @@ mod tests {
     fn steps_settle_where_the_error_is_what_is_aimed_at() {
         for order in [1, 2] {
             let (k, tolerance) = (3.0, 1e-4);
-            let mut control = Control::new(Some(tolerance), order, 1e-6);
+            let mut control = StepControl::new(Some(tolerance), order, 1e-6);
             for _ in 0..40 {
                 let h = control.wanted;
                 control.accepts(h, k * h.powi(order));

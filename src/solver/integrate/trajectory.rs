@@ -5,9 +5,9 @@ use crate::solver::Context;
 use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
 use crate::solver::forces::contact::Anchors;
 use crate::solver::integrate::damping;
-use crate::solver::integrate::integrator::State;
+use crate::solver::integrate::integrator::ParticleState;
 use crate::solver::integrate::report::{MotionReport, Trajectory};
-use crate::solver::integrate::run::Run;
+use crate::solver::integrate::simulation::MotionSimulation;
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
 use crate::solver::options::{Method, SeamClose, SolverOptions};
@@ -57,13 +57,13 @@ pub fn trajectory(
     };
     let mut system = assemble(scene, options, &stage, context.cpu_s);
     let mut state =
-        State::at_rest(&particles.mean(from.positions.as_ref().unwrap_or(&scene.start)));
+        ParticleState::at_rest(&particles.mean(from.positions.as_ref().unwrap_or(&scene.start)));
     state.windy = true;
     if let Some(velocities) = &from.velocities {
         state.v = particles.mean(velocities);
         system.hold_still(&mut state.v);
     }
-    let mut run = Run {
+    let mut run = MotionSimulation {
         options,
         began,
         particles: &particles,
@@ -77,7 +77,7 @@ pub fn trajectory(
         canceled: false,
         context,
     };
-    run.report.why = match run.go(&mut system, &mut state, damping::slowest_swing(scene)) {
+    run.report.why = match run.go(&mut system, &mut state, damping::fundamental_frequency(scene)) {
         Ok(()) => format!("all of {:.4} s was simulated", run.report.simulated_s),
         Err(why) => why,
     };

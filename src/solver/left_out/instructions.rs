@@ -8,13 +8,15 @@ use crate::progress::CancelToken;
 use crate::scene::Scene;
 use crate::solver::drape;
 use crate::solver::drape::relax::{DRAG, SADDLE, SPEED_LIMIT};
-use crate::solver::integrate::{self, Motion};
+use crate::solver::integrate::dynamic_relaxation::{self, DynamicRelaxation};
 use crate::solver::left_out::by_hand::{self, no_clock};
 use crate::solver::left_out::scenes::{Has, scene};
-use crate::solver::optimize::newton::{FIRST_GAMMA, Iteration, Newton, Stop, Verdict};
+use crate::solver::optimize::iterate::{Iterate, Termination};
+use crate::solver::optimize::newton::{FIRST_GAMMA, Newton};
 use crate::solver::{Context, Drape, Method, SolverOptions};
 use nalgebra::Vector3;
 use seamster_fixtures::callgrind::{self, Profile, REPORT};
+use std::ops::ControlFlow;
 
 /// Cells along a sheet; both sheets together are too small for a coarser mesh.
 const CELLS: usize = 13;
@@ -68,28 +70,28 @@ fn as_a_scene(scene: &Scene, ask: &SolverOptions) -> Drape {
 fn bare(scene: &Scene, ask: &SolverOptions) -> Vec<Vector3<f64>> {
     let mut system = by_hand::system(scene, true);
     let mut x = scene.start.clone();
-    let mut judge = |i: Iteration<'_>| {
+    let mut callback = |i: Iterate<'_>| {
         let share = if i.convex { 1.0 } else { SADDLE };
         if i.residual <= share * ask.tolerance {
-            Verdict::Reached
+            ControlFlow::Break(Termination::Reached)
         } else {
-            Verdict::Continue
+            ControlFlow::Continue(())
         }
     };
     if ask.method == Method::Newton {
         let mut newton = Newton::new(&mut system, FIRST_GAMMA).expect("memory for a small matrix");
         let limit = Limits::default().iterations;
-        let stop = newton.run(&mut system, &mut x, limit, &mut judge);
-        assert_eq!(stop, Stop::Reached);
+        let stop = newton.run(&mut system, &mut x, limit, &mut callback);
+        assert_eq!(stop, Termination::Reached);
     } else {
-        let motion = Motion {
+        let motion = DynamicRelaxation {
             method: ask.method,
             drag: DRAG,
             speed_limit: SPEED_LIMIT,
             step: None,
             tolerance: ask.tolerance,
         };
-        let moved = integrate::run(&mut system, &mut x, motion, STEPS, &mut judge);
+        let moved = dynamic_relaxation::run(&mut system, &mut x, motion, STEPS, &mut callback);
         assert!(moved.is_ok(), "{moved:?}");
     }
     x

@@ -1,3 +1,4 @@
 //! Minimization of the energy of a system.
 
+pub(crate) mod iterate;
 pub(crate) mod newton;

@@ -17,9 +17,11 @@ use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use crate::solver::linalg::cholesky::BlockCholesky;
 use crate::solver::linalg::nonsymmetric::SkewSolver;
 use crate::solver::model::system::System;
+use crate::solver::optimize::iterate::{Callback, Iterate, Termination};
 use crate::solver::report::measure::rms;
 use nalgebra::{Matrix3, Vector3};
 use seamster_cholesky::OutOfMemory;
+use std::ops::ControlFlow;
 
 /// Furthest that a particle moves in one iteration \[m\]; much more would carry cloth through a body.
 const LARGEST_MOVE: f64 = 0.04;
@@ -39,48 +41,11 @@ const LEAST_CONVEXITY: f64 = 0.02;
 /// Largest share of the proximal term in the curvature along a step whose length still is the distance to the solution.
 const PROXIMAL_SHARE: f64 = 0.1;
 
-/// Why an iteration stopped.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Stop {
-    /// The caller's test was met.
-    Reached,
-    /// No step lowers the energy any more.
-    Stalled,
-    /// The limit of iterations.
-    Iterations,
-    /// The caller asked to stop.
-    Interrupted,
-    /// No memory for the factor.
-    OutOfMemory,
-    /// Forces that are not finite.
-    NotFinite,
-}
-
-/// What an iteration looks like from outside.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Iteration<'a> {
-    pub(crate) number: usize,
-    pub(crate) residual: f64,
-    pub(crate) positions: &'a [Vector3<f64>],
-    /// Whether the shape of the iteration before was in a valley of the energy, as far as that was looked at.
-    pub(crate) convex: bool,
-    /// Estimate of how far the shape of the iteration before was from the solution \[m, RMS\], where its step told.
-    pub(crate) estimate_before: Option<f64>,
-}
-
-/// What a caller decides after each iteration.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Verdict {
-    Continue,
-    Reached,
-    Interrupt,
-}
-
-/// Which rungs of the ladder were taken.
+/// Which fallbacks of the ladder were taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Rungs {
+pub(crate) struct Fallbacks {
     pub(crate) true_hessian: bool,
-    pub(crate) convex_part: bool,
+    pub(crate) projected_hessian: bool,
     pub(crate) diagonal_shift: bool,
     pub(crate) smaller_step: bool,
 }
@@ -103,7 +68,7 @@ pub(crate) struct Newton {
     touching: Vec<bool>,
     /// Length of the last full step \[m, RMS\], if it is that to the solution.
     estimate: Option<f64>,
-    pub(crate) rungs: Rungs,
+    pub(crate) fallbacks: Fallbacks,
     /// Steps taken.
     pub(crate) iterations: usize,
     /// Whether the last step left the particles in contact as they were, and none of them slipped.
@@ -130,19 +95,19 @@ impl Newton {
             was_convex: true,
             touching: Vec::new(),
             estimate: None,
-            rungs: Rungs::default(),
+            fallbacks: Fallbacks::default(),
             contact_settled: true,
         })
     }
 
-    /// Iterates from `x` until `judge` says so, at most `limit` times. `x` is always the last accepted shape.
+    /// Iterates from `x` until `callback` says so, at most `limit` times. `x` is always the last accepted shape.
     pub(crate) fn run(
         &mut self,
         system: &mut System<'_>,
         x: &mut [Vector3<f64>],
         limit: usize,
-        judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
-    ) -> Stop {
+        callback: &mut Callback<'_>,
+    ) -> Termination {
         for number in 0..limit {
             let slipped = system.accept(x);
             if let Some(contact) = &mut system.contact {
@@ -153,25 +118,24 @@ impl Newton {
             system.net_force(x, &mut self.force);
             let residual = system.residual(&self.force);
             if !residual.is_finite() {
-                return Stop::NotFinite;
+                return Termination::NotFinite;
             }
-            match judge(Iteration {
+            let flow = callback(Iterate {
                 number,
                 residual,
                 positions: x,
                 convex: self.was_convex,
                 estimate_before: self.estimate.take(),
-            }) {
-                Verdict::Continue => {}
-                Verdict::Reached => return Stop::Reached,
-                Verdict::Interrupt => return Stop::Interrupted,
+            });
+            if let ControlFlow::Break(termination) = flow {
+                return termination;
             }
             self.iterations += 1;
             if !self.advance(system, x) {
-                return Stop::Stalled;
+                return Termination::Stalled;
             }
         }
-        Stop::Iterations
+        Termination::IterationLimit
     }
 
     /// Whether the second derivative had a factor in the last step.
@@ -204,17 +168,17 @@ impl Newton {
             if !self.factorise(system) {
                 failed = true;
                 if self.convexity < 1.0 {
-                    self.rungs.convex_part = true;
+                    self.fallbacks.projected_hessian = true;
                     self.convexity = (2.0 * self.convexity).clamp(LEAST_CONVEXITY, 1.0);
                     system.hessian(x, self.convexity, &mut self.hessian);
                 } else {
-                    self.rungs.diagonal_shift = true;
+                    self.fallbacks.diagonal_shift = true;
                     self.gamma *= 0.25;
                 }
                 continue;
             }
             let is_true = self.convexity == 0.0;
-            self.rungs.true_hessian |= is_true;
+            self.fallbacks.true_hessian |= is_true;
             self.was_convex = is_true;
             self.convexity *= if failed { 0.9 } else { 0.5 };
             if self.convexity < LEAST_CONVEXITY {
@@ -225,7 +189,7 @@ impl Newton {
             if found {
                 return true;
             }
-            self.rungs.smaller_step = true;
+            self.fallbacks.smaller_step = true;
             self.gamma *= 0.1;
         }
         self.gamma = FIRST_GAMMA;

@@ -1,9 +1,9 @@
 //! The paper's method (P8): V += (F / m - c V) h, then X += V h. Order 1; keeps angular momentum.
 
-use crate::solver::integrate::explicit::Explicit;
-use crate::solver::integrate::explicit::kernel::Rule;
-use crate::solver::integrate::integrator::{State, Stepper, Trouble};
-use crate::solver::integrate::limit;
+use crate::solver::integrate::explicit::stepper::ExplicitStepper;
+use crate::solver::integrate::explicit::kernel::StepRule;
+use crate::solver::integrate::integrator::{ParticleState, Integrator, StepError};
+use crate::solver::integrate::stability::limit;
 use crate::solver::model::system::System;
 use crate::solver::report::measure::rms;
 use nalgebra::Vector3;
@@ -13,7 +13,7 @@ pub(crate) const BLOCK: u64 = 100;
 
 /// The paper's method.
 pub(crate) struct SymplecticEuler {
-    explicit: Explicit,
+    explicit: ExplicitStepper,
     drag: f64,
     speed_limit: f64,
 }
@@ -22,14 +22,14 @@ impl SymplecticEuler {
     /// With drag per mass `drag` \[1/s\] and no speed above `speed_limit` \[m/s\].
     pub(crate) fn new(system: &System<'_>, drag: f64, speed_limit: f64) -> Self {
         Self {
-            explicit: Explicit::new(system),
+            explicit: ExplicitStepper::new(system),
             drag,
             speed_limit,
         }
     }
 }
 
-impl Stepper for SymplecticEuler {
+impl Integrator for SymplecticEuler {
     fn order(&self) -> i32 {
         1
     }
@@ -47,18 +47,18 @@ impl Stepper for SymplecticEuler {
     }
 
     fn stable_step(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) -> f64 {
-        limit::symplectic_euler(limit::highest_square(system, x), self.drag)
+        limit::symplectic_euler(limit::max_eigenvalue(system, x), self.drag)
     }
 
     /// Against the exact solution, whose positions move by the mean of both velocities, a step moves them by h/2 |ΔV| too far.
     fn advance(
         &mut self,
         system: &mut System<'_>,
-        state: &mut State,
+        state: &mut ParticleState,
         h: f64,
         count: u64,
-    ) -> Result<f64, Trouble> {
-        let rule = Rule {
+    ) -> Result<f64, StepError> {
+        let rule = StepRule {
             keep: 1.0 - self.drag * h,
             gain: h,
             h,
@@ -67,6 +67,6 @@ impl Stepper for SymplecticEuler {
         self.explicit.run(system, state, rule, count);
         let before = &self.explicit.v_before;
         let error = 0.5 * rms(before.len(), |i| state.v[i] - before[i]);
-        error.is_finite().then_some(error).ok_or(Trouble::NotFinite)
+        error.is_finite().then_some(error).ok_or(StepError::NotFinite)
     }
 }

@@ -6,10 +6,10 @@
 //! rule V = (1 - ch/2) / (1 + ch/2) V + h / (1 + ch/2) F/m, X += V h on velocities half a step off: the pass of the paper's
 //! method with other numbers. Velocities are brought on and off the step where a block of steps begins and ends.
 
-use crate::solver::integrate::explicit::Explicit;
-use crate::solver::integrate::explicit::kernel::Rule;
-use crate::solver::integrate::integrator::{State, Stepper, Trouble, accept};
-use crate::solver::integrate::limit;
+use crate::solver::integrate::explicit::stepper::ExplicitStepper;
+use crate::solver::integrate::explicit::kernel::StepRule;
+use crate::solver::integrate::integrator::{ParticleState, Integrator, StepError, accept};
+use crate::solver::integrate::stability::limit;
 use crate::solver::model::system::System;
 use nalgebra::Vector3;
 
@@ -18,7 +18,7 @@ const BLOCK: u64 = 100;
 
 /// Velocity Verlet.
 pub(crate) struct Verlet {
-    explicit: Explicit,
+    explicit: ExplicitStepper,
     drag: f64,
     speed_limit: f64,
     force: Vec<Vector3<f64>>,
@@ -28,14 +28,14 @@ impl Verlet {
     /// With drag per mass `drag` \[1/s\] and no speed above `speed_limit` \[m/s\].
     pub(crate) fn new(system: &System<'_>, drag: f64, speed_limit: f64) -> Self {
         Self {
-            explicit: Explicit::new(system),
+            explicit: ExplicitStepper::new(system),
             drag,
             speed_limit,
             force: vec![Vector3::zeros(); system.particle_count()],
         }
     }
 
-    fn acceleration(&mut self, system: &mut System<'_>, state: &State) {
+    fn acceleration(&mut self, system: &mut System<'_>, state: &ParticleState) {
         accept(system, state);
         system.net_force(&state.x, &mut self.force);
         for (f, m) in self.force.iter_mut().zip(&system.mass) {
@@ -44,7 +44,7 @@ impl Verlet {
     }
 }
 
-impl Stepper for Verlet {
+impl Integrator for Verlet {
     fn order(&self) -> i32 {
         2
     }
@@ -62,19 +62,19 @@ impl Stepper for Verlet {
     }
 
     fn stable_step(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) -> f64 {
-        limit::verlet(limit::highest_square(system, x))
+        limit::verlet(limit::max_eigenvalue(system, x))
     }
 
     /// Positions miss the third derivative, h³/6 of it; that is what the acceleration changed by over h.
     fn advance(
         &mut self,
         system: &mut System<'_>,
-        state: &mut State,
+        state: &mut ParticleState,
         h: f64,
         count: u64,
-    ) -> Result<f64, Trouble> {
+    ) -> Result<f64, StepError> {
         let half = 0.5 * self.drag * h;
-        let rule = Rule {
+        let rule = StepRule {
             keep: (1.0 - half) / (1.0 + half),
             gain: h / (1.0 + half),
             h,
@@ -95,6 +95,6 @@ impl Stepper for Verlet {
             square += (a - *v * drag - last).norm_squared();
         }
         let error = h / 6.0 * (square / state.v.len().max(1) as f64).sqrt();
-        error.is_finite().then_some(error).ok_or(Trouble::NotFinite)
+        error.is_finite().then_some(error).ok_or(StepError::NotFinite)
     }
 }

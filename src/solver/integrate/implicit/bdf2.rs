@@ -9,7 +9,7 @@
 //! The first step has nothing before it: it is one of implicit Euler, whose local error, of order h², is made once.
 
 use crate::solver::integrate::implicit::euler::{ImplicitEuler, NEWTON_A_STEP};
-use crate::solver::integrate::integrator::{State, Stepper, Trouble, accept};
+use crate::solver::integrate::integrator::{ParticleState, Integrator, StepError, accept};
 use crate::solver::model::system::System;
 use nalgebra::Vector3;
 use seamster_cholesky::OutOfMemory;
@@ -22,7 +22,7 @@ pub(crate) struct Bdf2 {
     /// The first step's method, whose matrices serve every step.
     euler: ImplicitEuler,
     /// The state before the last accepted step, and that step \[s\].
-    before: Option<(State, f64)>,
+    before: Option<(ParticleState, f64)>,
 }
 
 impl Bdf2 {
@@ -40,13 +40,13 @@ impl Bdf2 {
 }
 
 /// The formula for a step `ratio` times as long as the one before it.
-struct Formula {
+struct Bdf2Formula {
     /// Of what is now; what was before has 1 less this.
     now: f64,
     gamma: f64,
 }
 
-impl Formula {
+impl Bdf2Formula {
     fn new(ratio: f64) -> Self {
         let sum = 1.0 + 2.0 * ratio;
         Self {
@@ -61,7 +61,7 @@ impl Formula {
     }
 }
 
-impl Stepper for Bdf2 {
+impl Integrator for Bdf2 {
     fn order(&self) -> i32 {
         2
     }
@@ -74,10 +74,10 @@ impl Stepper for Bdf2 {
     fn advance(
         &mut self,
         system: &mut System<'_>,
-        state: &mut State,
+        state: &mut ParticleState,
         h: f64,
         _count: u64,
-    ) -> Result<f64, Trouble> {
+    ) -> Result<f64, StepError> {
         let Some((before, h_before)) = &self.before else {
             return self.euler.advance(system, state, h, 1);
         };
@@ -86,7 +86,7 @@ impl Stepper for Bdf2 {
             return self.euler.advance(system, state, h, 1);
         }
         accept(system, state);
-        let formula = Formula::new(ratio);
+        let formula = Bdf2Formula::new(ratio);
         let reach = formula.gamma * h;
         let dragged = 1.0 + self.euler.drag * reach;
         let pairs = state.x.iter().zip(&before.x);
@@ -109,7 +109,7 @@ impl Stepper for Bdf2 {
         Ok(constant * h * h * third)
     }
 
-    fn accept(&mut self, before: &State, h: f64) {
+    fn accept(&mut self, before: &ParticleState, h: f64) {
         match &mut self.before {
             Some((kept, h_before)) => {
                 kept.copy_from(before);

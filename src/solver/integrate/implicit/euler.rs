@@ -4,8 +4,8 @@
 //! x̂ = X + h V / (1 + c h). The iteration begins at X or at x̂, whichever is lower, and only goes down; so, without drag,
 //! `E(X') + |X' - x̂|²_M / 2h² <= E(X) + |V|²_M / 2`: what the step begins with.
 
-use crate::solver::integrate::implicit::incremental::{Incremental, Pull};
-use crate::solver::integrate::integrator::{State, Stepper, Trouble, accept};
+use crate::solver::integrate::implicit::incremental_potential::{IncrementalPotential, InertiaTerm};
+use crate::solver::integrate::integrator::{ParticleState, Integrator, StepError, accept};
 use crate::solver::model::system::System;
 use nalgebra::Vector3;
 use seamster_cholesky::OutOfMemory;
@@ -15,7 +15,7 @@ pub(crate) const NEWTON_A_STEP: f64 = 3.0;
 
 /// Implicit Euler.
 pub(crate) struct ImplicitEuler {
-    newton: Incremental,
+    newton: IncrementalPotential,
     pub(crate) drag: f64,
     /// x̂ \[m\].
     pub(crate) target: Vec<Vector3<f64>>,
@@ -32,7 +32,7 @@ impl ImplicitEuler {
     ) -> Result<Self, OutOfMemory> {
         let zero = vec![Vector3::zeros(); system.particle_count()];
         Ok(Self {
-            newton: Incremental::new(system, tolerance)?,
+            newton: IncrementalPotential::new(system, tolerance)?,
             drag,
             target: zero.clone(),
             next: zero,
@@ -50,19 +50,19 @@ impl ImplicitEuler {
         system: &mut System<'_>,
         weight: f64,
         x: &[Vector3<f64>],
-    ) -> Result<(), Trouble> {
-        let pull = Pull {
+    ) -> Result<(), StepError> {
+        let inertia_term = InertiaTerm {
             weight,
             target: &self.target,
         };
-        let stay = Incremental::potential(system, &pull, x);
-        let go = Incremental::potential(system, &pull, &self.target);
+        let stay = IncrementalPotential::potential(system, &inertia_term, x);
+        let go = IncrementalPotential::potential(system, &inertia_term, &self.target);
         let guess = if go < stay { &self.target[..] } else { x };
         self.next.copy_from_slice(guess);
-        self.newton.minimise(system, &pull, &mut self.next)
+        self.newton.minimise(system, &inertia_term, &mut self.next)
     }
 
-    fn step(&mut self, system: &mut System<'_>, state: &mut State, h: f64) -> Result<f64, Trouble> {
+    fn step(&mut self, system: &mut System<'_>, state: &mut ParticleState, h: f64) -> Result<f64, StepError> {
         accept(system, state);
         let dragged = 1.0 + self.drag * h;
         system.hold_still(&mut state.v);
@@ -81,7 +81,7 @@ impl ImplicitEuler {
     }
 }
 
-impl Stepper for ImplicitEuler {
+impl Integrator for ImplicitEuler {
     fn order(&self) -> i32 {
         1
     }
@@ -94,10 +94,10 @@ impl Stepper for ImplicitEuler {
     fn advance(
         &mut self,
         system: &mut System<'_>,
-        state: &mut State,
+        state: &mut ParticleState,
         h: f64,
         count: u64,
-    ) -> Result<f64, Trouble> {
+    ) -> Result<f64, StepError> {
         let mut error = 0.0_f64;
         for _ in 0..count {
             error = error.max(self.step(system, state, h)?);

@@ -2,4 +2,4 @@
 
 pub(crate) mod bdf2;
 pub(crate) mod euler;
-pub(crate) mod incremental;
+pub(crate) mod incremental_potential;

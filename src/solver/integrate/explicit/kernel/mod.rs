@@ -17,8 +17,8 @@ mod pass;
 mod rows;
 
 use crate::solver::forces::{Link, Stencil};
-use crate::solver::integrate::explicit::kernel::pass::Step;
-use crate::solver::integrate::explicit::kernel::rows::Rows;
+use crate::solver::integrate::explicit::kernel::pass::KernelPass;
+use crate::solver::integrate::explicit::kernel::rows::PairRows;
 use crate::solver::model::system::System;
 use nalgebra::Vector3;
 use pulp::Arch;
@@ -33,7 +33,7 @@ type Lanes = [f64; LANES];
 
 /// How one step moves particles: V = `keep` V + `gain` F / m, at most `speed_limit`, then X += V `h`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Rule {
+pub(crate) struct StepRule {
     /// Dimensionless.
     pub(crate) keep: f64,
     /// \[s\]
@@ -46,7 +46,7 @@ pub(crate) struct Rule {
 
 /// Where the links of eight particles lie.
 #[derive(Clone, Debug)]
-struct Slice {
+struct LaneSlice {
     springs: Range<usize>,
     straight: Range<usize>,
 }
@@ -55,7 +55,7 @@ struct Slice {
 pub(crate) struct Kernel {
     /// The particle in each place; places beyond the last particle hold none.
     particle: Vec<usize>,
-    slices: Vec<Slice>,
+    slices: Vec<LaneSlice>,
     /// Links with a root to take: the places of the other ends, and their two coefficients.
     spring_ends: Vec<[u32; LANES]>,
     springs: Vec<[Lanes; 2]>,
@@ -82,7 +82,7 @@ impl Kernel {
     /// Lays out `stencil` for particles of these masses \[kg\]; `more_forces` if other forces will be handed in at each step.
     pub(crate) fn new(system: &System<'_>, stencil: &Stencil, more_forces: bool) -> Self {
         let (mass, held) = (&system.mass, &system.held);
-        let rows = Rows::new(&stencil.merged(), mass.len());
+        let rows = PairRows::new(&stencil.merged(), mass.len());
         let particle = rows.order();
         let places = particle.len().next_multiple_of(LANES);
         let mobility = (0..places / LANES)
@@ -120,7 +120,7 @@ impl Kernel {
         kernel
     }
 
-    fn lay_out(&mut self, rows: &Rows) {
+    fn lay_out(&mut self, rows: &PairRows) {
         let mut place = vec![0; self.particle.len()];
         for (to, &p) in self.particle.iter().enumerate() {
             place[p] = u32::try_from(to).expect("meshes are bounded far below 2^32 vertices");
@@ -149,7 +149,7 @@ impl Kernel {
                     }
                 }
             }
-            self.slices.push(Slice {
+            self.slices.push(LaneSlice {
                 springs: springs..self.springs.len(),
                 straight: straight..self.straight.len(),
             });
@@ -197,9 +197,9 @@ impl Kernel {
     }
 
     /// One step.
-    pub(crate) fn step(&mut self, rule: Rule) {
+    pub(crate) fn step(&mut self, rule: StepRule) {
         let arch = self.arch;
-        arch.dispatch(Step { kernel: self, rule });
+        arch.dispatch(KernelPass { kernel: self, rule });
         std::mem::swap(&mut self.x, &mut self.x_next);
     }
 
@@ -219,7 +219,7 @@ impl Kernel {
             + size_of::<Lanes>() * (2 * self.springs.len() + self.straight.len())
             + size_of::<[f64; 4]>() * (self.x.len() + self.x_next.len())
             + size_of::<[Lanes; 3]>() * (slices + self.push.len())
-            + (size_of::<Lanes>() + size_of::<Slice>()) * slices
+            + (size_of::<Lanes>() + size_of::<LaneSlice>()) * slices
     }
 }
 

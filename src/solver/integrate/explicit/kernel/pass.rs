@@ -1,20 +1,20 @@
 //! The pass itself: loops over eight lanes, written out so that they become vector instructions.
 
-use crate::solver::integrate::explicit::kernel::{Kernel, LANES, Lanes, Rule};
+use crate::solver::integrate::explicit::kernel::{Kernel, LANES, Lanes, StepRule};
 use pulp::{Simd, WithSimd};
 
 /// One pass, compiled for each instruction set that the machine may have.
-pub(crate) struct Step<'k> {
+pub(crate) struct KernelPass<'k> {
     pub(crate) kernel: &'k mut Kernel,
-    pub(crate) rule: Rule,
+    pub(crate) rule: StepRule,
 }
 
-impl WithSimd for Step<'_> {
+impl WithSimd for KernelPass<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _simd: S) {
-        let Step { kernel, rule } = self;
+        let KernelPass { kernel, rule } = self;
         match (kernel.push.is_empty(), rule.speed_limit.is_finite()) {
             (true, false) => kernel.pass::<false, false>(rule),
             (true, true) => kernel.pass::<false, true>(rule),
@@ -76,7 +76,7 @@ fn limit(v: &mut [Lanes; 3], square_limit: f64) {
 impl Kernel {
     /// Every particle once: its links, its push, its motion.
     #[inline(always)]
-    fn pass<const PUSHED: bool, const LIMITED: bool>(&mut self, rule: Rule) {
+    fn pass<const PUSHED: bool, const LIMITED: bool>(&mut self, rule: StepRule) {
         let x = &self.x[..];
         let own = x.as_chunks::<LANES>().0.iter();
         let next = self.x_next.as_chunks_mut::<LANES>().0.iter_mut();

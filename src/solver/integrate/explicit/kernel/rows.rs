@@ -6,12 +6,12 @@ use crate::solver::forces::Link;
 const WINDOW: usize = 256;
 
 /// The links of each particle, from its own end: springs first.
-pub(crate) struct Rows {
+pub(crate) struct PairRows {
     start: Vec<[usize; 2]>,
     ends: Vec<Link>,
 }
 
-impl Rows {
+impl PairRows {
     pub(crate) fn new(links: &[Link], particle_count: usize) -> Self {
         let mut ends: Vec<Link> = links
             .iter()

@@ -74,7 +74,7 @@ fn kernel(system: &System<'_>, more: bool) -> Kernel {
     Kernel::new(system, &stencil, more)
 }
 
-const RULE: Rule = Rule {
+const RULE: StepRule = StepRule {
     keep: 0.9,
     gain: 1e-3,
     h: 2e-3,
@@ -130,7 +130,7 @@ fn every_instruction_set_gives_the_same_bytes() {
 #[test]
 fn no_particle_is_faster_than_the_limit() {
     let system = system(40);
-    let rule = Rule {
+    let rule = StepRule {
         speed_limit: 0.5,
         ..RULE
     };

@@ -4,12 +4,13 @@
 //! energy of a swing falls by 2 c K a second, K its kinetic energy, which is half of the whole on average; so amplitudes, and
 //! with them the residual, fall as exp(-c t / 2), and those of swings slower than c / 2 (overdamped) more slowly still. From the
 //! residual 1 of cloth that nothing holds up yet to ε that takes at least 2 ln(1 / ε) / c. The slowest swing
-//! ([`crate::solver::integrate::damping::slowest_swing`]) would often ask for more, but taut cloth has none, and a refusal must be right.
+//! ([`crate::solver::integrate::damping::fundamental_frequency`]) would often ask for more, but taut cloth has none, and a refusal must be right.
 
 use crate::scene::Scene;
 use crate::solver::drape::relax::DRAG;
 use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
-use crate::solver::integrate::{SAFETY, Settings, stepper};
+use crate::solver::integrate::select::integrator_for;
+use crate::solver::integrate::settings::{IntegratorSettings, SAFETY};
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
 use crate::solver::options::{Method, SeamClose, SolverOptions};
@@ -89,13 +90,13 @@ fn stable_step(scene: &Scene, options: &SolverOptions, clock: &dyn Fn() -> f64) 
         let uv = scene.mesh.uv.iter();
         uv.map(|p| Vector3::new(p[0], p[1], 0.0)).collect()
     };
-    let settings = Settings {
+    let settings = IntegratorSettings {
         drag: scene.drag.unwrap_or(DRAG),
         speed_limit: f64::INFINITY,
         residual: options.tolerance,
     };
-    match stepper(&mut system, options.method, &settings) {
-        Ok(Some(mut stepper)) => stepper.stable_step(&mut system, &flat),
+    match integrator_for(&mut system, options.method, &settings) {
+        Ok(Some(mut integrator)) => integrator.stable_step(&mut system, &flat),
         _ => f64::INFINITY,
     }
 }

@@ -5,15 +5,16 @@
 //! step that meets the tolerance is h = √(tolerance / (C g ω)), C = 1/6 for Verlet and 2/9 for BDF2. Verlet's is also bounded by
 //! stability. ω is the slowest swing of the cloth ([`crate::solver::integrate::damping`]).
 
-use crate::solver::integrate::integrator::Stepper;
-use crate::solver::integrate::{SAFETY, Settings, stepper};
+use crate::solver::integrate::integrator::Integrator;
+use crate::solver::integrate::select::integrator_for;
+use crate::solver::integrate::settings::{IntegratorSettings, SAFETY};
 use crate::solver::model::system::{STANDARD_GRAVITY, System};
 use crate::solver::options::Method;
 use nalgebra::Vector3;
 
 /// What the choice goes by.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Motive {
+pub(crate) struct MethodCriteria {
     /// The step asked for \[s\].
     pub(crate) step: Option<f64>,
     /// Error allowed over the time that it is made in \[m/s\].
@@ -23,35 +24,35 @@ pub(crate) struct Motive {
 }
 
 /// The method, and why.
-pub(crate) fn choose(
+pub(crate) fn choose_method(
     system: &mut System<'_>,
     x: &[Vector3<f64>],
-    settings: &Settings,
-    motive: &Motive,
+    settings: &IntegratorSettings,
+    criteria: &MethodCriteria,
 ) -> (Method, String) {
-    let Ok(Some(mut verlet)) = stepper(system, Method::Verlet, settings) else {
+    let Ok(Some(mut verlet)) = integrator_for(system, Method::Verlet, settings) else {
         return (Method::Bdf2, "Verlet could not be set up".to_owned());
     };
     let stable = verlet.stable_step(system, x);
-    if let Some(step) = motive.step.filter(|&step| step > stable) {
+    if let Some(step) = criteria.step.filter(|&step| step > stable) {
         let why = format!("the step of {step:.2e} s is above Verlet's limit of {stable:.2e} s");
         return (Method::Bdf2, why);
     }
-    let Ok(Some(bdf2)) = stepper(system, Method::Bdf2, settings) else {
+    let Ok(Some(bdf2)) = integrator_for(system, Method::Bdf2, settings) else {
         return (
             Method::Verlet,
             "there is no memory for BDF2's matrix factor".to_owned(),
         );
     };
     let follows = |constant: f64| {
-        let jerk = STANDARD_GRAVITY * motive.swing;
-        (motive.tolerance / (constant * jerk)).sqrt()
+        let jerk = STANDARD_GRAVITY * criteria.swing;
+        (criteria.tolerance / (constant * jerk)).sqrt()
     };
-    let explicit = motive
+    let explicit = criteria
         .step
         .unwrap_or((SAFETY * stable).min(follows(1.0 / 6.0)));
-    let implicit = motive.step.unwrap_or(follows(2.0 / 9.0));
-    let cost = |stepper: &dyn Stepper, h: f64| stepper.operations() / h;
+    let implicit = criteria.step.unwrap_or(follows(2.0 / 9.0));
+    let cost = |integrator: &dyn Integrator, h: f64| integrator.operations() / h;
     let (explicit_cost, implicit_cost) = (
         cost(verlet.as_ref(), explicit),
         cost(bdf2.as_ref(), implicit),

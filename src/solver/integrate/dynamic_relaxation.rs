@@ -1,13 +1,15 @@
 //! The shape at rest by motion: steps with drag until nothing moves any more.
 
-use crate::solver::integrate::energy_monitor::Balance;
-use crate::solver::integrate::integrator::{State, Trouble};
-use crate::solver::integrate::needs::LONGEST_EXPLICIT;
-use crate::solver::integrate::{SAFETY, Settings, stepper};
+use crate::solver::integrate::energy_monitor::EnergyMonitor;
+use crate::solver::integrate::integrator::{ParticleState, StepError};
+use crate::solver::integrate::stability::feasibility::LONGEST_EXPLICIT;
+use crate::solver::integrate::select::integrator_for;
+use crate::solver::integrate::settings::{IntegratorSettings, SAFETY};
 use crate::solver::model::system::System;
-use crate::solver::optimize::newton::{Iteration, Stop, Verdict};
+use crate::solver::optimize::iterate::{Callback, Iterate, Termination};
 use crate::solver::options::Method;
 use nalgebra::Vector3;
+use std::ops::ControlFlow;
 
 /// Implicit step at the start, and the longest one \[s\]: a garment sways at about 4 rad/s, which such steps damp but follow.
 const FIRST_IMPLICIT: f64 = 0.01;
@@ -26,7 +28,7 @@ const BLOCKS_A_LIMIT: usize = 40;
 
 /// How a motion to rest is damped and bounded.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Motion {
+pub(crate) struct DynamicRelaxation {
     /// A method that steps.
     pub(crate) method: Method,
     /// Drag per mass `C_d / m` \[1/s\].
@@ -42,47 +44,47 @@ pub(crate) struct Motion {
 
 /// How a motion ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Moved {
-    pub(crate) stop: Stop,
+pub(crate) struct RelaxationEnd {
+    pub(crate) stop: Termination,
     /// Whether steps were made shorter than stability of small motions asks for.
     pub(crate) shorter: bool,
 }
 
-/// Steps from `x` at rest until `judge` says so, at most `limit` steps.
+/// Steps from `x` at rest until `callback` says so, at most `limit` steps.
 ///
 /// # Errors
 /// The largest stable step, if the one asked for is above it.
 pub(crate) fn run(
     system: &mut System<'_>,
     x: &mut [Vector3<f64>],
-    motion: Motion,
+    motion: DynamicRelaxation,
     limit: u64,
-    judge: &mut dyn FnMut(Iteration<'_>) -> Verdict,
-) -> Result<Moved, f64> {
+    callback: &mut Callback<'_>,
+) -> Result<RelaxationEnd, f64> {
     let mut shorter = false;
-    let stop = steps(system, x, motion, limit, (judge, &mut shorter))?;
-    Ok(Moved { stop, shorter })
+    let stop = steps(system, x, motion, limit, (callback, &mut shorter))?;
+    Ok(RelaxationEnd { stop, shorter })
 }
 
 fn steps(
     system: &mut System<'_>,
     x: &mut [Vector3<f64>],
-    motion: Motion,
+    motion: DynamicRelaxation,
     limit: u64,
-    (judge, shorter): (&mut dyn FnMut(Iteration<'_>) -> Verdict, &mut bool),
-) -> Result<Stop, f64> {
-    let settings = Settings {
+    (callback, shorter): (&mut Callback<'_>, &mut bool),
+) -> Result<Termination, f64> {
+    let settings = IntegratorSettings {
         drag: motion.drag,
         speed_limit: motion.speed_limit,
         residual: SOLVED * motion.tolerance,
     };
-    let mut stepper = match stepper(system, motion.method, &settings) {
-        Ok(Some(stepper)) => stepper,
-        Ok(None) => return Ok(Stop::Stalled),
-        Err(_) => return Ok(Stop::OutOfMemory),
+    let mut integrator = match integrator_for(system, motion.method, &settings) {
+        Ok(Some(integrator)) => integrator,
+        Ok(None) => return Ok(Termination::Stalled),
+        Err(_) => return Ok(Termination::OutOfMemory),
     };
-    let stable = stepper.stable_step(system, x);
-    let explicit = stable.is_finite() || stepper.block() > 1;
+    let stable = integrator.stable_step(system, x);
+    let explicit = stable.is_finite() || integrator.block() > 1;
     let chosen = explicit && motion.step.is_none();
     let mut share = SAFETY;
     let longest = |stable: f64, share: f64| match motion.step {
@@ -99,9 +101,9 @@ fn steps(
     } else {
         most.min(FIRST_IMPLICIT)
     };
-    let mut state = State::at_rest(x);
+    let mut state = ParticleState::at_rest(x);
     let mut before = state.clone();
-    let mut balance = (chosen && !system.is_skew()).then(|| Balance::new(motion.drag));
+    let mut energy_monitor = (chosen && !system.is_skew()).then(|| EnergyMonitor::new(motion.drag));
     let mut force = vec![Vector3::zeros(); x.len()];
     let (mut number, mut steps) = (0, 0);
     while steps < limit {
@@ -109,56 +111,54 @@ fn steps(
         system.net_force(&state.x, &mut force);
         let residual = system.residual(&force);
         if !(residual.is_finite() && state.is_finite()) {
-            return Ok(Stop::NotFinite);
+            return Ok(Termination::NotFinite);
         }
         x.copy_from_slice(&state.x);
-        let verdict = judge(Iteration {
+        let flow = callback(Iterate {
             number,
             residual,
             positions: x,
             convex: true,
             estimate_before: None,
         });
-        match verdict {
-            Verdict::Continue => {}
-            Verdict::Reached => return Ok(Stop::Reached),
-            Verdict::Interrupt => return Ok(Stop::Interrupted),
+        if let ControlFlow::Break(termination) = flow {
+            return Ok(termination);
         }
         number += 1;
-        let driven = balance.as_mut().is_some_and(|balance| {
-            let time = h * stepper.block() as f64;
-            number > 1 && share > LEAST_DRIVEN && balance.is_driven(system, &state, time)
+        let driven = energy_monitor.as_mut().is_some_and(|energy_monitor| {
+            let time = h * integrator.block() as f64;
+            number > 1 && share > LEAST_DRIVEN && energy_monitor.gains_energy(system, &state, time)
         });
         if driven {
             share *= 0.5;
             *shorter = true;
         }
         if chosen && (driven || number.is_multiple_of(BLOCKS_A_LIMIT)) {
-            most = longest(stepper.stable_step(system, &state.x), share);
+            most = longest(integrator.stable_step(system, &state.x), share);
             h = most;
         }
         before.copy_from(&state);
-        match stepper.advance(system, &mut state, h, stepper.block()) {
+        match integrator.advance(system, &mut state, h, integrator.block()) {
             Ok(_) => {
-                stepper.accept(&before, h);
-                steps += stepper.block();
+                integrator.accept(&before, h);
+                steps += integrator.block();
                 h = (h * GROWTH).min(most);
             }
-            Err(Trouble::NotSolved) if h > SHORTEST_IMPLICIT => {
+            Err(StepError::NotConverged) if h > SHORTEST_IMPLICIT => {
                 state.copy_from(&before);
                 h *= 0.25;
             }
-            Err(Trouble::NotSolved) => return Ok(Stop::Stalled),
+            Err(StepError::NotConverged) => return Ok(Termination::Stalled),
             // What stretched faster than the limit was looked at is gone back on, at rest.
-            Err(Trouble::NotFinite) if chosen && share > LEAST_SHARE => {
-                state = State::at_rest(&before.x);
+            Err(StepError::NotFinite) if chosen && share > LEAST_SHARE => {
+                state = ParticleState::at_rest(&before.x);
                 share *= 0.25;
                 *shorter = true;
-                most = longest(stepper.stable_step(system, &state.x), share);
+                most = longest(integrator.stable_step(system, &state.x), share);
                 h = most;
             }
-            Err(Trouble::NotFinite) => return Ok(Stop::NotFinite),
+            Err(StepError::NotFinite) => return Ok(Termination::NotFinite),
         }
     }
-    Ok(Stop::Iterations)
+    Ok(Termination::IterationLimit)
 }

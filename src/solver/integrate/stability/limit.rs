@@ -25,7 +25,7 @@ const PROBE: f64 = 1e-7;
 const NEAR_PROBE: f64 = 1e-9;
 
 /// A bound on the square of the highest frequency of `system` at `x` \[1/s²\].
-pub(crate) fn highest_square(system: &mut System<'_>, x: &[Vector3<f64>]) -> f64 {
+pub(crate) fn max_eigenvalue(system: &mut System<'_>, x: &[Vector3<f64>]) -> f64 {
     let contact = contact_square(system);
     set_taut(system, true);
     let unknowns = 3.0 * x.len() as f64;
@@ -50,28 +50,28 @@ fn set_taut(system: &mut System<'_>, taut: bool) {
 
 /// The square of the highest frequency of `system` at `x` with what touches the body there \[1/s²\], to about `SETTLED`: no
 /// bound, but what theory is compared by.
-pub(crate) fn highest_square_here(system: &mut System<'_>, x: &[Vector3<f64>]) -> f64 {
+pub(crate) fn local_max_eigenvalue(system: &mut System<'_>, x: &[Vector3<f64>]) -> f64 {
     Probe::new(system, x, true, NEAR_PROBE)
         .lanczos(MOST_PRODUCTS, SETTLED)
         .0
 }
 
 /// Symplectic Euler with drag c is stable while h² ω² + 2 c h <= 4 \[s\].
-pub(crate) fn symplectic_euler(highest_square: f64, drag: f64) -> f64 {
-    if highest_square == 0.0 {
+pub(crate) fn symplectic_euler(max_eigenvalue: f64, drag: f64) -> f64 {
+    if max_eigenvalue == 0.0 {
         if drag == 0.0 {
             f64::INFINITY
         } else {
             2.0 / drag
         }
     } else {
-        ((drag * drag + 4.0 * highest_square).sqrt() - drag) / highest_square
+        ((drag * drag + 4.0 * max_eigenvalue).sqrt() - drag) / max_eigenvalue
     }
 }
 
 /// Verlet, with drag taken at both ends of the step, is stable while h ω <= 2 \[s\].
-pub(crate) fn verlet(highest_square: f64) -> f64 {
-    2.0 / highest_square.sqrt()
+pub(crate) fn verlet(max_eigenvalue: f64) -> f64 {
+    2.0 / max_eigenvalue.sqrt()
 }
 
 fn contact_square(system: &System<'_>) -> f64 {

@@ -8,9 +8,10 @@ use crate::scene::Scene;
 use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
 use crate::solver::forces::contact::Anchors;
 use crate::solver::integrate::damping;
-use crate::solver::integrate::integrator::State;
-use crate::solver::integrate::limit;
-use crate::solver::integrate::{Settings, stepper};
+use crate::solver::integrate::integrator::ParticleState;
+use crate::solver::integrate::stability::limit;
+use crate::solver::integrate::select::integrator_for;
+use crate::solver::integrate::settings::IntegratorSettings;
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
 use crate::solver::options::{Method, SeamClose, SolverOptions};
@@ -59,7 +60,7 @@ pub struct StableStep {
 
 /// What came of steps of one length.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Ended {
+enum TrialOutcome {
     /// The disturbance stayed small.
     Stayed,
     /// It grew.
@@ -84,7 +85,7 @@ pub fn stable_step(
     rest: &Drape,
     context: &mut Context<'_>,
 ) -> StableStep {
-    let mut trial = Trial {
+    let mut trial = StabilityTrial {
         scene,
         options,
         rest: &rest.positions,
@@ -113,7 +114,7 @@ pub fn allowed_step(
     if !options.method.is_explicit() {
         return None;
     }
-    let trial = Trial {
+    let trial = StabilityTrial {
         scene,
         options,
         rest: shape,
@@ -124,7 +125,7 @@ pub fn allowed_step(
     trial.kept_to()
 }
 
-struct Trial<'a, 'c, 'w> {
+struct StabilityTrial<'a, 'c, 'w> {
     scene: &'a Scene,
     options: &'a SolverOptions,
     rest: &'a [Vector3<f64>],
@@ -133,9 +134,9 @@ struct Trial<'a, 'c, 'w> {
     context: &'c mut Context<'w>,
 }
 
-impl Trial<'_, '_, '_> {
+impl StabilityTrial<'_, '_, '_> {
     fn explicit(&mut self) -> StableStep {
-        let square = self.with_system(limit::highest_square_here);
+        let square = self.with_system(limit::local_max_eigenvalue);
         let drag = self.drag();
         let theory = match self.options.method {
             Method::Verlet => limit::verlet(square),
@@ -168,9 +169,9 @@ impl Trial<'_, '_, '_> {
             let h = if low_known { high } else { low };
             step.tried_s = step.tried_s.max(h);
             match self.steps(h, STEPS, GROWN) {
-                Ended::Stopped => return stopped(step),
-                Ended::Stayed if low_known => (low, high) = (high, high * WIDER),
-                Ended::Stayed => low_known = true,
+                TrialOutcome::Stopped => return stopped(step),
+                TrialOutcome::Stayed if low_known => (low, high) = (high, high * WIDER),
+                TrialOutcome::Stayed => low_known = true,
                 _ if low_known => high_known = true,
                 _ => {
                     (high, low) = (low, low / WIDER);
@@ -190,8 +191,8 @@ impl Trial<'_, '_, '_> {
         while high > NARROW * low {
             let middle = (low * high).sqrt();
             match self.steps(middle, STEPS, GROWN) {
-                Ended::Stopped => return stopped(step),
-                Ended::Stayed => low = middle,
+                TrialOutcome::Stopped => return stopped(step),
+                TrialOutcome::Stayed => low = middle,
                 _ => high = middle,
             }
         }
@@ -205,19 +206,19 @@ impl Trial<'_, '_, '_> {
         let mut step = StableStep::default();
         for h in IMPLICIT {
             match self.steps(h, IMPLICIT_STEPS, LEFT) {
-                Ended::Stayed => step.tried_s = h,
-                Ended::Stopped => {
+                TrialOutcome::Stayed => step.tried_s = h,
+                TrialOutcome::Stopped => {
                     stopped(&mut step);
                     return step;
                 }
-                Ended::Grew => {
+                TrialOutcome::Grew => {
                     step.because = format!(
                         "{}with steps of {h} s the cloth left its rest shape, as it may by sliding",
                         none_up_to(step.tried_s)
                     );
                     return step;
                 }
-                Ended::NotSolved => {
+                TrialOutcome::NotSolved => {
                     step.because = format!(
                         "{}the equations of steps of {h} s were not solved",
                         none_up_to(step.tried_s)
@@ -237,15 +238,15 @@ impl Trial<'_, '_, '_> {
     /// The limit that `trajectory` keeps to \[s\].
     fn kept_to(&self) -> Option<f64> {
         let (method, settings) = (self.options.method, self.settings());
-        let step = self.with_system(|system, x| match stepper(system, method, &settings) {
-            Ok(Some(mut stepper)) => stepper.stable_step(system, x),
+        let step = self.with_system(|system, x| match integrator_for(system, method, &settings) {
+            Ok(Some(mut integrator)) => integrator.stable_step(system, x),
             _ => f64::INFINITY,
         });
         step.is_finite().then_some(step)
     }
 
-    fn settings(&self) -> Settings {
-        Settings {
+    fn settings(&self) -> IntegratorSettings {
+        IntegratorSettings {
             drag: self.drag(),
             speed_limit: f64::INFINITY,
             residual: 0.0,
@@ -253,7 +254,7 @@ impl Trial<'_, '_, '_> {
     }
 
     /// Takes `count` steps of `h` \[s\] from the disturbed rest shape, or fewer if it is further than `grown` \[m\] away before.
-    fn steps(&mut self, h: f64, count: u64, grown: f64) -> Ended {
+    fn steps(&mut self, h: f64, count: u64, grown: f64) -> TrialOutcome {
         let (method, settings) = (self.options.method, self.settings());
         let (began, allowed) = (
             self.began,
@@ -270,31 +271,31 @@ impl Trial<'_, '_, '_> {
             for ((x, r), m) in shape.iter_mut().zip(rest).zip(&moved) {
                 *x = r + m;
             }
-            let mut state = State::at_rest(&shape);
-            let Ok(Some(mut stepper)) = stepper(system, method, &settings) else {
-                return Ended::NotSolved;
+            let mut state = ParticleState::at_rest(&shape);
+            let Ok(Some(mut integrator)) = integrator_for(system, method, &settings) else {
+                return TrialOutcome::NotSolved;
             };
             let mut taken = 0;
             while taken < count {
                 if is_over() {
-                    return Ended::Stopped;
+                    return TrialOutcome::Stopped;
                 }
                 let before = state.clone();
-                let block = stepper.block().min(count - taken);
-                match stepper.advance(system, &mut state, h, block) {
+                let block = integrator.block().min(count - taken);
+                match integrator.advance(system, &mut state, h, block) {
                     Ok(_) if state.is_finite() => {}
-                    Err(crate::solver::integrate::integrator::Trouble::NotSolved) => {
-                        return Ended::NotSolved;
+                    Err(crate::solver::integrate::integrator::StepError::NotConverged) => {
+                        return TrialOutcome::NotSolved;
                     }
-                    _ => return Ended::Grew,
+                    _ => return TrialOutcome::Grew,
                 }
-                stepper.accept(&before, h);
+                integrator.accept(&before, h);
                 taken += block;
                 if furthest(&state.x, rest) > grown {
-                    return Ended::Grew;
+                    return TrialOutcome::Grew;
                 }
             }
-            Ended::Stayed
+            TrialOutcome::Stayed
         })
     }
 

@@ -6,12 +6,13 @@
 
 use crate::progress::Progress;
 use crate::solver::Context;
-use crate::solver::integrate::choose::{Motive, choose};
-use crate::solver::integrate::integrator::{State, Stepper, Trouble};
-use crate::solver::integrate::needs::too_many;
+use crate::solver::integrate::auto_method::{MethodCriteria, choose_method};
+use crate::solver::integrate::integrator::{ParticleState, Integrator, StepError};
+use crate::solver::integrate::stability::feasibility::too_many;
 use crate::solver::integrate::report::{Frame, MotionEnergy, MotionReport};
-use crate::solver::integrate::step_control::Control;
-use crate::solver::integrate::{SAFETY, Settings, stepper};
+use crate::solver::integrate::step_control::StepControl;
+use crate::solver::integrate::select::integrator_for;
+use crate::solver::integrate::settings::{IntegratorSettings, SAFETY};
 use crate::solver::model::dof_map::Particles;
 use crate::solver::model::system::System;
 use crate::solver::options::{Method, SolverOptions};
@@ -31,7 +32,7 @@ const SHORTEST: f64 = 1e-8;
 /// Blocks of steps after which the stability limit is looked at again, since cloth stiffens as it stretches.
 const BLOCKS_A_LIMIT: u64 = 40;
 
-pub(crate) struct Run<'r, 'c, 'w> {
+pub(crate) struct MotionSimulation<'r, 'c, 'w> {
     pub(crate) options: &'r SolverOptions,
     pub(crate) began: f64,
     pub(crate) particles: &'r Particles,
@@ -41,25 +42,25 @@ pub(crate) struct Run<'r, 'c, 'w> {
     pub(crate) context: &'c mut Context<'w>,
 }
 
-impl Run<'_, '_, '_> {
+impl MotionSimulation<'_, '_, '_> {
     /// Steps from frame to frame; why it ended, if not at the end.
     pub(crate) fn go(
         &mut self,
         system: &mut System<'_>,
-        state: &mut State,
+        state: &mut ParticleState,
         swing: f64,
     ) -> Result<(), String> {
         let duration = self.options.duration_s.unwrap_or(DURATION);
         let rate = self.options.frame_rate_hz.unwrap_or(FRAME_RATE);
         let count = self.frame_count(duration, rate)?;
         self.keep(system, state);
-        let (mut stepper, mut control) = self.set_up(system, state, swing)?;
+        let (mut integrator, mut control) = self.set_up(system, state, swing)?;
         for frame in 1..=count {
             let end = (frame as f64 / rate).min(duration);
-            self.to(system, state, end, (stepper.as_mut(), &mut control))?;
+            self.to(system, state, end, (integrator.as_mut(), &mut control))?;
             state.time = end;
             self.report.simulated_s = end;
-            self.report.newton_iterations = stepper.newton_iterations();
+            self.report.newton_iterations = integrator.newton_iterations();
             self.keep(system, state);
         }
         self.report.complete = true;
@@ -92,31 +93,31 @@ impl Run<'_, '_, '_> {
     fn set_up(
         &mut self,
         system: &mut System<'_>,
-        state: &State,
+        state: &ParticleState,
         swing: f64,
-    ) -> Result<(Box<dyn Stepper>, Control), String> {
-        let settings = Settings {
+    ) -> Result<(Box<dyn Integrator>, StepControl), String> {
+        let settings = IntegratorSettings {
             drag: self.report.drag_1_s,
             speed_limit: f64::INFINITY,
             residual: SOLVED * self.options.tolerance,
         };
         let mut method = self.options.method;
         if method == Method::Auto {
-            let motive = Motive {
+            let criteria = MethodCriteria {
                 step: self.options.step_s,
                 tolerance: self.options.tolerance,
                 swing,
             };
-            let chosen = choose(system, &state.x, &settings, &motive);
+            let chosen = choose_method(system, &state.x, &settings, &criteria);
             method = chosen.0;
             self.report.method_because = Some(chosen.1);
         }
-        let mut stepper = stepper(system, method, &settings)
+        let mut integrator = integrator_for(system, method, &settings)
             .map_err(|_| "there is no memory for the matrix factor: ask for longer mesh edges")?
             .ok_or("newton finds the shape at rest only: ask for another method, or a drape")?;
         method.name().clone_into(&mut self.report.method);
-        self.report.step_bytes = stepper.step_bytes();
-        let stable = stepper.stable_step(system, &state.x);
+        self.report.step_bytes = integrator.step_bytes();
+        let stable = integrator.stable_step(system, &state.x);
         self.report.stability_limit_s = stable.is_finite().then_some(stable);
         let first = match self.options.step_s {
             Some(asked) if asked > stable => {
@@ -140,18 +141,18 @@ impl Run<'_, '_, '_> {
             .step_s
             .is_none()
             .then_some(self.options.tolerance);
-        let mut control = Control::new(tolerance, stepper.order(), first);
+        let mut control = StepControl::new(tolerance, integrator.order(), first);
         control.limit(SAFETY * stable);
-        Ok((stepper, control))
+        Ok((integrator, control))
     }
 
     /// Steps to the time `end`.
     fn to(
         &mut self,
         system: &mut System<'_>,
-        state: &mut State,
+        state: &mut ParticleState,
         end: f64,
-        (stepper, control): (&mut dyn Stepper, &mut Control),
+        (integrator, control): (&mut dyn Integrator, &mut StepControl),
     ) -> Result<(), String> {
         let mut before = state.clone();
         let mut blocks = 0;
@@ -160,11 +161,11 @@ impl Run<'_, '_, '_> {
         while remaining > 0.0 {
             self.watch(state)?;
             let (h, parts) = control.next(remaining);
-            let count = parts.min(stepper.block());
+            let count = parts.min(integrator.block());
             before.copy_from(state);
-            let error = match stepper.advance(system, state, h, count) {
+            let error = match integrator.advance(system, state, h, count) {
                 Ok(error) if state.is_finite() => error,
-                Ok(_) | Err(Trouble::NotFinite) if self.options.step_s.is_some() => {
+                Ok(_) | Err(StepError::NotFinite) if self.options.step_s.is_some() => {
                     state.copy_from(&before);
                     return Err(format!(
                         "forces became infinite in steps of {h:.1e} s: give a shorter one or leave it out"
@@ -185,7 +186,7 @@ impl Run<'_, '_, '_> {
                 }
                 continue;
             }
-            stepper.accept(&before, h);
+            integrator.accept(&before, h);
             self.count(h, count, error);
             remaining = if count == parts {
                 0.0
@@ -193,8 +194,8 @@ impl Run<'_, '_, '_> {
                 remaining - h * count as f64
             };
             blocks += 1;
-            if stepper.block() > 1 && u64::is_multiple_of(blocks, BLOCKS_A_LIMIT) {
-                let stable = stepper.stable_step(system, &state.x);
+            if integrator.block() > 1 && u64::is_multiple_of(blocks, BLOCKS_A_LIMIT) {
+                let stable = integrator.stable_step(system, &state.x);
                 self.report.within_limits &= h <= stable;
                 control.limit(SAFETY * stable);
             }
@@ -211,7 +212,7 @@ impl Run<'_, '_, '_> {
     }
 
     /// Tells how far it is; why to stop, if there is a reason.
-    fn watch(&mut self, state: &State) -> Result<(), String> {
+    fn watch(&mut self, state: &ParticleState) -> Result<(), String> {
         let cpu_s = (self.context.cpu_s)() - self.began;
         let duration = self.options.duration_s.unwrap_or(DURATION);
         (self.context.progress)(Progress {
@@ -238,7 +239,7 @@ impl Run<'_, '_, '_> {
     }
 
     /// Keeps a frame.
-    fn keep(&mut self, system: &mut System<'_>, state: &State) {
+    fn keep(&mut self, system: &mut System<'_>, state: &ParticleState) {
         let moving = state.v.iter().zip(&system.mass);
         let kinetic = 0.5 * moving.map(|(v, m)| m * v.norm_squared()).sum::<f64>();
         self.frames.push(Frame {

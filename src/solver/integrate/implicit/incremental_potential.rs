@@ -8,7 +8,7 @@
 //! # Guarantees
 //! Φ never rises, apart from rounding. Ends at the residual asked for, or at that of rounding; says so where it can do neither.
 
-use crate::solver::integrate::integrator::Trouble;
+use crate::solver::integrate::integrator::StepError;
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use crate::solver::linalg::cholesky::BlockCholesky;
 use crate::solver::model::system::{STANDARD_GRAVITY, System};
@@ -31,7 +31,7 @@ const ASSEMBLY: f64 = 150.0;
 
 /// What is to be minimised besides the energy.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Pull<'a> {
+pub(crate) struct InertiaTerm<'a> {
     /// w \[1/s²\].
     pub(crate) weight: f64,
     /// x̂ \[m\].
@@ -39,7 +39,7 @@ pub(crate) struct Pull<'a> {
 }
 
 /// Newton's method on Φ; owns all scratch memory.
-pub(crate) struct Incremental {
+pub(crate) struct IncrementalPotential {
     sparsity: Sparsity,
     hessian: BlockMatrix,
     cholesky: BlockCholesky,
@@ -51,7 +51,7 @@ pub(crate) struct Incremental {
     pub(crate) iterations: u64,
 }
 
-impl Incremental {
+impl IncrementalPotential {
     /// Solves to a net force of `tolerance` times the mean weight of a particle, RMS.
     pub(crate) fn new(system: &mut System<'_>, tolerance: f64) -> Result<Self, OutOfMemory> {
         let sparsity = system.bind();
@@ -81,50 +81,50 @@ impl Incremental {
     }
 
     /// Φ \[J\].
-    pub(crate) fn potential(system: &mut System<'_>, pull: &Pull<'_>, x: &[Vector3<f64>]) -> f64 {
-        let apart = x.iter().zip(pull.target).zip(&system.mass);
+    pub(crate) fn potential(system: &mut System<'_>, inertia_term: &InertiaTerm<'_>, x: &[Vector3<f64>]) -> f64 {
+        let apart = x.iter().zip(inertia_term.target).zip(&system.mass);
         let square: f64 = apart.map(|((x, t), m)| m * (x - t).norm_squared()).sum();
-        system.energy(x) + 0.5 * pull.weight * square
+        system.energy(x) + 0.5 * inertia_term.weight * square
     }
 
     /// Moves `x` from a guess to the minimum.
     pub(crate) fn minimise(
         &mut self,
         system: &mut System<'_>,
-        pull: &Pull<'_>,
+        inertia_term: &InertiaTerm<'_>,
         x: &mut [Vector3<f64>],
-    ) -> Result<(), Trouble> {
-        let floor = rounding_residual(system, pull, x);
+    ) -> Result<(), StepError> {
+        let floor = rounding_residual(system, inertia_term, x);
         for _ in 0..ITERATIONS {
-            self.net_force(system, pull, x);
+            self.net_force(system, inertia_term, x);
             let residual = system.residual(&self.force);
             if !residual.is_finite() {
-                return Err(Trouble::NotFinite);
+                return Err(StepError::NotFinite);
             }
             if residual <= self.tolerance.max(floor) {
                 return Ok(());
             }
             self.iterations += 1;
-            self.direction(system, pull, x)?;
-            if !self.search(system, pull, x) {
+            self.direction(system, inertia_term, x)?;
+            if !self.search(system, inertia_term, x) {
                 // Where no iteration lowers Φ any more, rounding is all that is left, or nothing is.
                 let near = residual <= 100.0 * floor;
                 return if near {
                     Ok(())
                 } else {
-                    Err(Trouble::NotSolved)
+                    Err(StepError::NotConverged)
                 };
             }
         }
-        Err(Trouble::NotSolved)
+        Err(StepError::NotConverged)
     }
 
     /// -dΦ/dx \[N\].
-    fn net_force(&mut self, system: &mut System<'_>, pull: &Pull<'_>, x: &[Vector3<f64>]) {
+    fn net_force(&mut self, system: &mut System<'_>, inertia_term: &InertiaTerm<'_>, x: &[Vector3<f64>]) {
         system.net_force(x, &mut self.force);
-        let apart = x.iter().zip(pull.target).zip(&system.mass);
+        let apart = x.iter().zip(inertia_term.target).zip(&system.mass);
         for (f, ((x, t), m)) in self.force.iter_mut().zip(apart) {
-            *f -= (x - t) * (m * pull.weight);
+            *f -= (x - t) * (m * inertia_term.weight);
         }
         system.hold_still(&mut self.force);
     }
@@ -133,13 +133,13 @@ impl Incremental {
     fn direction(
         &mut self,
         system: &mut System<'_>,
-        pull: &Pull<'_>,
+        inertia_term: &InertiaTerm<'_>,
         x: &[Vector3<f64>],
-    ) -> Result<(), Trouble> {
+    ) -> Result<(), StepError> {
         for convexity in CONVEXITIES {
             system.hessian(x, convexity, &mut self.hessian);
             for (i, m) in system.mass.iter().enumerate() {
-                let inertia = Matrix3::identity() * (m * pull.weight);
+                let inertia = Matrix3::identity() * (m * inertia_term.weight);
                 self.hessian
                     .add_diagonal(self.sparsity.diagonal(i), &inertia);
             }
@@ -151,12 +151,12 @@ impl Incremental {
                 return Ok(());
             }
         }
-        Err(Trouble::NotSolved)
+        Err(StepError::NotConverged)
     }
 
     /// Walks along the step as far as Φ allows; whether it could.
-    fn search(&mut self, system: &mut System<'_>, pull: &Pull<'_>, x: &mut [Vector3<f64>]) -> bool {
-        let before = Self::potential(system, pull, x);
+    fn search(&mut self, system: &mut System<'_>, inertia_term: &InertiaTerm<'_>, x: &mut [Vector3<f64>]) -> bool {
+        let before = Self::potential(system, inertia_term, x);
         let pairs = self.step.iter().zip(&self.force);
         let slope: f64 = pairs.map(|(d, f)| d.dot(f)).sum();
         let longest = self.step.iter().map(Vector3::norm).fold(0.0, f64::max);
@@ -174,7 +174,7 @@ impl Incremental {
             for ((t, x), d) in self.trial.iter_mut().zip(x.iter()).zip(&self.step) {
                 *t = x + d * share;
             }
-            let gained = before - Self::potential(system, pull, &self.trial);
+            let gained = before - Self::potential(system, inertia_term, &self.trial);
             if gained >= SUFFICIENT * share * slope - rounding {
                 x.copy_from_slice(&self.trial);
                 return true;
@@ -186,13 +186,13 @@ impl Incremental {
 }
 
 /// The residual below which forces and inertia are rounding.
-fn rounding_residual(system: &mut System<'_>, pull: &Pull<'_>, x: &[Vector3<f64>]) -> f64 {
+fn rounding_residual(system: &mut System<'_>, inertia_term: &InertiaTerm<'_>, x: &[Vector3<f64>]) -> f64 {
     let count = x.len() as f64;
     let weight = system.mass.iter().sum::<f64>() * STANDARD_GRAVITY / count;
     let inertia: f64 = x
         .iter()
         .zip(&system.mass)
-        .map(|(x, m)| (m * pull.weight * f64::EPSILON * x.norm()).powi(2))
+        .map(|(x, m)| (m * inertia_term.weight * f64::EPSILON * x.norm()).powi(2))
         .sum();
     2.0 * (system.residual_floor(x) + (inertia / count).sqrt() / weight)
 }

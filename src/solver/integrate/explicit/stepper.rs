@@ -1,0 +1,105 @@
+//! Explicit steps, whatever their rule: by the fused kernel for all terms that are links, by the terms themselves for the others.
+
+
+use crate::solver::forces::Stencil;
+use crate::solver::integrate::explicit::kernel::{Kernel, StepRule};
+use crate::solver::integrate::integrator::{ParticleState, accept};
+use crate::solver::model::system::System;
+use nalgebra::Vector3;
+
+/// Operations of a force outside the kernel, for each two particles that it couples.
+const A_PAIR: f64 = 40.0;
+/// Operations of contact, for each particle.
+const A_CONTACT: f64 = 60.0;
+
+/// The kernel of a system, and the forces that are not in it.
+pub(crate) struct ExplicitStepper {
+    kernel: Kernel,
+    /// Which terms the kernel works out.
+    in_kernel: Vec<bool>,
+    /// Whether there are others.
+    more: bool,
+    more_operations: f64,
+    force: Vec<Vector3<f64>>,
+    /// Velocity before the last step taken \[m/s\].
+    pub(crate) v_before: Vec<Vector3<f64>>,
+}
+
+impl ExplicitStepper {
+    pub(crate) fn new(system: &System<'_>) -> Self {
+        let count = system.particle_count();
+        let mut stencil = Stencil::new(count);
+        let in_kernel: Vec<bool> = system
+            .terms
+            .iter()
+            .map(|term| term.force.add_to_stencil(&mut stencil))
+            .collect();
+        let more = system.contact.is_some() || in_kernel.contains(&false);
+        let mut pairs = Vec::new();
+        for (term, _) in system.terms.iter().zip(&in_kernel).filter(|(_, k)| !**k) {
+            term.force.couple(&mut pairs);
+        }
+        let touching = if system.contact.is_some() { count } else { 0 };
+        let more_operations = A_PAIR * pairs.len() as f64 + A_CONTACT * touching as f64;
+        Self {
+            more_operations,
+            kernel: Kernel::new(system, &stencil, more),
+            in_kernel,
+            more,
+            force: vec![Vector3::zeros(); count],
+            v_before: vec![Vector3::zeros(); count],
+        }
+    }
+
+    /// Operations of one step, those of the terms that are not in the kernel by the pairs of particles that they couple.
+    pub(crate) fn operations(&self) -> f64 {
+        self.kernel.operations() + self.more_operations
+    }
+
+    /// Bytes of the arrays of the kernel.
+    pub(crate) fn bytes(&self) -> u64 {
+        self.kernel.bytes() as u64
+    }
+
+    /// Takes `count` steps by `rule`.
+    pub(crate) fn run(
+        &mut self,
+        system: &mut System<'_>,
+        state: &mut ParticleState,
+        rule: StepRule,
+        count: u64,
+    ) {
+        let began = (system.clock)();
+        let mut elsewhere = 0.0;
+        self.kernel.load(&state.x, &state.v);
+        for step in 0..count {
+            if step + 1 == count {
+                self.kernel.velocities(&mut self.v_before);
+            }
+            if self.more {
+                let before = (system.clock)();
+                self.kernel.positions(&mut state.x);
+                self.kernel.velocities(&mut state.v);
+                self.other_forces(system, state);
+                elsewhere += (system.clock)() - before;
+                self.kernel.set_push(&self.force);
+            }
+            self.kernel.step(rule);
+            state.time += rule.h;
+        }
+        self.kernel.positions(&mut state.x);
+        self.kernel.velocities(&mut state.v);
+        let spent = (system.clock)() - began - elsewhere;
+        // The pass is one: its time is that of the first term in it.
+        let first = system.terms.iter_mut().zip(&self.in_kernel);
+        if let Some((term, _)) = first.into_iter().find(|(_, in_kernel)| **in_kernel) {
+            term.cpu_s += spent;
+        }
+    }
+
+    fn other_forces(&mut self, system: &mut System<'_>, state: &ParticleState) {
+        self.force.fill(Vector3::zeros());
+        accept(system, state);
+        system.add_forces_except(&self.in_kernel, &state.x, &mut self.force);
+    }
+}
