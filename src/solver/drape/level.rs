@@ -92,11 +92,15 @@ impl Level<'_, '_, '_> {
     /// How a stage is run whose motion, if it is one, is `motion`.
     pub(crate) fn how(&self, motion: DynamicRelaxation) -> How {
         How {
-            motion: self.options.method.is_time_stepping().then_some(DynamicRelaxation {
-                method: self.options.method,
-                step: self.options.step_s,
-                ..motion
-            }),
+            motion: self
+                .options
+                .method
+                .is_time_stepping()
+                .then_some(DynamicRelaxation {
+                    method: self.options.method,
+                    step: self.options.step_s,
+                    ..motion
+                }),
             first_gamma: if self.sewn { NEAR_GAMMA } else { FIRST_GAMMA },
             bounds: self.bounds,
         }

@@ -6,13 +6,13 @@ use crate::solver::drape::level::{Level, Rest};
 use crate::solver::drape::monitor::Trace;
 use crate::solver::drape::perturb;
 use crate::solver::drape::stage::{Bounds, push_once};
+use crate::solver::integrate::stability::feasibility;
 use crate::solver::options::{Method, SolverOptions};
 use crate::solver::report::cost_model;
 use crate::solver::report::describe::{left_out, worn};
 use crate::solver::report::measure::{self, rms_distance};
 use crate::solver::report::schema::{DrapeReport, Plan};
 use crate::solver::report::unfinished;
-use crate::solver::integrate::stability::feasibility;
 use crate::solver::{Context, Drape};
 use nalgebra::Vector3;
 

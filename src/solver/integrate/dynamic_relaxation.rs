@@ -2,9 +2,9 @@
 
 use crate::solver::integrate::energy_monitor::EnergyMonitor;
 use crate::solver::integrate::integrator::{ParticleState, StepError};
-use crate::solver::integrate::stability::feasibility::LONGEST_EXPLICIT;
 use crate::solver::integrate::select::integrator_for;
 use crate::solver::integrate::settings::{IntegratorSettings, SAFETY};
+use crate::solver::integrate::stability::feasibility::LONGEST_EXPLICIT;
 use crate::solver::model::system::System;
 use crate::solver::optimize::iterate::{Callback, Iterate, Termination};
 use crate::solver::options::Method;

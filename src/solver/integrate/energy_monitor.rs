@@ -40,7 +40,12 @@ impl EnergyMonitor {
     }
 
     /// After a block of steps that took `time` \[s\]: whether the steps drive the cloth.
-    pub(crate) fn gains_energy(&mut self, system: &mut System<'_>, state: &ParticleState, time: f64) -> bool {
+    pub(crate) fn gains_energy(
+        &mut self,
+        system: &mut System<'_>,
+        state: &ParticleState,
+        time: f64,
+    ) -> bool {
         let moving = state.v.iter().zip(&system.mass);
         let kinetic = 0.5 * moving.map(|(v, m)| m * v.norm_squared()).sum::<f64>();
         self.taken += self.drag * (self.kinetic + kinetic) * time;

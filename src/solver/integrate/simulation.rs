@@ -7,12 +7,12 @@
 use crate::progress::Progress;
 use crate::solver::Context;
 use crate::solver::integrate::auto_method::{MethodCriteria, choose_method};
-use crate::solver::integrate::integrator::{ParticleState, Integrator, StepError};
-use crate::solver::integrate::stability::feasibility::too_many;
+use crate::solver::integrate::integrator::{Integrator, ParticleState, StepError};
 use crate::solver::integrate::report::{Frame, MotionEnergy, MotionReport};
-use crate::solver::integrate::step_control::StepControl;
 use crate::solver::integrate::select::integrator_for;
 use crate::solver::integrate::settings::{IntegratorSettings, SAFETY};
+use crate::solver::integrate::stability::feasibility::too_many;
+use crate::solver::integrate::step_control::StepControl;
 use crate::solver::model::dof_map::Particles;
 use crate::solver::model::system::System;
 use crate::solver::options::{Method, SolverOptions};

@@ -77,7 +77,11 @@ pub fn trajectory(
         canceled: false,
         context,
     };
-    run.report.why = match run.go(&mut system, &mut state, damping::fundamental_frequency(scene)) {
+    run.report.why = match run.go(
+        &mut system,
+        &mut state,
+        damping::fundamental_frequency(scene),
+    ) {
         Ok(()) => format!("all of {:.4} s was simulated", run.report.simulated_s),
         Err(why) => why,
     };

@@ -1,6 +1,5 @@
 //! Explicit steps, whatever their rule: by the fused kernel for all terms that are links, by the terms themselves for the others.
 
-
 use crate::solver::forces::Stencil;
 use crate::solver::integrate::explicit::kernel::{Kernel, StepRule};
 use crate::solver::integrate::integrator::{ParticleState, accept};

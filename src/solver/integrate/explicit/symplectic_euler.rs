@@ -1,8 +1,8 @@
 //! The paper's method (P8): V += (F / m - c V) h, then X += V h. Order 1; keeps angular momentum.
 
-use crate::solver::integrate::explicit::stepper::ExplicitStepper;
 use crate::solver::integrate::explicit::kernel::StepRule;
-use crate::solver::integrate::integrator::{ParticleState, Integrator, StepError};
+use crate::solver::integrate::explicit::stepper::ExplicitStepper;
+use crate::solver::integrate::integrator::{Integrator, ParticleState, StepError};
 use crate::solver::integrate::stability::limit;
 use crate::solver::model::system::System;
 use crate::solver::report::measure::rms;
@@ -67,6 +67,9 @@ impl Integrator for SymplecticEuler {
         self.explicit.run(system, state, rule, count);
         let before = &self.explicit.v_before;
         let error = 0.5 * rms(before.len(), |i| state.v[i] - before[i]);
-        error.is_finite().then_some(error).ok_or(StepError::NotFinite)
+        error
+            .is_finite()
+            .then_some(error)
+            .ok_or(StepError::NotFinite)
     }
 }

@@ -6,9 +6,9 @@
 //! rule V = (1 - ch/2) / (1 + ch/2) V + h / (1 + ch/2) F/m, X += V h on velocities half a step off: the pass of the paper's
 //! method with other numbers. Velocities are brought on and off the step where a block of steps begins and ends.
 
-use crate::solver::integrate::explicit::stepper::ExplicitStepper;
 use crate::solver::integrate::explicit::kernel::StepRule;
-use crate::solver::integrate::integrator::{ParticleState, Integrator, StepError, accept};
+use crate::solver::integrate::explicit::stepper::ExplicitStepper;
+use crate::solver::integrate::integrator::{Integrator, ParticleState, StepError, accept};
 use crate::solver::integrate::stability::limit;
 use crate::solver::model::system::System;
 use nalgebra::Vector3;
@@ -95,6 +95,9 @@ impl Integrator for Verlet {
             square += (a - *v * drag - last).norm_squared();
         }
         let error = h / 6.0 * (square / state.v.len().max(1) as f64).sqrt();
-        error.is_finite().then_some(error).ok_or(StepError::NotFinite)
+        error
+            .is_finite()
+            .then_some(error)
+            .ok_or(StepError::NotFinite)
     }
 }

@@ -9,7 +9,7 @@
 //! The first step has nothing before it: it is one of implicit Euler, whose local error, of order h², is made once.
 
 use crate::solver::integrate::implicit::euler::{ImplicitEuler, NEWTON_A_STEP};
-use crate::solver::integrate::integrator::{ParticleState, Integrator, StepError, accept};
+use crate::solver::integrate::integrator::{Integrator, ParticleState, StepError, accept};
 use crate::solver::model::system::System;
 use nalgebra::Vector3;
 use seamster_cholesky::OutOfMemory;

@@ -4,8 +4,10 @@
 //! x̂ = X + h V / (1 + c h). The iteration begins at X or at x̂, whichever is lower, and only goes down; so, without drag,
 //! `E(X') + |X' - x̂|²_M / 2h² <= E(X) + |V|²_M / 2`: what the step begins with.
 
-use crate::solver::integrate::implicit::incremental_potential::{IncrementalPotential, InertiaTerm};
-use crate::solver::integrate::integrator::{ParticleState, Integrator, StepError, accept};
+use crate::solver::integrate::implicit::incremental_potential::{
+    IncrementalPotential, InertiaTerm,
+};
+use crate::solver::integrate::integrator::{Integrator, ParticleState, StepError, accept};
 use crate::solver::model::system::System;
 use nalgebra::Vector3;
 use seamster_cholesky::OutOfMemory;
@@ -62,7 +64,12 @@ impl ImplicitEuler {
         self.newton.minimise(system, &inertia_term, &mut self.next)
     }
 
-    fn step(&mut self, system: &mut System<'_>, state: &mut ParticleState, h: f64) -> Result<f64, StepError> {
+    fn step(
+        &mut self,
+        system: &mut System<'_>,
+        state: &mut ParticleState,
+        h: f64,
+    ) -> Result<f64, StepError> {
         accept(system, state);
         let dragged = 1.0 + self.drag * h;
         system.hold_still(&mut state.v);

@@ -81,7 +81,11 @@ impl IncrementalPotential {
     }
 
     /// Φ \[J\].
-    pub(crate) fn potential(system: &mut System<'_>, inertia_term: &InertiaTerm<'_>, x: &[Vector3<f64>]) -> f64 {
+    pub(crate) fn potential(
+        system: &mut System<'_>,
+        inertia_term: &InertiaTerm<'_>,
+        x: &[Vector3<f64>],
+    ) -> f64 {
         let apart = x.iter().zip(inertia_term.target).zip(&system.mass);
         let square: f64 = apart.map(|((x, t), m)| m * (x - t).norm_squared()).sum();
         system.energy(x) + 0.5 * inertia_term.weight * square
@@ -120,7 +124,12 @@ impl IncrementalPotential {
     }
 
     /// -dΦ/dx \[N\].
-    fn net_force(&mut self, system: &mut System<'_>, inertia_term: &InertiaTerm<'_>, x: &[Vector3<f64>]) {
+    fn net_force(
+        &mut self,
+        system: &mut System<'_>,
+        inertia_term: &InertiaTerm<'_>,
+        x: &[Vector3<f64>],
+    ) {
         system.net_force(x, &mut self.force);
         let apart = x.iter().zip(inertia_term.target).zip(&system.mass);
         for (f, ((x, t), m)) in self.force.iter_mut().zip(apart) {
@@ -155,7 +164,12 @@ impl IncrementalPotential {
     }
 
     /// Walks along the step as far as Φ allows; whether it could.
-    fn search(&mut self, system: &mut System<'_>, inertia_term: &InertiaTerm<'_>, x: &mut [Vector3<f64>]) -> bool {
+    fn search(
+        &mut self,
+        system: &mut System<'_>,
+        inertia_term: &InertiaTerm<'_>,
+        x: &mut [Vector3<f64>],
+    ) -> bool {
         let before = Self::potential(system, inertia_term, x);
         let pairs = self.step.iter().zip(&self.force);
         let slope: f64 = pairs.map(|(d, f)| d.dot(f)).sum();
@@ -186,7 +200,11 @@ impl IncrementalPotential {
 }
 
 /// The residual below which forces and inertia are rounding.
-fn rounding_residual(system: &mut System<'_>, inertia_term: &InertiaTerm<'_>, x: &[Vector3<f64>]) -> f64 {
+fn rounding_residual(
+    system: &mut System<'_>,
+    inertia_term: &InertiaTerm<'_>,
+    x: &[Vector3<f64>],
+) -> f64 {
     let count = x.len() as f64;
     let weight = system.mass.iter().sum::<f64>() * STANDARD_GRAVITY / count;
     let inertia: f64 = x

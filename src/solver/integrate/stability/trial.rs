@@ -9,9 +9,9 @@ use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
 use crate::solver::forces::contact::Anchors;
 use crate::solver::integrate::damping;
 use crate::solver::integrate::integrator::ParticleState;
-use crate::solver::integrate::stability::limit;
 use crate::solver::integrate::select::integrator_for;
 use crate::solver::integrate::settings::IntegratorSettings;
+use crate::solver::integrate::stability::limit;
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
 use crate::solver::options::{Method, SeamClose, SolverOptions};
@@ -238,10 +238,12 @@ impl StabilityTrial<'_, '_, '_> {
     /// The limit that `trajectory` keeps to \[s\].
     fn kept_to(&self) -> Option<f64> {
         let (method, settings) = (self.options.method, self.settings());
-        let step = self.with_system(|system, x| match integrator_for(system, method, &settings) {
-            Ok(Some(mut integrator)) => integrator.stable_step(system, x),
-            _ => f64::INFINITY,
-        });
+        let step = self.with_system(
+            |system, x| match integrator_for(system, method, &settings) {
+                Ok(Some(mut integrator)) => integrator.stable_step(system, x),
+                _ => f64::INFINITY,
+            },
+        );
         step.is_finite().then_some(step)
     }
 
