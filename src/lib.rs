@@ -6,7 +6,7 @@
 //!
 //! The modules in reading order, which is the way the data goes; none uses a name from a module below it:
 //!
-//! - [`fault`], [`config`], [`progress`]: what every module shares: faults, limits, cancelling.
+//! - [`fault`], [`config`], [`progress`], [`memory`]: what every module shares: faults, limits, cancelling, peak memory.
 //! - [`pattern`]: DXF bytes to a [`pattern::Pattern`] of panels.
 //! - [`seam`]: seam pairs as asked to checked [`seam::Seam`]s.
 //! - [`mesh`]: panels to a [`mesh::ClothMesh`] whose boundary points match across seams.
@@ -24,6 +24,7 @@ pub mod fault;
 pub mod fit;
 pub mod http;
 pub mod job;
+pub mod memory;
 pub mod mesh;
 pub mod pattern;
 pub mod progress;

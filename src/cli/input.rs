@@ -4,7 +4,7 @@ use super::faults;
 use clap::Args;
 use seamster::config::Limits;
 use seamster::fault::{Fault, Faults, FileCode, FitCode};
-use seamster::fit::{self, Garment, PatternAsked};
+use seamster::fit::{self, Garment, PatternRef};
 use seamster::pattern::{self, ImportOptions, Pattern, RotationOrder, Units};
 use serde::de::DeserializeOwned;
 use std::fs::File;
@@ -63,7 +63,7 @@ impl Input {
                 .read_pattern(pattern_file, limits)
                 .map_err(|faults| (pattern_file, faults))?;
             faults::print_warnings(pattern_file, &pattern.warnings);
-            garment.pattern = Some(PatternAsked::Whole(Box::new(pattern)));
+            garment.pattern = Some(PatternRef::Whole(Box::new(pattern)));
         }
         Ok(garment)
     }

@@ -7,7 +7,7 @@ use super::output::{MeshOutput, write};
 use clap::Args;
 use seamster::config::Limits;
 use seamster::fault::Faults;
-use seamster::fit::{self, Outcome, Prepared, Shipped};
+use seamster::fit::{self, FitOutcome, ResolvedGarment, ShippedAssets};
 use seamster::job::thread_cpu_s;
 use seamster::progress::{CancelToken, Progress};
 use seamster::solver::Context;
@@ -33,8 +33,8 @@ pub(super) struct SewCommand {
 /// Sews a garment; the exit code tells whether it converged.
 pub(super) fn sew(command: &SewCommand) -> ExitCode {
     let limits = Limits::default();
-    let ran = prepare(command, &limits).and_then(|prepared| {
-        run(command, &prepared, &limits).map_err(|faults| (command.input.file(), faults))
+    let ran = resolve(command, &limits).and_then(|resolved| {
+        run(command, &resolved, &limits).map_err(|faults| (command.input.file(), faults))
     });
     match ran {
         Ok(sewn) => write_output(command, &sewn),
@@ -46,22 +46,30 @@ pub(super) fn sew(command: &SewCommand) -> ExitCode {
 }
 
 /// Reads both files and checks the garment whole.
-fn prepare<'a>(command: &'a SewCommand, limits: &Limits) -> Result<Prepared, FileFaults<'a>> {
+fn resolve<'a>(
+    command: &'a SewCommand,
+    limits: &Limits,
+) -> Result<ResolvedGarment, FileFaults<'a>> {
     let file = command.input.file();
     let garment = command.input.garment(limits)?;
-    let prepared = fit::prepare(garment, &Shipped, limits).map_err(|faults| (file, faults))?;
-    faults::print_suggested(file, prepared.suggested());
-    faults::print_warnings(file, prepared.warnings());
-    Ok(prepared)
+    let resolved =
+        fit::resolve(garment, &ShippedAssets, limits).map_err(|faults| (file, faults))?;
+    faults::print_suggested(file, resolved.suggested());
+    faults::print_warnings(file, resolved.warnings());
+    Ok(resolved)
 }
 
 /// An outcome, and the scene where it is requested.
 struct SewOutput {
-    outcome: Outcome,
+    outcome: FitOutcome,
     scene: Option<Vec<u8>>,
 }
 
-fn run(command: &SewCommand, prepared: &Prepared, limits: &Limits) -> Result<SewOutput, Faults> {
+fn run(
+    command: &SewCommand,
+    resolved: &ResolvedGarment,
+    limits: &Limits,
+) -> Result<SewOutput, Faults> {
     let began = thread_cpu_s();
     let mut context = Context {
         cpu_s: &|| thread_cpu_s() - began,
@@ -69,9 +77,9 @@ fn run(command: &SewCommand, prepared: &Prepared, limits: &Limits) -> Result<Sew
         progress: &mut stage_logger(),
         limits,
     };
-    let outcome = fit::run(prepared, &mut context)?;
+    let outcome = fit::run(resolved, &mut context)?;
     let scene = command.scene.is_some();
-    let scene = scene.then(|| fit::scene_json(prepared, &context));
+    let scene = scene.then(|| fit::scene_json(resolved, &context));
     Ok(SewOutput {
         outcome,
         scene: scene.transpose()?,

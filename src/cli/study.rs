@@ -8,11 +8,11 @@ use super::sew::stage_logger;
 use clap::Args;
 use seamster::config::Limits;
 use seamster::fault::Faults;
-use seamster::fit::Shipped;
+use seamster::fit::ShippedAssets;
 use seamster::job::thread_cpu_s;
 use seamster::progress::CancelToken;
 use seamster::solver::{Context, Method};
-use seamster::study::{self, PreparedStudy, Study, StudyAsked};
+use seamster::study::{self, ResolvedStudy, Study, StudyRequest};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -58,7 +58,7 @@ pub(super) fn study(command: &StudyCommand) -> ExitCode {
 
 fn make_study<'a>(command: &'a StudyCommand, limits: &Limits) -> Result<Study, FileFaults<'a>> {
     let file = command.input.file();
-    let request = StudyAsked {
+    let request = StudyRequest {
         garment: command.input.garment(limits)?,
         methods: command.methods.clone(),
         tolerances: command.tolerances.clone(),
@@ -66,13 +66,14 @@ fn make_study<'a>(command: &'a StudyCommand, limits: &Limits) -> Result<Study, F
         edge_lengths_m: command.edge_lengths.clone(),
         time_limit_s: command.time_limit,
     };
-    let prepared = study::prepare(request, &Shipped, limits).map_err(|faults| (file, faults))?;
-    faults::print_suggested(file, prepared.suggested());
-    faults::print_warnings(file, prepared.warnings());
-    run(&prepared, limits).map_err(|faults| (file, faults))
+    let resolved =
+        study::resolve(request, &ShippedAssets, limits).map_err(|faults| (file, faults))?;
+    faults::print_suggested(file, resolved.suggested());
+    faults::print_warnings(file, resolved.warnings());
+    run(&resolved, limits).map_err(|faults| (file, faults))
 }
 
-fn run(prepared: &PreparedStudy, limits: &Limits) -> Result<Study, Faults> {
+fn run(resolved: &ResolvedStudy, limits: &Limits) -> Result<Study, Faults> {
     let began = thread_cpu_s();
     let mut context = Context {
         cpu_s: &|| thread_cpu_s() - began,
@@ -80,7 +81,7 @@ fn run(prepared: &PreparedStudy, limits: &Limits) -> Result<Study, Faults> {
         progress: &mut stage_logger(),
         limits,
     };
-    study::run(prepared, &mut context)
+    study::run(resolved, &mut context)
 }
 
 fn write_output(command: &StudyCommand, study: &Study) -> ExitCode {

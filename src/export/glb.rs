@@ -3,7 +3,7 @@
 //! Written by hand after the glTF 2.0 specification (Khronos Group, 2021), sections 3.6 (buffers, accessors),
 //! 3.7 (meshes), 3.9 (materials) and 4.4 (the binary container).
 
-use super::{GarmentMesh, PanelMesh, normals};
+use super::{DrapedPanel, GarmentMesh, normals};
 use crate::scene::TriangleMesh;
 use nalgebra::Vector3;
 use serde_json::{Map, Value, json};
@@ -74,7 +74,7 @@ impl File {
         }
     }
 
-    fn panel(&mut self, panel: &PanelMesh, normals: &[Vector3<f64>], material: usize) {
+    fn panel(&mut self, panel: &DrapedPanel, normals: &[Vector3<f64>], material: usize) {
         let triangles: Vec<_> = panel
             .triangles
             .iter()

@@ -21,12 +21,13 @@ use utoipa::ToSchema;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct GarmentMesh {
     /// One part for each panel, in the pattern's order.
-    pub panels: Vec<PanelMesh>,
+    pub panels: Vec<DrapedPanel>,
 }
 
 /// The shape of one panel.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct PanelMesh {
+#[schema(as = PanelMesh)]
+pub struct DrapedPanel {
     /// Id of the panel.
     pub panel: String,
     /// Id of its fabric: the name of the material.

@@ -80,7 +80,7 @@ fn unit(normal: &Vector3<f64>) -> Vector3<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::export::PanelMesh;
+    use crate::export::DrapedPanel;
     use std::f64::consts::FRAC_PI_2;
 
     #[test]
@@ -106,7 +106,7 @@ mod tests {
     /// Two squares of side 1 sewn along the y axis: one in the plane z = 0, the other turned up out of it by `turn`.
     fn sewn(turn: f64) -> GarmentMesh {
         let (sin, cos) = turn.sin_cos();
-        let panel = |far: [f64; 2], triangles: [[u32; 3]; 2]| PanelMesh {
+        let panel = |far: [f64; 2], triangles: [[u32; 3]; 2]| DrapedPanel {
             positions: vec![
                 [0.0, 0.0, 0.0],
                 [far[0], 0.0, far[1]],
@@ -115,7 +115,7 @@ mod tests {
             ],
             uv: vec![[0.0; 2]; 4],
             triangles: triangles.to_vec(),
-            ..PanelMesh::default()
+            ..DrapedPanel::default()
         };
         GarmentMesh {
             panels: vec![
@@ -167,10 +167,10 @@ mod tests {
 
     #[test]
     fn a_collapsed_shape_is_left_as_it_is() {
-        let point = PanelMesh {
+        let point = DrapedPanel {
             positions: vec![[0.0; 3]; 1000],
             triangles: vec![[0, 1, 2]],
-            ..PanelMesh::default()
+            ..DrapedPanel::default()
         };
         let mesh = GarmentMesh {
             panels: vec![point],

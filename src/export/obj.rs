@@ -1,6 +1,6 @@
 //! Wavefront OBJ.
 
-use super::{GarmentMesh, PanelMesh, normals};
+use super::{DrapedPanel, GarmentMesh, normals};
 use nalgebra::Vector3;
 use std::fmt::Write;
 
@@ -21,7 +21,7 @@ pub fn obj(mesh: &GarmentMesh) -> String {
 /// Writes one panel whose vertices are counted from `first`.
 fn group(
     text: &mut String,
-    panel: &PanelMesh,
+    panel: &DrapedPanel,
     normals: &[Vector3<f64>],
     first: usize,
 ) -> std::fmt::Result {

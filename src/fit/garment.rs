@@ -29,12 +29,12 @@ pub struct Garment {
     pub schema: String,
     /// The pattern, by id or whole. Absent only where a DXF comes beside the garment.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub pattern: Option<PatternAsked>,
+    pub pattern: Option<PatternRef>,
     /// The seams, or `suggest`.
-    pub seams: SeamsAsked,
-    /// What is special about single panels, by id.
+    pub seams: SeamsSpec,
+    /// Settings of single panels, by id.
     #[serde(default)]
-    pub panels: BTreeMap<String, PanelAsked>,
+    pub panels: BTreeMap<String, PanelSpec>,
     /// Fabric of panels that name none.
     #[serde(default = "default_fabric")]
     pub default_fabric: String,
@@ -42,15 +42,15 @@ pub struct Garment {
     #[serde(default)]
     pub fabrics: BTreeMap<String, Fabric>,
     /// The body: an id, measurements, or null for none. The default dress form if absent.
-    #[serde(default = "AvatarAsked::default_form")]
-    pub avatar: Option<AvatarAsked>,
+    #[serde(default = "AvatarRef::default_form")]
+    pub avatar: Option<AvatarRef>,
     /// Corners that do not move.
     #[serde(default)]
     pub pins: Vec<Pin>,
     /// Moving air.
     #[serde(default)]
-    pub wind: Option<Wind>,
-    /// Whether cloth may pass through cloth.
+    pub wind: Option<WindSpec>,
+    /// Contact of cloth with cloth.
     #[serde(default)]
     pub self_contact: SelfContact,
     /// Coulomb coefficient against the body; the fabrics' own if absent.
@@ -59,7 +59,7 @@ pub struct Garment {
     /// A fit to begin from.
     #[serde(default)]
     pub start_from: Option<Uuid>,
-    /// How to simulate.
+    /// Options of the simulation.
     #[serde(default)]
     pub simulate: SolverOptions,
     /// Maps wanted on the mesh.
@@ -70,42 +70,46 @@ pub struct Garment {
 /// A pattern by id or whole.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(untagged)]
-pub enum PatternAsked {
+#[schema(as = PatternAsked)]
+pub enum PatternRef {
     /// Id of a stored pattern.
     Id(Uuid),
     /// The pattern itself.
     Whole(Box<Pattern>),
 }
 
-/// The seams, or a word.
+/// The seams, or a keyword.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(untagged)]
-pub enum SeamsAsked {
+#[schema(as = SeamsAsked)]
+pub enum SeamsSpec {
     /// As the client states them.
     Pairs(Vec<SeamPair>),
     /// Found by the service.
-    Word(SuggestWord),
+    Keyword(SeamsKeyword),
 }
 
-/// The word that asks for suggested seams.
+/// The keyword that asks for suggested seams.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
-pub enum SuggestWord {
+#[schema(as = SuggestWord)]
+pub enum SeamsKeyword {
     /// Use the service's own suggestions.
     Suggest,
 }
 
-/// What is special about one panel.
+/// Settings of one panel.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(default, deny_unknown_fields)]
-pub struct PanelAsked {
+#[schema(as = PanelAsked)]
+pub struct PanelSpec {
     /// Id of its fabric.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fabric: Option<String>,
     /// Id of its texture.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub texture: Option<String>,
-    /// Which side is out.
+    /// Side that is out.
     pub face: FaceRequest,
     /// Order from the body outwards.
     pub layer: i32,
@@ -116,7 +120,7 @@ pub struct PanelAsked {
     pub seam_allowance_m: f64,
     /// Edges that are shortened.
     pub elastic: Vec<Elastic>,
-    /// Where it starts.
+    /// Place where it starts.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub placement: Option<Placement>,
 }
@@ -136,17 +140,18 @@ pub struct Elastic {
 /// The body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(untagged)]
-pub enum AvatarAsked {
+#[schema(as = AvatarAsked)]
+pub enum AvatarRef {
     /// Id of a stored avatar.
     Id(Uuid),
     /// A dress form made from measurements.
-    Form(FormAsked),
+    Form(DressFormSpec),
 }
 
-impl AvatarAsked {
-    /// A dress form.
+impl AvatarRef {
+    /// Returns the reference to a dress form made from measurements.
     pub fn form(form: DressForm) -> Self {
-        Self::Form(FormAsked { form })
+        Self::Form(DressFormSpec { form })
     }
 
     #[expect(clippy::unnecessary_wraps, reason = "serde wants the field's own type")]
@@ -158,7 +163,8 @@ impl AvatarAsked {
 /// A dress form made from measurements.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
-pub struct FormAsked {
+#[schema(as = FormAsked)]
+pub struct DressFormSpec {
     /// The measurements.
     pub form: DressForm,
 }
@@ -176,19 +182,20 @@ pub struct Pin {
 /// Moving air.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Wind {
-    /// \[m/s\]
+#[schema(as = Wind)]
+pub struct WindSpec {
+    /// Velocity \[m/s\].
     pub velocity_m_s: [f64; 3],
     /// Share by which it swells and falls.
     #[serde(default)]
     pub gust: f64,
 }
 
-/// Whether cloth may pass through cloth.
+/// Contact of cloth with cloth.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SelfContact {
-    /// The service chooses.
+    /// The service chooses whether cloth may pass through cloth.
     #[default]
     Auto,
     /// It may not.

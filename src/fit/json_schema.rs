@@ -1,19 +1,19 @@
 //! JSON Schema 2020-12 of a request type, made from the same derive as the `OpenAPI` document.
 
-use super::Garment;
+use super::garment::Garment;
 use serde_json::{Map, Value, json};
 use utoipa::ToSchema;
 
 /// Largest integer that every JSON reader keeps exactly.
 const INTEGER_MAX: u64 = (1 << 53) - 1;
 
-/// The JSON Schema of the garment file, as `api/garment.schema.json` has it.
+/// Returns the JSON Schema of the garment file, as `api/garment.schema.json` has it.
 pub fn garment_schema_json() -> String {
     let json = serde_json::to_string_pretty(&of::<Garment>());
-    json.expect("a schema always serialises") + "\n"
+    json.expect("a schema always serializes") + "\n"
 }
 
-/// The schema of `T`, complete in itself: what it refers to is in `$defs`.
+/// Returns the schema of `T`, complete in itself: schemas that it refers to are in `$defs`.
 pub(super) fn of<T: ToSchema>() -> Value {
     let mut parts = vec![];
     T::schemas(&mut parts);
@@ -37,10 +37,10 @@ pub(super) fn of<T: ToSchema>() -> Value {
 }
 
 fn to_value(part: &impl serde::Serialize) -> Value {
-    serde_json::to_value(part).expect("a schema of strings and numbers always serialises")
+    serde_json::to_value(part).expect("a schema of strings and numbers always serializes")
 }
 
-/// Makes the schema say all that serde will ask for: local references, closed objects, lengths of tuples, ranges of integers.
+/// Makes the schema as strict as serde is: local references, closed objects, lengths of tuples, ranges of integers.
 ///
 /// `depth` counts the arrays round this schema. The derive drops the length of `[f64; N]`; in what clients send, a
 /// row of numbers that is a field of its own is a vector of three, and one that is an item of a list is a point of two; a list

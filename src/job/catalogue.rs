@@ -1,7 +1,7 @@
 //! Stored patterns, avatars and fabrics, which garments refer to.
 
 use super::store::{DocumentKind, Documents, Page, PageRequest, StoreError};
-use crate::fit::Library;
+use crate::fit::AssetLibrary;
 use crate::pattern::Pattern;
 use crate::scene::{self, DressForm, Fabric};
 use jiff::Timestamp;
@@ -183,7 +183,7 @@ fn read<T: DeserializeOwned>(
 }
 
 /// The store's errors are logged here: to a garment, what cannot be read is not there.
-impl Library for Catalogue {
+impl AssetLibrary for Catalogue {
     fn pattern(&self, id: Uuid) -> Option<Arc<Pattern>> {
         logged(self.find_pattern(id)).map(|stored| Arc::new(stored.value))
     }

@@ -2,17 +2,17 @@
 
 use super::kind::JobKind;
 use crate::fit::Garment;
-use crate::study::StudyAsked;
+use crate::study::StudyRequest;
 use serde_json::Result;
 use uuid::Uuid;
 
-/// A request to a worker: complete in itself, as `fit::prepare` and `study::prepare` leave it.
+/// A request to a worker: complete in itself, as `fit::resolve` and `study::resolve` leave it.
 #[derive(Clone, Debug)]
 pub enum JobRequest {
     /// A garment to be sewn and draped.
     Fit(Box<Garment>),
     /// A garment to be studied.
-    Study(Box<StudyAsked>),
+    Study(Box<StudyRequest>),
 }
 
 impl JobRequest {

@@ -2,7 +2,7 @@
 
 use super::failure::JobFailure;
 use super::kind::JobKind;
-use crate::fit::Outcome;
+use crate::fit::FitOutcome;
 use crate::study::Study;
 use serde::Serialize;
 use serde_json::Result;
@@ -12,7 +12,7 @@ use uuid::Uuid;
 #[derive(Clone, Debug)]
 pub enum JobOutcome {
     /// A garment sewn and draped, or as far as it came.
-    Fit(Box<Outcome>),
+    Fit(Box<FitOutcome>),
     /// A study, or as far as it came.
     Study(Box<Study>),
 }

@@ -17,7 +17,7 @@ pub use raw::RawScene;
 pub use wind::Wind;
 
 pub use build::{PanelParts, Parts, build};
-pub use placement::{Placed, ToPlace, place};
+pub use placement::{AnchoredPlacement, Placed};
 
 use crate::mesh::ClothMesh;
 use nalgebra::Vector3;

@@ -52,15 +52,11 @@ impl Body {
     }
 }
 
-/// A panel to place.
-#[derive(Clone, Copy, Debug)]
-pub struct ToPlace<'a> {
-    /// The panel.
-    pub panel: &'a Panel,
-    /// Which of its sides is out.
-    pub face: Face,
-    /// What was asked for it, or what its file says.
-    pub asked: Option<&'a Placement>,
+/// A placement whose key point on the body is known: stated, or told by the panel's name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AnchoredPlacement {
+    anchor: PlacementAnchor,
+    placement: Placement,
 }
 
 /// The way from pattern coordinates to the start position in space.
@@ -167,64 +163,71 @@ impl Spot {
     }
 }
 
-/// Places a panel on `avatar`, or in free space without one.
-///
-/// # Errors
-/// `placement/unknown` at `/panels/<id>/placement` if neither a key point was asked for nor the panel's name says one.
-pub fn place(to_place: ToPlace<'_>, avatar: Option<&Avatar>) -> Result<Placed, Faults> {
-    let ToPlace { panel, face, asked } = to_place;
-    let placement = asked.cloned().unwrap_or_default();
-    let anchor = placement
-        .at
-        .or_else(|| guess(panel))
-        .ok_or_else(|| unknown(panel))?;
-    let body = avatar.map_or(NO_BODY, Body::of);
-    let spot = Spot::of(anchor, &body);
-    let up = Rotation2::new((90.0 - placement.up_deg.unwrap_or(90.0)).to_radians());
-    let [[left, right], [bottom, top]] = bounds(panel, &up);
-    let centre_y = 0.5 * (bottom + top);
-    let wrap = placement.wrap.unwrap_or(match spot.turn {
-        Some(_) => Wrap::Cylinder,
-        None => Wrap::Flat,
-    });
-    let [rx, ry, rz] = placement.rotate_deg.map(f64::to_radians);
-    let turn = |axis: Vector3<f64>, angle: f64| Rotation3::new(axis * angle);
-    let mut placed = Placed {
-        up,
-        key: [0.5 * (left + right), if spot.hangs { top } else { bottom }],
-        centre_y,
-        sense: if face == Face::Up { 1.0 } else { -1.0 },
-        outward: spot.outward,
-        axis: spot.axis,
-        radius: 0.0,
-        wrap,
-        lean: spot.lean,
-        rotation: turn(Vector3::x(), rx) * turn(Vector3::y(), ry) * turn(Vector3::z(), rz),
-        offset: Vector3::from(placement.offset_m),
-    };
-    if anchor == PlacementAnchor::Origin {
-        placed.key[1] = centre_y;
-        placed.sense = 1.0;
-        return Ok(placed);
+impl AnchoredPlacement {
+    /// Anchors `panel` where it is stated to start, or where its name says.
+    ///
+    /// # Errors
+    /// `placement/unknown` at `/panels/<id>/placement` if neither tells a key point of the body.
+    pub fn new(panel: &Panel, stated: Option<&Placement>) -> Result<Self, Faults> {
+        let placement = stated.cloned().unwrap_or_default();
+        let anchor = placement
+            .at
+            .or_else(|| guess(panel))
+            .ok_or_else(|| unknown(panel))?;
+        Ok(Self { anchor, placement })
     }
-    let height = spot.axis.y;
-    let span = [
-        height + bottom - placed.key[1],
-        height + top - placed.key[1],
-    ];
-    // Rolled, a panel meets itself at most; half a band covers half a turn.
-    let around = (right - left) / (TAU * spot.turn.unwrap_or(1.0));
-    placed.radius = if spot.lean == 0.0 {
-        let reach = radius(avatar, body.centre, span, wrap) + CLEARANCE;
-        if wrap == Wrap::Cylinder {
-            reach.max(around)
-        } else {
-            reach
+
+    /// Places `panel`, whose side `face` is out, on `avatar`, or in free space without one.
+    pub fn place(&self, panel: &Panel, face: Face, avatar: Option<&Avatar>) -> Placed {
+        let Self { anchor, placement } = self;
+        let body = avatar.map_or(NO_BODY, Body::of);
+        let spot = Spot::of(*anchor, &body);
+        let up = Rotation2::new((90.0 - placement.up_deg.unwrap_or(90.0)).to_radians());
+        let [[left, right], [bottom, top]] = bounds(panel, &up);
+        let centre_y = 0.5 * (bottom + top);
+        let wrap = placement.wrap.unwrap_or(match spot.turn {
+            Some(_) => Wrap::Cylinder,
+            None => Wrap::Flat,
+        });
+        let [rx, ry, rz] = placement.rotate_deg.map(f64::to_radians);
+        let turn = |axis: Vector3<f64>, angle: f64| Rotation3::new(axis * angle);
+        let mut placed = Placed {
+            up,
+            key: [0.5 * (left + right), if spot.hangs { top } else { bottom }],
+            centre_y,
+            sense: if face == Face::Up { 1.0 } else { -1.0 },
+            outward: spot.outward,
+            axis: spot.axis,
+            radius: 0.0,
+            wrap,
+            lean: spot.lean,
+            rotation: turn(Vector3::x(), rx) * turn(Vector3::y(), ry) * turn(Vector3::z(), rz),
+            offset: Vector3::from(placement.offset_m),
+        };
+        if *anchor == PlacementAnchor::Origin {
+            placed.key[1] = centre_y;
+            placed.sense = 1.0;
+            return placed;
         }
-    } else {
-        around.max(CLEARANCE)
-    };
-    Ok(placed)
+        let height = spot.axis.y;
+        let span = [
+            height + bottom - placed.key[1],
+            height + top - placed.key[1],
+        ];
+        // Rolled, a panel meets itself at most; half a band covers half a turn.
+        let around = (right - left) / (TAU * spot.turn.unwrap_or(1.0));
+        placed.radius = if spot.lean == 0.0 {
+            let reach = radius(avatar, body.centre, span, wrap) + CLEARANCE;
+            if wrap == Wrap::Cylinder {
+                reach.max(around)
+            } else {
+                reach
+            }
+        } else {
+            around.max(CLEARANCE)
+        };
+        placed
+    }
 }
 
 /// How far the body reaches from its axis between two heights \[m\]: to the front and back for flat panels, all round for rolled ones.

@@ -1,30 +1,36 @@
 //! Studies: one garment by many methods, settings and meshes, against a reference that the study converges itself; error
 //! against run time as a table and a picture, observed orders, stability limits, and a recommendation.
 //!
-//! [`read_study`] → [`prepare`] → [`run`] → [`Study`] → [`plot_svg`].
+//! [`read_study`] → [`resolve`] → [`run`] → [`Study`] → [`plot_svg`].
 
-mod asked;
-mod compare;
-mod drapes;
-mod minima;
-mod motions;
+mod drape_runs;
+mod finding;
+mod mesh_error;
+mod motion_reference;
+mod motion_runs;
 mod order;
+mod part;
+mod plan;
 mod plot;
-mod prepare;
-mod recommend;
-mod reference;
+mod recommendation;
 mod report;
-mod rest;
+mod request;
+mod resolve;
+mod rest_shape;
+mod rest_shapes;
 mod run;
-mod stable;
-mod work;
+mod schedule;
+mod stability;
+mod validate;
+mod wording;
 
-pub use asked::{StudyAsked, read_study};
+pub use plan::{StudyPlan, StudyScene};
 pub use plot::plot_svg;
-pub use prepare::{PreparedStudy, prepare};
 pub use report::{
-    NotDone, SCHEMA, Study, StudyMesh, StudyMinimum, StudyOrder, StudyReference, StudyRun,
+    SCHEMA, SkippedPart, Study, StudyMesh, StudyMinimum, StudyOrder, StudyReference, StudyRun,
     StudyStability,
 };
-pub use rest::Rest;
-pub use run::{StudyPlan, StudyScene, run, run_scenes};
+pub use request::{StudyRequest, read_study};
+pub use resolve::{ResolvedStudy, resolve};
+pub use rest_shape::RestShape;
+pub use run::{run, run_scenes};

@@ -1,9 +1,9 @@
-//! Observed orders: how errors fall with the step.
+//! Observed orders: the powers of the step that errors fall with.
 
 use super::report::{StudyOrder, StudyRun};
 use crate::solver::Method;
 
-/// Order of each method among `runs`, of which `steps` are the lengths of steps really taken \[s\].
+/// Returns the order of each method among `runs`, of which `steps` are the lengths of the steps taken \[s\].
 pub(super) fn orders(runs: &[StudyRun], steps: &[f64]) -> Vec<StudyOrder> {
     let mut orders: Vec<StudyOrder> = Vec::new();
     for run in runs.iter().filter(|run| run.step_s.is_some()) {
@@ -36,7 +36,7 @@ pub(super) fn orders(runs: &[StudyRun], steps: &[f64]) -> Vec<StudyOrder> {
     orders
 }
 
-/// What theory says where forces are smooth.
+/// Returns the order of theory where forces are smooth; none for a method that does not step.
 fn theory(method: Method) -> Option<f64> {
     match method {
         Method::SymplecticEuler | Method::ImplicitEuler => Some(1.0),
@@ -45,7 +45,7 @@ fn theory(method: Method) -> Option<f64> {
     }
 }
 
-/// Slope of log error over log step by least squares; `None` with fewer than two different steps.
+/// Returns the slope of log error over log step by least squares; none with fewer than two different steps.
 fn slope(points: &[(f64, f64)]) -> Option<f64> {
     let positive = points.iter().filter(|(h, e)| *h > 0.0 && *e > 0.0);
     let logs: Vec<(f64, f64)> = positive.map(|(h, e)| (h.ln(), e.ln())).collect();

@@ -1,4 +1,4 @@
-//! What a study comes to. Errors are RMS over the vertices (of a motion: over its frames too) on the same mesh, unless it says
+//! The result of a study. Errors are RMS over the vertices (of a motion: over its frames too) on the same mesh, unless it says
 //! otherwise.
 
 use crate::solver::{Analysis, MembraneModel, Method};
@@ -8,17 +8,17 @@ use utoipa::ToSchema;
 /// Name and version of the format of a study's result.
 pub const SCHEMA: &str = "seamster/study/1";
 
-/// What a study comes to. All numbers are finite; apart from CPU times, and from what a time limit left out, the same study gives
+/// The result of a study. All numbers are finite; apart from CPU times, and from what a time limit left out, the same study gives
 /// the same result.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Study {
     /// Always `seamster/study/1`.
     pub schema: String,
-    /// What was wanted of the garment.
+    /// Drape or motion: what was wanted of the garment.
     pub want: Analysis,
     /// The membrane, the same for all runs: solver errors are within it.
     pub membrane: MembraneModel,
-    /// What the runs begin with, in words.
+    /// The shape that the runs begin with, in words.
     pub start: String,
     /// One a mesh, in the order asked for.
     pub meshes: Vec<StudyMesh>,
@@ -28,15 +28,15 @@ pub struct Study {
     pub orders: Vec<StudyOrder>,
     /// The longest stable step of each method that steps.
     pub stability: Vec<StudyStability>,
-    /// What to take, in a sentence.
+    /// The run to take, in a sentence.
     pub recommendation: String,
-    /// What to know when reading the numbers, in sentences.
+    /// Notes on how to read the numbers, in sentences.
     pub notes: Vec<String>,
-    /// What was not done, and why.
-    pub left_out: Vec<NotDone>,
-    /// Whether all that was asked for was done.
+    /// Parts that were not done, and why.
+    pub left_out: Vec<SkippedPart>,
+    /// True if all that was asked for was done.
     pub complete: bool,
-    /// Whether it was stopped by the cancel token.
+    /// True if it was stopped by the cancel token.
     pub canceled: bool,
     /// CPU time of the study \[s\].
     pub cpu_s: f64,
@@ -53,7 +53,7 @@ pub struct StudyMesh {
     pub vertices: usize,
     /// Triangles.
     pub triangles: usize,
-    /// What errors on this mesh are measured against.
+    /// The reference that errors on this mesh are measured against.
     pub reference: StudyReference,
     /// The rest shapes that runs on this mesh led to, the reference's first; none for a motion.
     pub minima: Vec<StudyMinimum>,
@@ -62,10 +62,10 @@ pub struct StudyMesh {
     pub mesh_error_m: Option<f64>,
 }
 
-/// What errors on a mesh are measured against.
+/// The reference that errors on a mesh are measured against.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct StudyReference {
-    /// Whether two independent methods agree on it.
+    /// True if two independent methods agree on it.
     pub confirmed: bool,
     /// The methods that were compared; the first one's shape or motion is the reference.
     pub methods: Vec<Method>,
@@ -73,11 +73,11 @@ pub struct StudyReference {
     pub energies_j: Vec<f64>,
     /// Distance between the two \[m\].
     pub apart_m: Option<f64>,
-    /// Below this an error says nothing: the reference's own \[m\].
+    /// The reference's own error \[m\]: smaller errors than this say nothing.
     pub uncertainty_m: Option<f64>,
-    /// Whether the two came to rest in different shapes.
+    /// True if the two came to rest in different shapes.
     pub several_rest_shapes: bool,
-    /// How it was found and confirmed, or why not, in words.
+    /// The way it was found and confirmed, or why not, in words.
     pub because: String,
     /// CPU time of it \[s\].
     pub cpu_s: f64,
@@ -90,7 +90,7 @@ pub struct StudyMinimum {
     pub energy_j: f64,
     /// Distance from the reference \[m\].
     pub from_reference_m: f64,
-    /// How many of the runs led to it.
+    /// Number of the runs that led to it.
     pub runs: usize,
 }
 
@@ -113,27 +113,27 @@ pub struct StudyRun {
     pub cpu_s: f64,
     /// Solver error: RMS distance to the rest shape that this run's own shape leads to, or from the reference motion \[m\].
     pub error_m: Option<f64>,
-    /// Whether the error is well above what it is measured by. Where it is not, it is an upper bound.
+    /// True if the error is well above that of its reference. Where it is not, it is an upper bound.
     pub error_certain: bool,
     /// The solver's own estimate of it \[m\].
     pub estimate_m: Option<f64>,
-    /// Whether the solver calls its estimate valid.
+    /// True if the solver calls its estimate valid.
     pub estimate_valid: bool,
     /// Energy of the shape it stopped at: all terms, and for a motion at its last frame with that of motion \[J\].
     pub energy_j: f64,
     /// Residual r of a drape.
     pub residual: Option<f64>,
-    /// Which of the mesh's `minima` it leads to.
+    /// Index of the rest shape that it leads to among the mesh's `minima`.
     pub minimum: Option<usize>,
     /// Energy of that rest shape \[J\].
     pub minimum_energy_j: Option<f64>,
-    /// Whether that is the reference's.
+    /// True if that is the reference's.
     pub same_as_reference: Option<bool>,
     /// Steps of time or Newton iterations.
     pub steps: u64,
-    /// Whether it reached what was asked: rest within the tolerance, or the end of the motion.
+    /// True if it reached what was asked: rest within the tolerance, or the end of the motion.
     pub converged: bool,
-    /// Why it ended, in words.
+    /// The reason why it ended, in words.
     pub why: String,
 }
 
@@ -144,12 +144,12 @@ pub struct StudyOrder {
     pub method: Method,
     /// Length of mesh edges \[m\].
     pub edge_length_m: f64,
-    /// What was found; none with fewer than two errors that are certain.
+    /// The order found; none with fewer than two errors that are certain.
     pub observed: Option<f64>,
     /// The same between the two shortest steps: where it is nearer to theory, the longer ones are too long for the stiffest part of
     /// the motion.
     pub finest: Option<f64>,
-    /// What theory says where forces are smooth.
+    /// The order of theory, where forces are smooth.
     pub theory: f64,
     /// Steps that it was found by \[s\].
     pub steps_s: Vec<f64>,
@@ -162,22 +162,23 @@ pub struct StudyStability {
     pub method: Method,
     /// Length of mesh edges \[m\].
     pub edge_length_m: f64,
-    /// Found by bisection: the longest step with which the disturbance did not grow \[s\]. None if no such step was found to be
+    /// The longest step, found by bisection, with which the disturbance did not grow \[s\]. None if no such step was found to be
     /// unstable.
     pub found_s: Option<f64>,
-    /// From the highest frequency at that shape \[s\]. None for methods that theory calls stable with any step.
+    /// The limit from the highest frequency at that shape \[s\]. None for methods that theory calls stable with any step.
     pub theory_s: Option<f64>,
     /// Longest step that was tried \[s\].
     pub tried_s: f64,
-    /// In words.
+    /// The way it was found, in words.
     pub because: String,
 }
 
-/// Something that was not done.
+/// A part of a study that was not done.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
-pub struct NotDone {
-    /// What.
+#[schema(as = NotDone)]
+pub struct SkippedPart {
+    /// The part.
     pub what: String,
-    /// Why.
+    /// The reason.
     pub because: String,
 }

@@ -1,74 +1,41 @@
 //! Runs a study: all its parts, in the order in which they are worth most should the time not suffice.
 
-use super::drapes::Drapes;
-use super::motions::Motions;
-use super::prepare::PreparedStudy;
+use super::drape_runs::DrapeRuns;
+use super::finding::StartShape;
+use super::motion_runs::MotionRuns;
+use super::plan::{StudyPlan, StudyScene};
 use super::report::{SCHEMA, Study, StudyMesh};
-use super::work::Work;
-use super::{compare, recommend, stable};
+use super::resolve::ResolvedStudy;
+use super::schedule::StudySchedule;
+use super::{mesh_error, recommendation, stability, wording};
 use crate::fault::Faults;
 use crate::fit;
-use crate::scene::Scene;
-use crate::solver::{Analysis, Context, Drape, Method, SolverOptions};
-use nalgebra::Vector3;
-
-/// What a study varies, on scenes that are assembled already.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StudyPlan {
-    /// What all runs have in common: what is wanted, membrane, seams, duration, frame rate, the time limit of one run.
-    pub simulate: SolverOptions,
-    /// Methods.
-    pub methods: Vec<Method>,
-    /// Tolerances, as [`super::StudyAsked::tolerances`].
-    pub tolerances: Vec<f64>,
-    /// Fixed steps of a motion, as [`super::StudyAsked::steps_s`] \[s\].
-    pub steps_s: Vec<f64>,
-    /// CPU time of the whole \[s\].
-    pub time_limit_s: Option<f64>,
-}
-
-/// One mesh of what is studied.
-#[derive(Clone, Debug)]
-pub struct StudyScene {
-    /// Length of its mesh edges \[m\].
-    pub edge_length_m: f64,
-    /// The scene.
-    pub scene: Scene,
-}
-
-/// What one mesh gave besides its runs.
-pub(super) struct OnMesh {
-    pub(super) mesh: StudyMesh,
-    /// What meshes are compared by: the rest shape, or frames of the motion \[m\].
-    pub(super) shapes: Vec<Vec<Vector3<f64>>>,
-    /// A shape at rest, to disturb.
-    pub(super) rest: Option<Drape>,
-}
+use crate::solver::{Analysis, Context};
 
 /// Makes all runs of a study, each measured against a reference that the study converges itself.
 ///
 /// # Errors
-/// What could be found only on the way: a mesh too fine for the limits.
-pub fn run(prepared: &PreparedStudy, context: &mut Context<'_>) -> Result<Study, Faults> {
-    let asked = prepared.asked();
+/// Faults that show only on the way: a mesh too fine for the limits.
+pub fn run(study: &ResolvedStudy, context: &mut Context<'_>) -> Result<Study, Faults> {
+    let request = study.request();
     let mut scenes = Vec::new();
-    for fit in &prepared.fits {
-        let scene = match fit::scene(fit, context) {
+    for garment in study.garments() {
+        let scene = match fit::scene(garment, context) {
             Ok(scene) => scene,
             Err(_) if context.cancel.is_canceled() => break,
             Err(faults) => return Err(faults.under("/garment")),
         };
         scenes.push(StudyScene {
-            edge_length_m: fit.garment().simulate.edge_length_m,
+            edge_length_m: garment.garment().simulate.edge_length_m,
             scene,
         });
     }
     let plan = StudyPlan {
-        simulate: asked.garment.simulate.clone(),
-        methods: asked.methods.clone(),
-        tolerances: asked.tolerances.clone(),
-        steps_s: asked.steps_s.clone(),
-        time_limit_s: asked.time_limit_s,
+        simulate: request.garment.simulate.clone(),
+        methods: request.methods.clone(),
+        tolerances: request.tolerances.clone(),
+        steps_s: request.steps_s.clone(),
+        time_limit_s: request.time_limit_s,
     };
     Ok(run_scenes(&scenes, &plan, context))
 }
@@ -78,41 +45,46 @@ pub fn run(prepared: &PreparedStudy, context: &mut Context<'_>) -> Result<Study,
 /// # Guarantees
 /// Ends soon after the time allowed and when canceled, with what was left out listed. All numbers are finite.
 pub fn run_scenes(scenes: &[StudyScene], plan: &StudyPlan, context: &mut Context<'_>) -> Study {
-    let wants_motion = plan.simulate.analysis == Analysis::Transient;
-    let per_mesh = if wants_motion {
-        Motions::parts(plan)
+    let is_motion = plan.simulate.analysis == Analysis::Transient;
+    let runs = if is_motion {
+        MotionRuns::weight(plan)
     } else {
-        Drapes::parts(plan)
-    } + stable::parts(plan);
-    let parts = per_mesh * scenes.len() as f64;
-    let each = plan.simulate.time_limit_s;
-    let mut work = Work::new(context, plan.time_limit_s, each, parts);
+        DrapeRuns::weight(plan)
+    };
+    let weight = (runs + stability::weight(plan)) * scenes.len() as f64;
+    let allowed = [plan.time_limit_s, plan.simulate.time_limit_s];
+    let mut schedule = StudySchedule::new(context, allowed, weight);
     let mut study = empty(plan);
-    let mut on_meshes = Vec::new();
+    let mut results = Vec::new();
     for scene in scenes {
-        on_meshes.push(if wants_motion {
-            Motions::new(scene, plan, &mut work).run(&mut study)
+        results.push(if is_motion {
+            MotionRuns::new(scene, plan, &mut schedule).run(&mut study)
         } else {
-            Drapes::new(scene, plan, &mut work).run(&mut study)
+            DrapeRuns::new(scene, plan, &mut schedule).run(&mut study)
         });
     }
-    for (scene, on_mesh) in scenes.iter().zip(&on_meshes) {
-        let found = stable::limits(scene, plan, on_mesh.rest.as_ref(), &mut work);
-        study.stability.extend(found);
+    for (scene, result) in scenes.iter().zip(&results) {
+        let limits = stability::limits(scene, plan, result.rest.as_ref(), &mut schedule);
+        study.stability.extend(limits);
     }
-    let errors = compare::mesh_errors(scenes, &on_meshes);
-    for (on_mesh, error) in on_meshes.into_iter().zip(errors) {
+    let errors = mesh_error::mesh_errors(scenes, &results);
+    for (result, error) in results.into_iter().zip(errors) {
         study.meshes.push(StudyMesh {
             mesh_error_m: error,
-            ..on_mesh.mesh
+            ..result.mesh
         });
     }
-    study.cpu_s = work.cpu_s();
-    study.canceled = work.is_canceled();
-    study.left_out = work.left_out;
+    study.cpu_s = schedule.cpu_s();
+    study.canceled = schedule.is_canceled();
+    let skipped = schedule.skipped().iter();
+    study.left_out = skipped
+        .map(|(part, why)| wording::skipped(part, why))
+        .collect();
     study.complete = study.left_out.is_empty() && !study.canceled;
-    study.notes = recommend::notes(&study, scenes);
-    study.recommendation = recommend::sentence(&study);
+    let notes = recommendation::notes(&study, scenes);
+    study.notes = notes.iter().map(wording::note).collect();
+    let recommended = recommendation::recommend(&study);
+    study.recommendation = wording::recommendation(recommended.as_ref());
     study
 }
 
@@ -121,7 +93,7 @@ fn empty(plan: &StudyPlan) -> Study {
         schema: SCHEMA.to_owned(),
         want: plan.simulate.analysis,
         membrane: plan.simulate.membrane,
-        start: "the panels where they were put".to_owned(),
+        start: wording::start(StartShape::Placed).to_owned(),
         meshes: Vec::new(),
         runs: Vec::new(),
         orders: Vec::new(),
@@ -134,9 +106,4 @@ fn empty(plan: &StudyPlan) -> Study {
         cpu_s: 0.0,
         version: env!("CARGO_PKG_VERSION").to_owned(),
     }
-}
-
-/// A length of mesh edges in words.
-pub(super) fn edges(edge_length_m: f64) -> String {
-    format!("{} mm edges", (1e6 * edge_length_m).round() * 1e-3)
 }

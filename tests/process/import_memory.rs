@@ -1,18 +1,14 @@
 //! Memory that reading a file takes: in proportion to a large one, bounded for a hostile one.
 
 use seamster::config::Limits;
+use seamster::memory::peak_bytes;
 use seamster::pattern::{ImportOptions, import};
 use seamster_fixtures::dxf::DxfBuilder;
 use std::path::PathBuf;
 
 /// Peak of the memory of this process since [`reset_peak`] \[bytes\]; `None` where the system does not say.
 fn peak_memory() -> Option<usize> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status
-        .lines()
-        .find_map(|line| line.strip_prefix("VmHWM:"))?;
-    let kilobytes: usize = line.split_whitespace().next()?.parse().ok()?;
-    Some(1024 * kilobytes)
+    usize::try_from(peak_bytes()?).ok()
 }
 
 /// Begins the peak anew, so that what ran before in this process does not count.

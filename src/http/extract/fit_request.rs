@@ -5,7 +5,7 @@ use super::invalid::{missing_part, two_patterns};
 use super::json::JsonWithDigest;
 use super::upload::{Upload, read_form};
 use crate::fault::{Fault, Faults};
-use crate::fit::{self, Garment, Misshapen, PatternAsked};
+use crate::fit::{self, Garment, PatternRef, ReadError};
 use crate::http::respond::Problem;
 use crate::http::state::{App, AppState};
 use crate::pattern::{self, ImportOptions, Pattern};
@@ -70,18 +70,18 @@ fn with_pattern(garment: Garment, pattern: Pattern) -> Result<Garment, Fault> {
         return Err(two_patterns());
     }
     Ok(Garment {
-        pattern: Some(PatternAsked::Whole(Box::new(pattern))),
+        pattern: Some(PatternRef::Whole(Box::new(pattern))),
         ..garment
     })
 }
 
-fn merged_problem(mut faults: Faults, misshapen: Misshapen) -> Problem {
+fn merged_problem(mut faults: Faults, misshapen: ReadError) -> Problem {
     match misshapen {
-        Misshapen::Syntax(fault) => {
+        ReadError::Syntax(fault) => {
             faults.0.push(fault);
             Problem::unreadable(faults)
         }
-        Misshapen::Shape(more) => {
+        ReadError::Schema(more) => {
             faults.0.extend(more.0);
             faults.into()
         }

@@ -2,12 +2,12 @@
 
 use super::body::{content_type, read_body};
 use crate::config::Limits;
-use crate::fit::{self, Garment, Misshapen, Shape};
+use crate::fit::{self, Garment, ReadError, RequestSchema};
 use crate::http::respond::Problem;
 use crate::http::state::AppState;
 use crate::job::AvatarRecord;
 use crate::scene::Fabric;
-use crate::study::{self, StudyAsked};
+use crate::study::{self, StudyRequest};
 use axum::extract::{FromRequest, Request};
 use axum::http::HeaderMap;
 use serde::de::DeserializeOwned;
@@ -20,7 +20,7 @@ const SMALL_BYTES: usize = 64 << 10;
 /// A type that clients send as JSON.
 pub(in crate::http) trait JsonBody: DeserializeOwned + Send + 'static {
     /// Reads a value, telling all faults of its shape at once.
-    fn read(bytes: &[u8]) -> Result<Self, Misshapen>;
+    fn read(bytes: &[u8]) -> Result<Self, ReadError>;
 
     /// Returns the most bytes that it may have.
     fn max_bytes(_: &Limits) -> usize {
@@ -29,7 +29,7 @@ pub(in crate::http) trait JsonBody: DeserializeOwned + Send + 'static {
 }
 
 impl JsonBody for Garment {
-    fn read(bytes: &[u8]) -> Result<Self, Misshapen> {
+    fn read(bytes: &[u8]) -> Result<Self, ReadError> {
         fit::read_garment(bytes)
     }
 
@@ -38,8 +38,8 @@ impl JsonBody for Garment {
     }
 }
 
-impl JsonBody for StudyAsked {
-    fn read(bytes: &[u8]) -> Result<Self, Misshapen> {
+impl JsonBody for StudyRequest {
+    fn read(bytes: &[u8]) -> Result<Self, ReadError> {
         study::read_study(bytes)
     }
 
@@ -49,18 +49,18 @@ impl JsonBody for StudyAsked {
 }
 
 impl JsonBody for AvatarRecord {
-    fn read(bytes: &[u8]) -> Result<Self, Misshapen> {
+    fn read(bytes: &[u8]) -> Result<Self, ReadError> {
         // Made of the type alone, once.
-        static SHAPE: LazyLock<Shape> = LazyLock::new(Shape::of::<AvatarRecord>);
-        SHAPE.read(bytes)
+        static SCHEMA: LazyLock<RequestSchema> = LazyLock::new(RequestSchema::of::<AvatarRecord>);
+        SCHEMA.read(bytes)
     }
 }
 
 impl JsonBody for Fabric {
-    fn read(bytes: &[u8]) -> Result<Self, Misshapen> {
+    fn read(bytes: &[u8]) -> Result<Self, ReadError> {
         // Made of the type alone, once.
-        static SHAPE: LazyLock<Shape> = LazyLock::new(Shape::of::<Fabric>);
-        SHAPE.read(bytes)
+        static SCHEMA: LazyLock<RequestSchema> = LazyLock::new(RequestSchema::of::<Fabric>);
+        SCHEMA.read(bytes)
     }
 }
 
@@ -129,6 +129,6 @@ mod tests {
         assert!(Garment::read(br#"{"seams": []}"#).is_ok());
         assert!(AvatarRecord::read(b"[]").is_err());
         assert!(Fabric::read(b"[]").is_err());
-        assert!(StudyAsked::read(br#"{"garment": {"seams": []}}"#).is_ok());
+        assert!(StudyRequest::read(br#"{"garment": {"seams": []}}"#).is_ok());
     }
 }

@@ -2,7 +2,7 @@
 
 use super::problem::Problem;
 use crate::fault::{Fault, FaultCode, Faults, FitCode, StudyCode};
-use crate::fit::Misshapen;
+use crate::fit::ReadError;
 use crate::job::{JobFailure, JobKind, QueueError, StoreError};
 use axum::extract::multipart::{MultipartError, MultipartRejection};
 use axum::extract::rejection::PathRejection;
@@ -78,11 +78,11 @@ impl From<JobFailure> for Problem {
     }
 }
 
-impl From<Misshapen> for Problem {
-    fn from(misshapen: Misshapen) -> Self {
+impl From<ReadError> for Problem {
+    fn from(misshapen: ReadError) -> Self {
         match misshapen {
-            Misshapen::Syntax(fault) => Self::unreadable(fault),
-            Misshapen::Shape(faults) => faults.into(),
+            ReadError::Syntax(fault) => Self::unreadable(fault),
+            ReadError::Schema(faults) => faults.into(),
         }
     }
 }

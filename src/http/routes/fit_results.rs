@@ -144,14 +144,14 @@ fn assemble_scene(app: &App, id: Uuid, cancel: &CancelToken) -> Result<Vec<u8>, 
     let garment = jobs::request(app, JobKind::Fit, id)?;
     let garment = serde_json::from_slice(&garment)
         .map_err(|cause| StoreError::new("reading a garment", cause))?;
-    let prepared = fit::prepare(garment, app.catalogue(), app.limits())?;
+    let resolved = fit::resolve(garment, app.catalogue(), app.limits())?;
     let context = Context {
         cpu_s: &|| 0.0,
         cancel,
         progress: &mut |_| {},
         limits: app.limits(),
     };
-    Ok(fit::scene_json(&prepared, &context)?)
+    Ok(fit::scene_json(&resolved, &context)?)
 }
 
 /// The saved garment file, complete in itself

@@ -125,8 +125,8 @@ pub(super) async fn create(
 ) -> Result<Response, Problem> {
     let submission = Submission::new(&state, JobKind::Fit, &headers, request.digest)?;
     let record = submission.submit(&state, move |app| {
-        let prepared = fit::prepare(request.garment, app.catalogue(), app.limits())?;
-        Ok(JobRequest::Fit(Box::new(prepared.garment().clone())))
+        let resolved = fit::resolve(request.garment, app.catalogue(), app.limits())?;
+        Ok(JobRequest::Fit(Box::new(resolved.garment().clone())))
     });
     Ok(respond(record.await?, submission.wait))
 }

@@ -1,12 +1,10 @@
 //! `/v1/patterns/{id}/seams`: checks a set of seams, and suggests one.
 
 use super::patterns;
-use crate::fault::{Fault, Faults, RequestCode, SeamCode};
-use crate::fit::{self, Garment, Misshapen, SeamsAsked, Shape};
+use crate::fit::{self, Garment, ReadError, RequestSchema};
 use crate::http::extract::{JsonBody, OptionalJson, PathId, ValidatedJson};
 use crate::http::respond::Problem;
-use crate::http::state::{App, AppState};
-use crate::pattern::{Pattern, SeamPair};
+use crate::http::state::AppState;
 use crate::seam::SeamCheck;
 use crate::seam::suggest::{self, Suggestion};
 use axum::Json;
@@ -22,10 +20,10 @@ use utoipa::ToSchema;
 pub(super) struct SuggestRequest {}
 
 impl JsonBody for SuggestRequest {
-    fn read(bytes: &[u8]) -> Result<Self, Misshapen> {
+    fn read(bytes: &[u8]) -> Result<Self, ReadError> {
         // Made of the type alone, once.
-        static SHAPE: LazyLock<Shape> = LazyLock::new(Shape::of::<SuggestRequest>);
-        SHAPE.read(bytes)
+        static SCHEMA: LazyLock<RequestSchema> = LazyLock::new(RequestSchema::of::<SuggestRequest>);
+        SCHEMA.read(bytes)
     }
 }
 
@@ -43,7 +41,7 @@ pub(super) async fn check(
 ) -> Result<Json<SeamCheck>, Problem> {
     let pattern = patterns::find(&state, id).await?;
     let checked = state
-        .run_compute(move |app| check_garment(app, &pattern, &garment))
+        .run_compute(move |app| fit::check_seams(&garment, &pattern, app.limits()))
         .await?;
     Ok(Json(checked?))
 }
@@ -65,42 +63,4 @@ pub(super) async fn suggest(
     let pattern = patterns::find(&state, id).await?;
     let found = state.run_compute(move |app| suggest::suggest(&pattern, app.limits()));
     Ok(Json(found.await?))
-}
-
-fn check_garment(app: &App, pattern: &Pattern, garment: &Garment) -> Result<SeamCheck, Faults> {
-    let pairs = pairs(garment)?;
-    let edge_length = edge_length(app, garment)?;
-    let whole = fit::with_copies(garment, pattern);
-    let pattern = fit::without_allowances(garment, whole)?;
-    let (check, set) = fit::check_seams(garment, &pattern, pairs, (edge_length, app.limits()));
-    match set {
-        // Faults that are in no finding concern the request as a whole.
-        Err(faults) if check.seams.iter().all(|seam| seam.errors.is_empty()) => Err(faults),
-        _ => Ok(check),
-    }
-}
-
-fn pairs(garment: &Garment) -> Result<&[SeamPair], Fault> {
-    match &garment.seams {
-        SeamsAsked::Pairs(pairs) => Ok(pairs),
-        SeamsAsked::Word(_) => {
-            let detail = "suggested seams have nothing to check";
-            Err(Fault::new(SeamCode::NothingToCheck, "/seams", detail)
-                .fix("give the list of seams; POST seams/suggest finds one"))
-        }
-    }
-}
-
-fn edge_length(app: &App, garment: &Garment) -> Result<f64, Fault> {
-    let [low, high] = app.limits().edge_length_m;
-    let length = garment.simulate.edge_length_m;
-    if (low..=high).contains(&length) {
-        return Ok(length);
-    }
-    let detail = format!("the edge length is {length} m; it must be from {low} to {high} m");
-    Err(Fault::new(
-        RequestCode::OutOfRange,
-        "/simulate/edge_length_m",
-        detail,
-    ))
 }

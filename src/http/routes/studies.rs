@@ -6,7 +6,7 @@ use crate::http::respond::{Problem, respond_computed, respond_stored};
 use crate::http::state::{App, AppState};
 use crate::job::{JobKind, JobRecord, JobRequest, JobStatus, ResultFile, StoreError};
 use crate::progress::Progress;
-use crate::study::{self, Study, StudyAsked};
+use crate::study::{self, Study, StudyRequest};
 use axum::Json;
 use axum::extract::State;
 use axum::http::HeaderMap;
@@ -114,7 +114,7 @@ pub(super) struct StudyList {
     params(
         ("Idempotency-Key" = Option<String>, Header, description = "The same key and request mean the same study"),
         ("Prefer" = Option<String>, Header, description = "`wait=N`: answer when it has ended, after N seconds at most")),
-    request_body(content = StudyAsked),
+    request_body(content = StudyRequest),
     responses(
         (status = 200, description = "It has ended", body = StudyJob, headers(("Location", description = "The study"))),
         (status = 202, description = "It is on the queue", body = StudyJob, headers(("Location", description = "The study"))),
@@ -124,12 +124,12 @@ pub(super) struct StudyList {
 pub(super) async fn create(
     State(state): State<AppState>,
     headers: HeaderMap,
-    JsonWithDigest(request, digest): JsonWithDigest<StudyAsked>,
+    JsonWithDigest(request, digest): JsonWithDigest<StudyRequest>,
 ) -> Result<Response, Problem> {
     let submission = Submission::new(&state, JobKind::Study, &headers, digest)?;
     let record = submission.submit(&state, move |app| {
-        let prepared = study::prepare(request, app.catalogue(), app.limits())?;
-        Ok(JobRequest::Study(Box::new(prepared.asked().clone())))
+        let resolved = study::resolve(request, app.catalogue(), app.limits())?;
+        Ok(JobRequest::Study(Box::new(resolved.request().clone())))
     });
     let record = record.await?;
     state
@@ -212,7 +212,7 @@ fn draw_plot(app: &App, id: Uuid) -> Result<String, Problem> {
 
 /// Request of a study, complete in itself: posted again, also to an empty service, it gives the same study
 #[utoipa::path(get, path = "/v1/studies/{id}/asked", tag = "studies", operation_id = "asked", params(("id" = Uuid, Path)), responses(
-    (status = 200, description = "The request", body = StudyAsked),
+    (status = 200, description = "The request", body = StudyRequest),
     (status = 404, description = "There is no such study", body = Problem, content_type = "application/problem+json")))]
 pub(super) async fn request(
     State(state): State<AppState>,

@@ -53,13 +53,13 @@ impl Runner for SolverRunner {
         };
         match request {
             JobRequest::Fit(garment) => {
-                let prepared = fit::prepare(*garment, library, limits)?;
-                let outcome = fit::run(&prepared, &mut context)?;
+                let resolved = fit::resolve(*garment, library, limits)?;
+                let outcome = fit::run(&resolved, &mut context)?;
                 Ok(JobOutcome::Fit(Box::new(outcome)))
             }
             JobRequest::Study(request) => {
-                let prepared = study::prepare(*request, library, limits)?;
-                let study = study::run(&prepared, &mut context)?;
+                let resolved = study::resolve(*request, library, limits)?;
+                let study = study::run(&resolved, &mut context)?;
                 Ok(JobOutcome::Study(Box::new(study)))
             }
         }

@@ -3,19 +3,19 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use nalgebra::Vector3;
-use seamster::export::{GarmentMesh, PanelMesh, avatar_glb, garment_with_avatar_glb, glb, obj};
+use seamster::export::{DrapedPanel, GarmentMesh, avatar_glb, garment_with_avatar_glb, glb, obj};
 use seamster::scene::TriangleMesh;
 use std::path::Path;
 use std::process::Command;
 
 /// A half pipe of radius 0.15 m about the y axis: the front one bulges to +z, the back one to -z.
-fn half_pipe(panel: &str, fabric: &str, facing: f64) -> PanelMesh {
+fn half_pipe(panel: &str, fabric: &str, facing: f64) -> DrapedPanel {
     const ROWS: u32 = 7;
     const COLUMNS: u32 = 13;
-    let mut mesh = PanelMesh {
+    let mut mesh = DrapedPanel {
         panel: panel.to_owned(),
         fabric: fabric.to_owned(),
-        ..PanelMesh::default()
+        ..DrapedPanel::default()
     };
     for row in 0..=ROWS {
         for column in 0..=COLUMNS {
@@ -159,9 +159,9 @@ fn avatar_stands_beside_the_panels() {
 #[test]
 fn garments_without_cloth_are_valid_files() {
     let bare = GarmentMesh {
-        panels: vec![PanelMesh {
+        panels: vec![DrapedPanel {
             panel: "front".to_owned(),
-            ..PanelMesh::default()
+            ..DrapedPanel::default()
         }],
     };
     for garment in [GarmentMesh::default(), bare] {
@@ -272,10 +272,10 @@ fn stored_normals(garment: &GarmentMesh) -> [Vec<Vec<[f32; 3]>>; 2] {
 }
 
 /// A square of side 0.1 m from the y axis out to `far` (x, z), facing the side that +z is turned to.
-fn square(panel: &str, far: [f64; 2], triangles: [[u32; 3]; 2]) -> PanelMesh {
+fn square(panel: &str, far: [f64; 2], triangles: [[u32; 3]; 2]) -> DrapedPanel {
     let [x, z] = far;
     let positions = [[0.0, 0.0, 0.0], [x, 0.0, z], [x, 0.1, z], [0.0, 0.1, 0.0]];
-    PanelMesh {
+    DrapedPanel {
         panel: panel.to_owned(),
         fabric: "denim".to_owned(),
         positions: positions.to_vec(),

@@ -1,7 +1,7 @@
 //! Specifications sewn by their own stitches from their own placements, on a body of the size that they were drafted for.
 
 use seamster::config::Limits;
-use seamster::fit::{self, AvatarAsked, Garment, Outcome, PatternAsked, Shipped};
+use seamster::fit::{self, AvatarRef, FitOutcome, Garment, PatternRef, ShippedAssets};
 use seamster::job::thread_cpu_s;
 use seamster::pattern::{ImportOptions, Pattern, import};
 use seamster::progress::CancelToken;
@@ -29,19 +29,20 @@ fn specification(folder: &Path, name: &str) -> Pattern {
 }
 
 /// Sews a pattern by its own seams, nothing else said but the body and the length of mesh edges.
-fn sewn(pattern: Pattern) -> Outcome {
+fn sewn(pattern: Pattern) -> FitOutcome {
     let limits = Limits::default();
     let seams = serde_json::json!({ "seams": pattern.seams });
     let garment = Garment {
-        pattern: Some(PatternAsked::Whole(Box::new(pattern))),
-        avatar: Some(AvatarAsked::form(MEAN_FEMALE)),
+        pattern: Some(PatternRef::Whole(Box::new(pattern))),
+        avatar: Some(AvatarRef::form(MEAN_FEMALE)),
         simulate: SolverOptions {
             edge_length_m: 0.025,
             ..SolverOptions::default()
         },
         ..serde_json::from_value(seams).expect("a garment needs its seams alone")
     };
-    let prepared = fit::prepare(garment, &Shipped, &limits).expect("its own seams can be sewn");
+    let prepared =
+        fit::resolve(garment, &ShippedAssets, &limits).expect("its own seams can be sewn");
     let mut context = Context {
         cpu_s: &thread_cpu_s,
         cancel: &CancelToken::new(),
@@ -59,7 +60,7 @@ fn data(left_out: &str) -> Option<PathBuf> {
     folder
 }
 
-fn assert_worn(outcome: &Outcome) {
+fn assert_worn(outcome: &FitOutcome) {
     let report = &outcome.report;
     assert!(report.converged, "{}", report.why);
     assert!(report.support.ok, "{}", report.support.because);

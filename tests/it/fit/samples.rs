@@ -4,7 +4,7 @@
 
 use dxf::entities::EntityType;
 use seamster::config::Limits;
-use seamster::fit::{Garment, SeamsAsked};
+use seamster::fit::{Garment, SeamsSpec};
 use seamster::pattern::{ImportOptions, OutlineRun, Pattern, Place, SeamPair};
 use seamster::seam::{self, Face};
 use seamster_fixtures::drafting::Sample;
@@ -49,8 +49,8 @@ fn outlines(sample: &Sample) -> BTreeMap<String, Runs> {
 fn seams(sample: &Sample) -> Vec<SeamPair> {
     let garment: Garment = serde_json::from_str(&sample.garment).unwrap();
     match garment.seams {
-        SeamsAsked::Pairs(pairs) => pairs,
-        SeamsAsked::Word(_) => panic!("the samples name their seams"),
+        SeamsSpec::Pairs(pairs) => pairs,
+        SeamsSpec::Keyword(_) => panic!("the samples name their seams"),
     }
 }
 

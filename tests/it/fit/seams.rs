@@ -2,7 +2,7 @@
 
 use seamster::config::Limits;
 use seamster::fault::Faults;
-use seamster::fit::{self, Garment, Outcome, PatternAsked, Shipped};
+use seamster::fit::{self, FitOutcome, Garment, PatternRef, ShippedAssets};
 use seamster::pattern::{OutlineRun, Pattern, Place, SeamPair};
 use seamster::progress::CancelToken;
 use seamster::solver::Context;
@@ -17,22 +17,23 @@ fn garment(pattern: Pattern, pairs: &[SeamPair], more: &Value) -> Garment {
     let fields = asked.as_object_mut().expect("made as an object");
     fields.extend(more.as_object().expect("an object").clone());
     Garment {
-        pattern: Some(PatternAsked::Whole(Box::new(pattern))),
+        pattern: Some(PatternRef::Whole(Box::new(pattern))),
         ..serde_json::from_value(asked).expect("a garment")
     }
 }
 
 fn warnings(garment: Garment) -> Vec<(String, String)> {
-    let prepared = fit::prepare(garment, &Shipped, &Limits::default()).expect("it can be sewn");
+    let prepared =
+        fit::resolve(garment, &ShippedAssets, &Limits::default()).expect("it can be sewn");
     let warnings = prepared.warnings().iter();
     warnings
         .map(|w| (w.code.to_string(), w.pointer.clone()))
         .collect()
 }
 
-fn sewn(garment: Garment) -> Outcome {
+fn sewn(garment: Garment) -> FitOutcome {
     let limits = Limits::default();
-    let prepared = fit::prepare(garment, &Shipped, &limits).expect("it can be sewn");
+    let prepared = fit::resolve(garment, &ShippedAssets, &limits).expect("it can be sewn");
     let mut context = Context {
         cpu_s: &|| 0.0,
         cancel: &CancelToken::new(),

@@ -1,8 +1,8 @@
 //! Garments that others drafted, sewn by their own seams on a body of the size that they were drafted for.
 
 use seamster::config::Limits;
-use seamster::export::PanelMesh;
-use seamster::fit::{self, AvatarAsked, Garment, Outcome, PatternAsked, Shipped};
+use seamster::export::DrapedPanel;
+use seamster::fit::{self, AvatarRef, FitOutcome, Garment, PatternRef, ShippedAssets};
 use seamster::job::thread_cpu_s;
 use seamster::pattern::{Pattern, SeamPair};
 use seamster::progress::CancelToken;
@@ -30,8 +30,8 @@ const PENETRATION: f64 = 1e-3;
 
 fn asked(pattern: Pattern, pairs: Vec<SeamPair>) -> Garment {
     Garment {
-        pattern: Some(PatternAsked::Whole(Box::new(pattern))),
-        avatar: Some(AvatarAsked::form(MEAN_FEMALE)),
+        pattern: Some(PatternRef::Whole(Box::new(pattern))),
+        avatar: Some(AvatarRef::form(MEAN_FEMALE)),
         simulate: SolverOptions {
             edge_length_m: EDGE_LENGTH,
             ..SolverOptions::default()
@@ -41,9 +41,10 @@ fn asked(pattern: Pattern, pairs: Vec<SeamPair>) -> Garment {
     }
 }
 
-fn sewn(garment: Garment) -> Outcome {
+fn sewn(garment: Garment) -> FitOutcome {
     let limits = Limits::default();
-    let prepared = fit::prepare(garment, &Shipped, &limits).expect("the true seams can be sewn");
+    let prepared =
+        fit::resolve(garment, &ShippedAssets, &limits).expect("the true seams can be sewn");
     let mut context = Context {
         cpu_s: &thread_cpu_s,
         cancel: &CancelToken::new(),
@@ -54,7 +55,7 @@ fn sewn(garment: Garment) -> Outcome {
 }
 
 /// The panels of a shape by id, none of whose coordinates is other than a number.
-fn panels(outcome: &Outcome) -> BTreeMap<&str, &PanelMesh> {
+fn panels(outcome: &FitOutcome) -> BTreeMap<&str, &DrapedPanel> {
     let finite = |p: &[f64; 3]| p.iter().all(|x| x.is_finite());
     let panels = outcome.mesh.panels.iter();
     panels
@@ -64,7 +65,7 @@ fn panels(outcome: &Outcome) -> BTreeMap<&str, &PanelMesh> {
 }
 
 /// The least, mean and largest coordinate of a panel along an axis \[m\].
-fn extent(panel: &PanelMesh, axis: usize) -> [f64; 3] {
+fn extent(panel: &DrapedPanel, axis: usize) -> [f64; 3] {
     let along = || panel.positions.iter().map(|p| p[axis]);
     [
         along().fold(f64::INFINITY, f64::min),

@@ -8,7 +8,7 @@
 use super::counted_renewals::CountedRenewals;
 use seamster::config::Limits;
 use seamster::fault::{Fault, Faults};
-use seamster::fit::{Garment, Outcome};
+use seamster::fit::{FitOutcome, Garment};
 use seamster::job::{
     FileBlobs, IdempotencyKey, JobEvent, JobEventKind, JobEvents, JobKind, JobOutcome, JobRecord,
     JobRequest, JobStatus, JobStore, ManualClock, PageRequest, Queue, QueueError, ResultFile,
@@ -16,7 +16,7 @@ use seamster::job::{
 };
 use seamster::progress::{CancelToken, Progress};
 use seamster::solver::DrapeReport;
-use seamster::study::{Study, StudyAsked};
+use seamster::study::{Study, StudyRequest};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -70,7 +70,7 @@ impl Runner for Script {
 
 fn done(kind: JobKind, good: bool, canceled: bool) -> JobOutcome {
     match kind {
-        JobKind::Fit => JobOutcome::Fit(Box::new(Outcome {
+        JobKind::Fit => JobOutcome::Fit(Box::new(FitOutcome {
             canceled,
             ..outcome(good)
         })),
@@ -117,8 +117,8 @@ fn at(fraction: f64, cpu_s: f64) -> Progress {
     }
 }
 
-fn outcome(converged: bool) -> Outcome {
-    Outcome {
+fn outcome(converged: bool) -> FitOutcome {
+    FitOutcome {
         mesh: Default::default(),
         report: DrapeReport {
             converged,
@@ -143,7 +143,7 @@ fn work(kind: JobKind, does: &str) -> JobRequest {
     }
 }
 
-fn asked(does: &str) -> StudyAsked {
+fn asked(does: &str) -> StudyRequest {
     serde_json::from_value(serde_json::json!({"garment": garment(does)})).unwrap()
 }
 
@@ -276,7 +276,7 @@ fn study_succeeds_and_leaves_its_report() {
     assert_eq!(queue.file(&record, ResultFile::Mesh).unwrap(), None);
     let kept = queue.request(JobKind::Study, id).unwrap().unwrap();
     assert_eq!(
-        serde_json::from_slice::<StudyAsked>(&kept).unwrap(),
+        serde_json::from_slice::<StudyRequest>(&kept).unwrap(),
         asked("sew")
     );
     pool.shutdown(TIMEOUT);

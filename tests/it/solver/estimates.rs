@@ -1,7 +1,7 @@
 //! What a report says of its own errors: true within what it promises, also where the time was up.
 
 use seamster::config::Limits;
-use seamster::fit::{self, Prepared};
+use seamster::fit::{self, ResolvedGarment};
 use seamster::job::thread_cpu_s;
 use seamster::progress::CancelToken;
 use seamster::solver::{self, Context, Drape, DrapeReport, SolverOptions, rms_distance};
@@ -13,7 +13,7 @@ const PROMISE: std::ops::RangeInclusive<f64> = 0.3..=3.0;
 /// Residual below any floor: rounding stops it.
 const TO_THE_FLOOR: f64 = 1e-300;
 
-fn prepared(name: &str, simulate: Value) -> Prepared {
+fn prepared(name: &str, simulate: Value) -> ResolvedGarment {
     sample(name, json!({ "simulate": simulate }))
 }
 

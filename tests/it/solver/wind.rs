@@ -1,12 +1,12 @@
 //! Garments in wind, from the garment file to the drape.
 
 use seamster::config::Limits;
-use seamster::fit::{self, Garment, Outcome, Shipped, prepare};
+use seamster::fit::{self, FitOutcome, Garment, ShippedAssets, resolve};
 use seamster::progress::CancelToken;
 use seamster_fixtures::samples::{sample, with_context};
 use serde_json::{Value, json};
 
-fn draped(wind: Value) -> Outcome {
+fn draped(wind: Value) -> FitOutcome {
     let changes = json!({"wind": wind, "simulate": {"edge_length_m": 0.04}});
     let prepared = sample("skirt", changes);
     with_context(
@@ -18,7 +18,7 @@ fn draped(wind: Value) -> Outcome {
     .expect("the sample has a mesh")
 }
 
-fn mean_z(outcome: &Outcome) -> f64 {
+fn mean_z(outcome: &FitOutcome) -> f64 {
     let z: Vec<f64> = outcome
         .mesh
         .panels
@@ -71,7 +71,7 @@ fn a_wind_that_no_garment_is_worn_in_is_refused() {
         "wind": {"velocity_m_s": [30.0, 0.0, 30.0], "gust": 1.5},
     });
     let garment: Garment = serde_json::from_value(garment).expect("a garment file");
-    let faults = prepare(garment, &Shipped, &Limits::default()).expect_err("too much wind");
+    let faults = resolve(garment, &ShippedAssets, &Limits::default()).expect_err("too much wind");
     let pointers: Vec<&str> = faults.0.iter().map(|f| f.pointer.as_str()).collect();
     for expected in ["/wind/velocity_m_s", "/wind/gust"] {
         assert!(pointers.contains(&expected), "{pointers:?}");

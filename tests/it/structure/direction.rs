@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// From left to right; those on one line may use each other.
 const ORDER: &[&[&str]] = &[
-    &["fault", "config", "progress"],
+    &["fault", "config", "progress", "memory"],
     &["pattern"],
     &["seam"],
     &["mesh"],
@@ -37,8 +37,7 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("jsonschema", &["fit"]),
     ("seamster_cholesky", &["solver"]),
     ("std::env", &["config"]),
-    // A fit looks up its peak of memory there.
-    ("std::fs", &["fit", "job", "http", "cli"]),
+    ("std::fs", &["memory", "job", "http", "cli"]),
     ("std::net", &["config", "http", "cli"]),
     ("std::thread", &["config", "job", "http", "cli"]),
     ("std::process", &["cli", "main"]),

@@ -3,12 +3,12 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use seamster::config::Limits;
-use seamster::fit::Shipped;
+use seamster::fit::ShippedAssets;
 use seamster::progress::CancelToken;
 use seamster::scene::Scene;
 use seamster::solver::{Analysis, Context, Method, SolverOptions};
 use seamster::study::{
-    Study, StudyAsked, StudyPlan, StudyScene, plot_svg, prepare, read_study, run, run_scenes,
+    Study, StudyPlan, StudyRequest, StudyScene, plot_svg, read_study, resolve, run, run_scenes,
 };
 use seamster_fixtures::samples::{garment, with_context};
 use serde_json::{Value, json};
@@ -50,8 +50,8 @@ fn taut() -> [StudyScene; 1] {
 fn of_sample(name: &str, changes: Value, study: Value) -> Study {
     let mut asked = study;
     asked["garment"] = serde_json::to_value(garment(name, changes)).unwrap();
-    let asked: StudyAsked = read_study(asked.to_string().as_bytes()).unwrap();
-    let prepared = prepare(asked, &Shipped, &Limits::default()).unwrap();
+    let asked: StudyRequest = read_study(asked.to_string().as_bytes()).unwrap();
+    let prepared = resolve(asked, &ShippedAssets, &Limits::default()).unwrap();
     quiet(|context| run(&prepared, context).unwrap())
 }
 
@@ -334,7 +334,7 @@ fn all_faults_of_what_is_asked_come_at_once() {
     });
     asked["garment"] = serde_json::to_value(garment("skirt", json!({"friction": 9}))).unwrap();
     let asked = read_study(asked.to_string().as_bytes()).unwrap();
-    let faults = prepare(asked, &Shipped, &Limits::default()).unwrap_err();
+    let faults = resolve(asked, &ShippedAssets, &Limits::default()).unwrap_err();
     let mut at: Vec<&str> = faults.0.iter().map(|f| f.pointer.as_str()).collect();
     at.sort_unstable();
     let expected = [
@@ -356,12 +356,17 @@ fn a_motion_is_taken_and_kept_in_what_is_stored() {
     asked["garment"] =
         serde_json::to_value(garment("skirt", json!({"simulate": simulate}))).unwrap();
     let asked = read_study(asked.to_string().as_bytes()).unwrap();
-    let prepared = prepare(asked, &Shipped, &Limits::default()).unwrap();
-    let stored = prepared.asked().clone();
+    let prepared = resolve(asked, &ShippedAssets, &Limits::default()).unwrap();
+    let stored = prepared.request().clone();
     assert_eq!(stored.garment.simulate.analysis, Analysis::Transient);
     assert_eq!(stored.garment.simulate.duration_s, Some(0.1));
     assert_eq!(stored.methods, STEPPING);
     let again = serde_json::to_vec(&stored).unwrap();
-    let again = prepare(read_study(&again).unwrap(), &Shipped, &Limits::default()).unwrap();
-    assert_eq!(again.asked(), &stored);
+    let again = resolve(
+        read_study(&again).unwrap(),
+        &ShippedAssets,
+        &Limits::default(),
+    )
+    .unwrap();
+    assert_eq!(again.request(), &stored);
 }

@@ -1,7 +1,7 @@
 //! The garments: two that ship, and others from the folder of real patterns, sewn by their own seams or by suggested ones.
 
 use seamster::config::Limits;
-use seamster::fit::{self, Prepared, Shipped};
+use seamster::fit::{self, ResolvedGarment, ShippedAssets};
 use seamster::pattern::{self, ImportOptions, Pattern};
 use serde_json::{Value, json};
 use std::fs;
@@ -54,7 +54,7 @@ pub(crate) const GARMENTS: [Kind; 13] = [
 
 impl Kind {
     /// Ready for a fit with mesh edges of `edge_length` \[m\].
-    pub(crate) fn prepared(&self, folder: &Path, edge_length: f64) -> Prepared {
+    pub(crate) fn prepared(&self, folder: &Path, edge_length: f64) -> ResolvedGarment {
         let limits = Limits::default();
         let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../static/samples");
         let file = match self.file {
@@ -75,7 +75,7 @@ impl Kind {
         garment["simulate"]["edge_length_m"] = json!(edge_length);
         garment["pattern"] = json!(pattern);
         let garment = serde_json::from_value(garment).expect("a garment");
-        fit::prepare(garment, &Shipped, &limits).expect("its seams can be sewn")
+        fit::resolve(garment, &ShippedAssets, &limits).expect("its seams can be sewn")
     }
 }
 

@@ -7,10 +7,11 @@ use super::line::Line;
 use super::plan::Run;
 use rustix::time::{ClockId, clock_gettime};
 use seamster::config::Limits;
+use seamster::memory::peak_bytes;
 use seamster::progress::CancelToken;
 use seamster::scene::Scene;
 use seamster::solver::{self, Context, Drape, Method, SolverOptions, rms_distance};
-use seamster::study::Rest;
+use seamster::study::RestShape;
 use seamster_fixtures::scenes;
 use serde_json::{Value, json};
 use std::time::Instant;
@@ -40,7 +41,7 @@ pub(crate) fn measured(run: &Run) -> Option<Line> {
     if run.setting["method"] != report.method {
         return None;
     }
-    let memory_peak_bytes = memory_peak_bytes();
+    let memory_peak_bytes = peak_bytes().unwrap_or(0);
     let energy = report.energy_j;
     if run.setting.get("time_limit_s").is_none() {
         repeat(&scene, &ask, &mut timed);
@@ -90,7 +91,7 @@ fn refer(scene: &Scene, ask: &SolverOptions, stopped: &Drape, confirm: bool, lin
             time_limit_s: Some(REFERENCE_LIMIT),
             ..ask.clone()
         };
-        with_context(|context| Rest::of(scene, &ask, stopped, context))
+        with_context(|context| RestShape::of(scene, &ask, stopped, context))
     };
     let Some(reference) = on_by(Method::Newton) else {
         return;
@@ -102,7 +103,7 @@ fn refer(scene: &Scene, ask: &SolverOptions, stopped: &Drape, confirm: bool, lin
     // a reference that is the stopped shape itself would be confirmed by anything
     if confirm && reference.moved_m > 0.0 {
         let second = SECOND.into_iter().find_map(on_by);
-        let apart = |s: Rest| rms_distance(&s.drape.positions, &reference.drape.positions);
+        let apart = |s: RestShape| rms_distance(&s.drape.positions, &reference.drape.positions);
         line.reference_apart_m = second.map(apart);
     }
 }
@@ -155,14 +156,6 @@ fn with_context<T>(run: impl FnOnce(&mut Context<'_>) -> T) -> T {
 fn cpu_s() -> f64 {
     let time = clock_gettime(ClockId::ProcessCPUTime);
     time.tv_sec as f64 + 1e-9 * time.tv_nsec as f64
-}
-
-/// Largest resident memory of this process so far \[bytes\]; 0 where the system does not tell.
-fn memory_peak_bytes() -> u64 {
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-    let kilobytes = peak.and_then(|peak| peak.split_whitespace().next()?.parse::<u64>().ok());
-    1024 * kilobytes.unwrap_or(0)
 }
 
 /// The name that an enum has in JSON.

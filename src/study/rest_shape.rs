@@ -1,4 +1,4 @@
-//! Where a shape goes on to when it is not stopped: the reference that its error is measured by.
+//! The rest shape that a drape goes on to when it is not stopped: the reference that its error is measured by.
 //!
 //! Rest shapes are not unique, so the reference of a shape is the one that it leads to itself: Newton's method goes on from
 //! there to the round-off floor.
@@ -11,62 +11,62 @@ const TO_THE_FLOOR: f64 = 1e-300;
 
 /// The rest shape that a drape leads to.
 #[derive(Clone, Debug)]
-pub struct Rest {
-    /// The shape at the round-off floor, and what is known of it.
+pub struct RestShape {
+    /// The shape at the round-off floor, with its report.
     pub drape: Drape,
     /// Distance to it from where the drape stopped \[m, RMS\].
     pub moved_m: f64,
 }
 
-impl Rest {
-    /// Goes on from where `from` stopped, by the method and within the time that `ask` names.
+impl RestShape {
+    /// Goes on from where `from` stopped, by the method and within the time of `options`.
     ///
-    /// `None` if its seams are open (there is no rest shape to go on to), or if that method did not come to rest. Friction goes on
-    /// from where it held the cloth.
+    /// Returns none if its seams are open (there is no rest shape to go on to), or if that method did not come to rest. Friction
+    /// goes on from where it held the cloth.
     pub fn of(
         scene: &Scene,
-        ask: &SolverOptions,
+        options: &SolverOptions,
         from: &Drape,
         context: &mut Context<'_>,
     ) -> Option<Self> {
-        if from.report.seam_gap_max_m >= ask.seam_eps_m {
+        if from.report.seam_gap_max_m >= options.seam_eps_m {
             return None;
         }
-        let ask = SolverOptions {
+        let options = SolverOptions {
             tolerance: TO_THE_FLOOR,
             step_s: None,
-            ..ask.clone()
+            ..options.clone()
         };
-        let drape = solver::drape_on(scene, &ask, from, context);
+        let drape = solver::drape_on(scene, &options, from, context);
         drape.report.converged.then(|| Self {
             moved_m: rms_distance(&from.positions, &drape.positions),
             drape,
         })
     }
 
-    /// Error of the shape that it went on from \[m, RMS\]: two shapes that are both at the floor say nothing of the distance to
-    /// the exact one, which the estimate at the floor bounds.
+    /// Returns the error of the shape that it went on from \[m, RMS\]: two shapes that are both at the floor say nothing of the
+    /// distance to the exact one, which the estimate at the floor bounds.
     pub fn error_m(&self) -> f64 {
         self.moved_m.max(self.estimate_m())
     }
 
-    /// The error estimate at the floor \[m\], 0 where there is none.
+    /// Returns the error estimate at the floor \[m\], 0 where there is none.
     pub fn estimate_m(&self) -> f64 {
         self.drape.report.error_estimate_m.unwrap_or(0.0)
     }
 
-    /// Energy of all terms \[J\].
+    /// Returns the energy of all terms \[J\].
     pub fn energy_j(&self) -> f64 {
-        total(&self.drape.report.energy_j)
+        total_energy(&self.drape.report.energy_j)
     }
 }
 
-/// Whether rest shapes of this scene depend on the way that the cloth came.
+/// Returns true if rest shapes of this scene depend on the way that the cloth came.
 pub(super) fn depends_on_path(scene: &Scene) -> bool {
     scene.body.is_some() && scene.friction > 0.0
 }
 
-/// All of it \[J\].
-pub(super) fn total(energy: &Energy) -> f64 {
+/// Returns the energy of all terms \[J\].
+pub(super) fn total_energy(energy: &Energy) -> f64 {
     energy.stretch + energy.bend + energy.gravity + energy.seam + energy.contact
 }

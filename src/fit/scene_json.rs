@@ -1,6 +1,6 @@
 //! The assembled scene in neutral JSON, for other simulators; made only where it is asked for.
 
-use super::prepare::Prepared;
+use super::resolve::ResolvedGarment;
 use super::run;
 use crate::fault::Faults;
 use crate::scene::{Body, Scene};
@@ -8,21 +8,21 @@ use crate::solver::{self, Context};
 use nalgebra::Vector3;
 use serde::Serialize;
 
-/// A prepared garment's scene before anything moves: the format `seamster/scene/1` as bytes. SI units, y up.
+/// Writes the scene of a resolved garment before anything moves, in the format `seamster/scene/1`. SI units, y up.
 ///
 /// # Errors
 /// As [`run`](super::run()).
-pub fn scene_json(prepared: &Prepared, context: &Context<'_>) -> Result<Vec<u8>, Faults> {
-    let scene = run::scene(prepared, context)?;
-    let json = serde_json::to_vec(&Neutral::of(&scene));
-    Ok(json.expect("lists of numbers always serialise"))
+pub fn scene_json(garment: &ResolvedGarment, context: &Context<'_>) -> Result<Vec<u8>, Faults> {
+    let scene = run::scene(garment, context)?;
+    let json = serde_json::to_vec(&SceneJson::of(&scene));
+    Ok(json.expect("lists of numbers always serialize"))
 }
 
-/// Its fields in the order in which they are written.
+/// The file, its fields in the order in which they are written.
 #[derive(Serialize)]
-struct Neutral<'a> {
+struct SceneJson<'a> {
     schema: &'static str,
-    /// Where the vertices start \[m\].
+    /// Positions of the vertices at the start \[m\].
     vertices: Vec<[f64; 3]>,
     /// Pattern coordinates \[m\].
     rest_positions: &'a [[f64; 2]],
@@ -38,25 +38,25 @@ struct Neutral<'a> {
     /// \[m/s^2\]
     gravity: [f64; 3],
     friction: f64,
-    collider: Option<Collider<'a>>,
-    wind: Option<Wind>,
+    collider: Option<SceneJsonBody<'a>>,
+    wind: Option<SceneJsonWind>,
 }
 
 /// The body as triangles.
 #[derive(Serialize)]
-struct Collider<'a> {
+struct SceneJsonBody<'a> {
     vertices: Vec<[f64; 3]>,
     triangles: &'a [[usize; 3]],
 }
 
-/// Moving air, as the garment says it.
+/// Moving air, as the garment states it.
 #[derive(Serialize)]
-struct Wind {
+struct SceneJsonWind {
     velocity_m_s: [f64; 3],
     gust: f64,
 }
 
-impl<'a> Neutral<'a> {
+impl<'a> SceneJson<'a> {
     fn of(scene: &'a Scene) -> Self {
         let avatar = scene.body.as_ref().and_then(Body::avatar);
         Self {
@@ -70,11 +70,11 @@ impl<'a> Neutral<'a> {
             pins: &scene.pins,
             gravity: scene.gravity.into(),
             friction: scene.friction,
-            collider: avatar.map(|avatar| Collider {
+            collider: avatar.map(|avatar| SceneJsonBody {
                 vertices: triples(&avatar.surface.vertices),
                 triangles: &avatar.surface.triangles,
             }),
-            wind: scene.wind.map(|wind| Wind {
+            wind: scene.wind.map(|wind| SceneJsonWind {
                 velocity_m_s: wind.velocity.into(),
                 gust: wind.gust,
             }),

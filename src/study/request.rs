@@ -1,19 +1,20 @@
-//! What is asked of a study.
+//! The request for a study: a garment, and the settings to vary.
 
-use crate::fit::{Garment, Misshapen, Shape};
+use crate::fit::{Garment, ReadError, RequestSchema};
 use crate::solver::Method;
 use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
 use utoipa::ToSchema;
 
-/// A garment, and what to vary. Only `garment` is required.
+/// A garment, and the settings to vary. Only `garment` is required.
 ///
-/// The garment's own `simulate` says the rest: what is wanted, the membrane (one for the whole study), how seams close, and for a
-/// motion its duration and frame rate; its `method`, `tolerance`, `step_s` and `edge_length_m` are what an empty list stands for
+/// The garment's own `simulate` states the rest: what is wanted, the membrane (one for the whole study), how seams close, and for
+/// a motion its duration and frame rate; its `method`, `tolerance`, `step_s` and `edge_length_m` are what an empty list stands for
 /// or are not used; its `time_limit_s` bounds every single run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
-pub struct StudyAsked {
+#[schema(as = StudyAsked)]
+pub struct StudyRequest {
     /// The garment, as for a fit; here it may want a motion.
     pub garment: Garment,
     /// Methods to compare. Empty: `newton`, `implicit_euler` and `symplectic_euler` for a drape, all four that step for a motion.
@@ -39,14 +40,14 @@ pub struct StudyAsked {
     pub time_limit_s: Option<f64>,
 }
 
-/// Reads what is asked of a study from its JSON; what it means is not checked yet: [`super::prepare`] does that.
+/// Reads the request for a study from its JSON; [`resolve`](super::resolve()) checks its meaning.
 ///
 /// # Errors
 /// Where it is not JSON, or every field that is missing, unknown or of the wrong kind.
-pub fn read_study(bytes: &[u8]) -> Result<StudyAsked, Misshapen> {
+pub fn read_study(bytes: &[u8]) -> Result<StudyRequest, ReadError> {
     // Made from the type alone, once.
-    static SHAPE: LazyLock<Shape> = LazyLock::new(Shape::of::<StudyAsked>);
-    SHAPE.read(bytes)
+    static SCHEMA: LazyLock<RequestSchema> = LazyLock::new(RequestSchema::of::<StudyRequest>);
+    SCHEMA.read(bytes)
 }
 
 #[cfg(test)]
@@ -58,17 +59,20 @@ mod tests {
         let text =
             br#"{"garment": {"seams": []}, "methods": ["newton", "verlet"], "tolerances": [1e-2],
             "edge_lengths_m": [0.03, 0.02, 0.015, 0.012]}"#;
-        let asked = read_study(text).expect("it is right");
-        assert_eq!(asked.methods, [Method::Newton, Method::Verlet]);
-        assert_eq!((asked.tolerances.len(), asked.edge_lengths_m.len()), (1, 4));
-        assert!(asked.steps_s.is_empty() && asked.time_limit_s.is_none());
+        let request = read_study(text).expect("it is right");
+        assert_eq!(request.methods, [Method::Newton, Method::Verlet]);
+        assert_eq!(
+            (request.tolerances.len(), request.edge_lengths_m.len()),
+            (1, 4)
+        );
+        assert!(request.steps_s.is_empty() && request.time_limit_s.is_none());
     }
 
     #[test]
     fn all_faults_of_shape_come_at_once() {
         let text =
             br#"{"garment": {"seams": 7}, "methods": ["newtin"], "tolerance": [1], "steps_s": 3}"#;
-        let Err(Misshapen::Shape(faults)) = read_study(text) else {
+        let Err(ReadError::Schema(faults)) = read_study(text) else {
             panic!("it is of another shape");
         };
         let mut at: Vec<&str> = faults.0.iter().map(|f| f.pointer.as_str()).collect();

@@ -1,0 +1,107 @@
+//! Settings that the garment file can state and this version cannot follow: refused, never ignored.
+
+use super::garment::{Garment, PanelSpec, SelfContact};
+use crate::fault::{Fault, GarmentCode};
+use crate::solver::{Analysis, SolverOptions};
+
+/// A setting: whether it is at fault, its field, what it asks for, and what to give instead.
+type StatedSetting = (bool, &'static str, &'static str, &'static str);
+
+/// Returns a fault for every setting that this version cannot follow.
+pub(super) fn faults(garment: &Garment) -> Vec<Fault> {
+    let settings = garment_settings(garment).into_iter();
+    let settings = settings.chain(options_settings(&garment.simulate));
+    let mut faults: Vec<Fault> = settings.filter_map(|s| fault("", s)).collect();
+    for (id, panel) in &garment.panels {
+        let under = format!("/panels/{}", escape(id));
+        let settings = panel_settings(panel).into_iter();
+        faults.extend(settings.filter_map(|s| fault(&under, s)));
+    }
+    faults
+}
+
+fn fault(under: &str, (is_wrong, field, what, fix): StatedSetting) -> Option<Fault> {
+    is_wrong.then(|| {
+        let detail = format!("{what} is not available in this version");
+        Fault::new(
+            GarmentCode::NotAvailable,
+            format!("{under}/{field}"),
+            detail,
+        )
+        .fix(fix)
+    })
+}
+
+fn garment_settings(garment: &Garment) -> [StatedSetting; 3] {
+    [
+        (
+            garment.self_contact == SelfContact::On,
+            "self_contact",
+            "contact of cloth with cloth",
+            "give \"auto\" or \"off\"",
+        ),
+        (
+            garment.start_from.is_some(),
+            "start_from",
+            "starting from another fit",
+            "leave it out or give null",
+        ),
+        (
+            !garment.maps.is_empty(),
+            "maps",
+            "a map on the mesh",
+            "leave it out",
+        ),
+    ]
+}
+
+fn options_settings(options: &SolverOptions) -> [StatedSetting; 3] {
+    [
+        (
+            options.analysis == Analysis::Transient,
+            "simulate/want",
+            "motion",
+            "give \"drape\"",
+        ),
+        (
+            options.duration_s.is_some(),
+            "simulate/duration_s",
+            "a duration, which belongs to motion,",
+            "leave it out",
+        ),
+        (
+            options.frame_rate_hz.is_some(),
+            "simulate/frame_rate_hz",
+            "a frame rate, which belongs to motion,",
+            "leave it out",
+        ),
+    ]
+}
+
+fn panel_settings(panel: &PanelSpec) -> [StatedSetting; 3] {
+    [
+        (
+            panel.texture.is_some(),
+            "texture",
+            "a texture",
+            "leave it out",
+        ),
+        (
+            panel.layer != 0,
+            "layer",
+            "ordering panels by layer",
+            "leave it out or give 0",
+        ),
+        (
+            !panel.elastic.is_empty(),
+            "elastic",
+            "elastic",
+            "leave it out",
+        ),
+    ]
+}
+
+/// Returns `id` as one step of a JSON Pointer (RFC 6901).
+pub(super) fn escape(id: &str) -> String {
+    id.replace('~', "~0").replace('/', "~1")
+}
