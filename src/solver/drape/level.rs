@@ -7,7 +7,7 @@ use crate::solver::drape::sew::{SEAM_STIFFNESS, close};
 use crate::solver::drape::stage::{Bounds, How};
 use crate::solver::forces::contact::Anchors;
 use crate::solver::integrate::dynamic_relaxation::DynamicRelaxation;
-use crate::solver::optimize::newton::{FIRST_GAMMA, NEAR_GAMMA};
+use crate::solver::optimize::pseudo_transient::{FIRST_GAMMA, NEAR_GAMMA};
 use crate::solver::options::SolverOptions;
 use crate::solver::report::history::ToGo;
 use crate::solver::report::schema::{DrapeReport, LevelReport};

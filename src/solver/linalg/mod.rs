@@ -2,5 +2,6 @@
 
 pub(crate) mod block_matrix;
 pub(crate) mod cholesky;
+pub(crate) mod lanczos;
 pub(crate) mod nonsymmetric;
 pub(crate) mod ordering;

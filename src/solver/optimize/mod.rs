@@ -1,4 +1,7 @@
 //! Minimization of the energy of a system.
 
 pub(crate) mod iterate;
+pub(crate) mod line_search;
 pub(crate) mod newton;
+pub(crate) mod newton_workspace;
+pub(crate) mod pseudo_transient;

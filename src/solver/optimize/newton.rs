@@ -1,69 +1,56 @@
 //! The shape at rest by pseudo-transient Newton iteration.
 //!
-//! Each iteration minimises a quadratic model of the energy plus a proximal term M / (2 γ²) `|x - x_n|²` (implicit Euler with
-//! the velocity forgotten; C. T. Kelley, D. E. Keyes, "Convergence analysis of pseudo-transient continuation", SIAM J.
-//! Numer. Anal. 35(2), 1998). γ grows while the model predicts well and shrinks where it does not.
+//! Each iteration minimizes a quadratic model of the energy plus a proximal term (implicit Euler with the velocity forgotten; see
+//! [`crate::solver::optimize::pseudo_transient`]).
 //!
-//! # Ladder
-//! The true second derivative first. Where that has no Cholesky factor, a share of what may make it indefinite is left out,
-//! doubled until there is a factor; a diagonal shift where leaving out all of it does not do. A line search on the energy
-//! accepts or shortens the step, and no particle moves further than 4 cm at once.
+//! # Fallbacks
+//! The true second derivative first. Where that has no Cholesky factor, a share of its indefinite part is projected out, doubled
+//! until there is a factor; a diagonal shift where projecting out all of it does not do. A line search on the energy accepts or
+//! shortens the step, and no particle moves further than 4 cm at once.
 //!
 //! # Guarantees
 //! Apart from friction, whose normal forces are lagged, and wind, which has no energy, the energy never rises. Stops at the
 //! residual asked for, at the round-off floor, at the limit of iterations or time, or when canceled, and says which.
 
-use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
-use crate::solver::linalg::cholesky::BlockCholesky;
+use crate::solver::linalg::block_matrix::BlockMatrix;
 use crate::solver::linalg::nonsymmetric::SkewSolver;
 use crate::solver::model::system::System;
 use crate::solver::optimize::iterate::{Callback, Iterate, Termination};
+use crate::solver::optimize::line_search::{LineSearch, MAX_DISPLACEMENT};
+use crate::solver::optimize::newton_workspace::{NewtonWorkspace, add_inertia};
+use crate::solver::optimize::pseudo_transient::{FIRST_GAMMA, PseudoTransient};
 use crate::solver::report::measure::rms;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 use seamster_cholesky::OutOfMemory;
 use std::ops::ControlFlow;
 
-/// Furthest that a particle moves in one iteration \[m\]; much more would carry cloth through a body.
-const LARGEST_MOVE: f64 = 0.04;
-/// γ at the start \[s\]: about the time in which seams close.
-pub(crate) const FIRST_GAMMA: f64 = 0.01;
-/// γ at the start from a shape near the solution \[s\]: slow enough for a garment's sway.
-pub(crate) const NEAR_GAMMA: f64 = 1.0;
-/// γ beyond which the proximal term is lost in rounding \[s\].
-const LARGEST_GAMMA: f64 = 1e4;
-const SMALLEST_GAMMA: f64 = 1e-7;
-/// Share of the decrease that the slope promises which a step must bring (Armijo).
-const SUFFICIENT: f64 = 1e-4;
-/// Share of the indefinite part that is left out at least after a step that went too far.
-const BACKTRACK_CONVEXITY: f64 = 0.4;
-/// Smallest share of the indefinite part that is left out, if any is.
-const LEAST_CONVEXITY: f64 = 0.02;
+/// Shares of a step that a line search tries at most.
+const LINE_SEARCH_TRIALS: usize = 6;
 /// Largest share of the proximal term in the curvature along a step whose length still is the distance to the solution.
 const PROXIMAL_SHARE: f64 = 0.1;
 
-/// Which fallbacks of the ladder were taken.
+/// Fallbacks that were taken, the true second derivative among them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Fallbacks {
+    /// The second derivative as it is.
     pub(crate) true_hessian: bool,
+    /// Part or all of the indefinite part projected out.
     pub(crate) projected_hessian: bool,
+    /// A shift of the diagonal as well.
     pub(crate) diagonal_shift: bool,
+    /// A step that no line search could shorten enough, taken anew with a smaller γ.
     pub(crate) smaller_step: bool,
 }
 
 /// Newton's method on one system; owns all scratch memory.
 pub(crate) struct Newton {
-    sparsity: Sparsity,
-    hessian: BlockMatrix,
+    work: NewtonWorkspace,
+    /// The second derivative with the proximal term.
     shifted: BlockMatrix,
-    cholesky: BlockCholesky,
-    /// For forces that have no energy.
+    /// Solver for forces that have no energy.
     skew: Option<SkewSolver>,
-    force: Vec<Vector3<f64>>,
-    step: Vec<Vector3<f64>>,
-    trial: Vec<Vector3<f64>>,
-    gamma: f64,
-    convexity: f64,
-    /// Whether the last factor was that of the true second derivative.
+    pseudo_transient: PseudoTransient,
+    /// True if the last factor was that of the true second derivative.
     was_convex: bool,
     touching: Vec<bool>,
     /// Length of the last full step \[m, RMS\], if it is that to the solution.
@@ -71,27 +58,23 @@ pub(crate) struct Newton {
     pub(crate) fallbacks: Fallbacks,
     /// Steps taken.
     pub(crate) iterations: usize,
-    /// Whether the last step left the particles in contact as they were, and none of them slipped.
+    /// True if the last step left the particles in contact as they were, and none of them slipped.
     pub(crate) contact_settled: bool,
 }
 
 impl Newton {
-    /// Lays out the matrices of `system`.
+    /// Lays out the matrices of `system`, for a start with the pseudo-time `first_gamma` \[s\].
+    ///
+    /// # Errors
+    /// [`OutOfMemory`] if there is none for the factor.
     pub(crate) fn new(system: &mut System<'_>, first_gamma: f64) -> Result<Self, OutOfMemory> {
-        let sparsity = system.bind();
-        let count = system.particle_count();
+        let work = NewtonWorkspace::new(system)?;
         Ok(Self {
-            hessian: BlockMatrix::zeros(&sparsity),
-            shifted: BlockMatrix::zeros(&sparsity),
-            cholesky: BlockCholesky::new(&sparsity)?,
+            shifted: BlockMatrix::zeros(&work.sparsity),
             skew: system.is_skew().then(SkewSolver::default),
-            sparsity,
-            force: vec![Vector3::zeros(); count],
-            step: vec![Vector3::zeros(); count],
-            trial: vec![Vector3::zeros(); count],
-            gamma: first_gamma,
+            work,
+            pseudo_transient: PseudoTransient::new(first_gamma),
             iterations: 0,
-            convexity: 0.0,
             was_convex: true,
             touching: Vec::new(),
             estimate: None,
@@ -100,7 +83,7 @@ impl Newton {
         })
     }
 
-    /// Iterates from `x` until `callback` says so, at most `limit` times. `x` is always the last accepted shape.
+    /// Iterates from `x` until `callback` breaks, at most `limit` times. `x` is always the last accepted shape.
     pub(crate) fn run(
         &mut self,
         system: &mut System<'_>,
@@ -115,8 +98,8 @@ impl Newton {
                 self.contact_settled = !slipped && touching == self.touching;
                 self.touching = touching;
             }
-            system.net_force(x, &mut self.force);
-            let residual = system.residual(&self.force);
+            system.net_force(x, &mut self.work.force);
+            let residual = system.residual(&self.work.force);
             if !residual.is_finite() {
                 return Termination::NotFinite;
             }
@@ -138,151 +121,131 @@ impl Newton {
         Termination::IterationLimit
     }
 
-    /// Whether the second derivative had a factor in the last step.
+    /// Returns true if the true second derivative had a factor in the last step.
     pub(crate) fn is_convex(&self) -> bool {
         self.was_convex
     }
 
-    /// ‖H⁻¹ f‖ over the particles \[m, RMS\], with whether H is positive definite: the distance to the solution of this mesh.
+    /// Returns ‖H⁻¹ f‖ over the particles \[m, RMS\], the distance to the solution of this mesh; none if H is not positive definite.
     pub(crate) fn error_estimate(
         &mut self,
         system: &mut System<'_>,
         x: &[Vector3<f64>],
     ) -> Option<f64> {
-        system.net_force(x, &mut self.force);
-        system.hessian(x, 0.0, &mut self.hessian);
-        system.hold(&self.sparsity, &mut self.hessian);
-        self.cholesky
-            .factorise(&self.sparsity, &self.hessian)
+        let work = &mut self.work;
+        system.net_force(x, &mut work.force);
+        system.hessian(x, 0.0, &mut work.hessian);
+        system.hold(&work.sparsity, &mut work.hessian);
+        work.cholesky
+            .factorise(&work.sparsity, &work.hessian)
             .ok()?;
         self.solve(system, x);
-        Some(rms(x.len(), |i| self.step[i]))
+        Some(rms(x.len(), |i| self.work.step[i]))
     }
 
-    /// One step; false if there is none that lowers the energy.
+    /// Takes one step; returns false if there is none that lowers the energy.
     fn advance(&mut self, system: &mut System<'_>, x: &mut [Vector3<f64>]) -> bool {
         let energy = system.energy(x);
         let mut failed = false;
-        system.hessian(x, self.convexity, &mut self.hessian);
-        while self.gamma > SMALLEST_GAMMA {
-            if !self.factorise(system) {
+        system.hessian(x, self.pseudo_transient.modification, &mut self.work.hessian);
+        while !self.pseudo_transient.is_exhausted() {
+            if !self.factorize(system) {
                 failed = true;
-                if self.convexity < 1.0 {
-                    self.fallbacks.projected_hessian = true;
-                    self.convexity = (2.0 * self.convexity).clamp(LEAST_CONVEXITY, 1.0);
-                    system.hessian(x, self.convexity, &mut self.hessian);
-                } else {
-                    self.fallbacks.diagonal_shift = true;
-                    self.gamma *= 0.25;
-                }
+                self.make_definite(system, x);
                 continue;
             }
-            let is_true = self.convexity == 0.0;
+            let is_true = self.pseudo_transient.modification == 0.0;
             self.fallbacks.true_hessian |= is_true;
             self.was_convex = is_true;
-            self.convexity *= if failed { 0.9 } else { 0.5 };
-            if self.convexity < LEAST_CONVEXITY {
-                self.convexity = 0.0;
-            }
+            self.pseudo_transient.modify_less(failed);
             let found = self.search(system, x, energy);
             self.estimate = self.estimate.filter(|_| is_true);
             if found {
                 return true;
             }
             self.fallbacks.smaller_step = true;
-            self.gamma *= 0.1;
+            self.pseudo_transient.gamma *= 0.1;
         }
-        self.gamma = FIRST_GAMMA;
+        self.pseudo_transient.gamma = FIRST_GAMMA;
         false
     }
 
-    /// Factors H + M / γ².
-    fn factorise(&mut self, system: &System<'_>) -> bool {
-        self.shifted.blocks.copy_from_slice(&self.hessian.blocks);
-        for (i, mass) in system.mass.iter().enumerate() {
-            self.shifted.add_diagonal(
-                self.sparsity.diagonal(i),
-                &(Matrix3::identity() * (mass / (self.gamma * self.gamma))),
-            );
+    /// Projects out more of the second derivative, or shifts it further where all is projected out.
+    fn make_definite(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) {
+        if self.pseudo_transient.modify_more() {
+            self.fallbacks.projected_hessian = true;
+            system.hessian(x, self.pseudo_transient.modification, &mut self.work.hessian);
+        } else {
+            self.fallbacks.diagonal_shift = true;
+            self.pseudo_transient.gamma *= 0.25;
         }
-        system.hold(&self.sparsity, &mut self.shifted);
-        self.cholesky
-            .factorise(&self.sparsity, &self.shifted)
+    }
+
+    /// Factorizes H + M / γ²; returns false if that is not positive definite.
+    fn factorize(&mut self, system: &System<'_>) -> bool {
+        let (work, gamma) = (&mut self.work, self.pseudo_transient.gamma);
+        self.shifted.blocks.copy_from_slice(&work.hessian.blocks);
+        let weight = |mass| mass / (gamma * gamma);
+        add_inertia(&mut self.shifted, &work.sparsity, &system.mass, weight);
+        system.hold(&work.sparsity, &mut self.shifted);
+        work.cholesky
+            .factorise(&work.sparsity, &self.shifted)
             .is_ok()
     }
 
-    /// The step from `x` by the last factor.
+    /// Solves for the step from `x` by the last factor.
     fn solve(&mut self, system: &System<'_>, x: &[Vector3<f64>]) {
-        self.step.copy_from_slice(&self.force);
-        self.cholesky.solve(&mut self.step);
+        self.work.solve();
         if let Some(skew) = &mut self.skew {
-            let cholesky = &mut self.cholesky;
+            let NewtonWorkspace {
+                cholesky,
+                force,
+                step,
+                ..
+            } = &mut self.work;
             let mut solve = |right: &mut [Vector3<f64>]| cholesky.solve(right);
             let mut apply = |d: &[Vector3<f64>], out: &mut [Vector3<f64>]| system.skew(x, d, out);
-            skew.correct(&self.force, &mut self.step, &mut solve, &mut apply);
+            skew.correct(force, step, &mut solve, &mut apply);
         }
     }
 
-    /// Solves for the step and walks along it as far as the energy allows.
+    /// Solves for the step and moves `x` along it as far as the energy allows; returns false if it allows nothing.
     fn search(&mut self, system: &mut System<'_>, x: &mut [Vector3<f64>], energy: f64) -> bool {
         self.solve(system, x);
-        let longest = self
-            .step
-            .iter()
-            .map(Vector3::norm_squared)
-            .fold(0.0, f64::max)
-            .sqrt();
+        let longest = self.work.max_displacement();
         if !longest.is_finite() {
             return false;
         }
-        let slope: f64 = self
-            .step
-            .iter()
-            .zip(&self.force)
-            .map(|(d, f)| d.dot(f))
-            .sum();
-        let curvature = self.hessian.quadratic_form(&self.sparsity, &self.step);
+        let curvature = self
+            .work
+            .hessian
+            .quadratic_form(&self.work.sparsity, &self.work.step);
         self.estimate = (self.proximal(system) <= PROXIMAL_SHARE * curvature)
-            .then(|| rms(x.len(), |i| self.step[i]));
-        let mut share = (LARGEST_MOVE / longest).min(1.0);
-        // Differences of energy below this are rounding: the model is trusted instead.
-        let rounding = 64.0 * f64::EPSILON * energy.abs() * (x.len() as f64).sqrt();
-        for _ in 0..6 {
-            for ((t, x), d) in self.trial.iter_mut().zip(x.iter()).zip(&self.step) {
-                *t = x + d * share;
-            }
-            let predicted = share * slope - 0.5 * share * share * curvature;
-            let gained = energy - system.energy(&self.trial);
-            if gained >= SUFFICIENT * share * slope - rounding {
-                x.copy_from_slice(&self.trial);
-                self.adapt(share, gained, predicted.max(rounding));
-                return true;
-            }
-            share *= 0.5;
-        }
-        false
-    }
-
-    /// What the proximal term adds to the curvature along the step.
-    fn proximal(&self, system: &System<'_>) -> f64 {
-        let moved = self.step.iter().zip(&system.mass);
-        moved.map(|(d, m)| m * d.norm_squared()).sum::<f64>() / (self.gamma * self.gamma)
-    }
-
-    /// γ grows where the model foretold the energy well. Where only a share of the step could be taken, the model was too soft
-    /// along some wrinkle that is about to form: leaving out more of what makes it soft shortens the next step there, while a
-    /// smaller γ would shorten it everywhere.
-    fn adapt(&mut self, share: f64, gained: f64, predicted: f64) {
-        let gamma = if share < 1.0 {
-            self.convexity = (2.0 * self.convexity).clamp(BACKTRACK_CONVEXITY, 1.0);
-            0.7 * self.gamma
-        } else if gained > 0.75 * predicted {
-            3.0 * self.gamma
-        } else if gained > 0.25 * predicted {
-            1.5 * self.gamma
-        } else {
-            0.7 * self.gamma
+            .then(|| rms(x.len(), |i| self.work.step[i]));
+        let search = LineSearch {
+            value: energy,
+            slope: self.work.slope(),
+            first_share: (MAX_DISPLACEMENT / longest).min(1.0),
+            trials: LINE_SEARCH_TRIALS,
         };
-        self.gamma = gamma.clamp(SMALLEST_GAMMA * 10.0, LARGEST_GAMMA);
+        let along = (&self.work.step[..], &mut self.work.trial[..]);
+        let Some(accepted) = search.run(x, along, |x| system.energy(x)) else {
+            return false;
+        };
+        let share = accepted.share;
+        let predicted = share * search.slope - 0.5 * share * share * curvature;
+        self.pseudo_transient.adapt(
+            share,
+            accepted.decrease,
+            predicted.max(search.rounding(x.len())),
+        );
+        true
+    }
+
+    /// Returns what the proximal term adds to the curvature along the step.
+    fn proximal(&self, system: &System<'_>) -> f64 {
+        let gamma = self.pseudo_transient.gamma;
+        let moved = self.work.step.iter().zip(&system.mass);
+        moved.map(|(d, m)| m * d.norm_squared()).sum::<f64>() / (gamma * gamma)
     }
 }

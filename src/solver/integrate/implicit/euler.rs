@@ -1,11 +1,11 @@
 //! Implicit (backward) Euler: order 1, stable at any step, loses energy.
 //!
-//! V' = V + h (F(X') / m - c V'), X' = X + h V'. Put together, X' minimises `E(x) + w/2 |x - x̂|²_M` with w = (1 + c h) / h² and
+//! V' = V + h (F(X') / m - c V'), X' = X + h V'. Put together, X' minimizes `E(x) + w/2 |x - x̂|²_M` with w = (1 + c h) / h² and
 //! x̂ = X + h V / (1 + c h). The iteration begins at X or at x̂, whichever is lower, and only goes down; so, without drag,
 //! `E(X') + |X' - x̂|²_M / 2h² <= E(X) + |V|²_M / 2`: what the step begins with.
 
 use crate::solver::integrate::implicit::incremental_potential::{
-    IncrementalPotential, InertiaTerm,
+    IncrementalNewton, InertiaTerm,
 };
 use crate::solver::integrate::integrator::{Integrator, ParticleState, StepError, accept};
 use crate::solver::model::system::System;
@@ -17,7 +17,7 @@ pub(crate) const NEWTON_A_STEP: f64 = 3.0;
 
 /// Implicit Euler.
 pub(crate) struct ImplicitEuler {
-    newton: IncrementalPotential,
+    newton: IncrementalNewton,
     pub(crate) drag: f64,
     /// x̂ \[m\].
     pub(crate) target: Vec<Vector3<f64>>,
@@ -34,7 +34,7 @@ impl ImplicitEuler {
     ) -> Result<Self, OutOfMemory> {
         let zero = vec![Vector3::zeros(); system.particle_count()];
         Ok(Self {
-            newton: IncrementalPotential::new(system, tolerance)?,
+            newton: IncrementalNewton::new(system, tolerance)?,
             drag,
             target: zero.clone(),
             next: zero,
@@ -46,7 +46,7 @@ impl ImplicitEuler {
         self.newton.operations()
     }
 
-    /// Minimises `E + weight/2 |x - target|²_M` into `next`, from the lower of `x` and `target`.
+    /// Minimizes `E + weight/2 |x - target|²_M` into `next`, from the lower of `x` and `target`.
     pub(crate) fn solve(
         &mut self,
         system: &mut System<'_>,
@@ -57,11 +57,11 @@ impl ImplicitEuler {
             weight,
             target: &self.target,
         };
-        let stay = IncrementalPotential::potential(system, &inertia_term, x);
-        let go = IncrementalPotential::potential(system, &inertia_term, &self.target);
+        let stay = IncrementalNewton::potential(system, &inertia_term, x);
+        let go = IncrementalNewton::potential(system, &inertia_term, &self.target);
         let guess = if go < stay { &self.target[..] } else { x };
         self.next.copy_from_slice(guess);
-        self.newton.minimise(system, &inertia_term, &mut self.next)
+        self.newton.minimize(system, &inertia_term, &mut self.next)
     }
 
     fn step(

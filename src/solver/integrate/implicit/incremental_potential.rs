@@ -1,35 +1,36 @@
 //! The equations of an implicit step as a minimum: `Φ(x) = E(x) + w/2 |x - x̂|²_M`, `|y|²_M = sum m_i |y_i|²`.
 //!
-//! Backward Euler with step h is w = 1/h² and x̂ = x + h v (J. C. Simo et al.; M. Ortiz, L. Stainier, Comput. Methods Appl.
-//! Mech. Engrg. 171, 1999); other backward differences differ in the numbers only. Found by Newton's method: the true second
-//! derivative first; where that has no Cholesky factor, with some or all left out that may make it indefinite; and a line search
-//! on Φ (Armijo).
+//! Backward Euler with step h is w = 1/h² and x̂ = x + h v (M. Ortiz, L. Stainier, Comput. Methods Appl. Mech. Engrg. 171, 1999);
+//! other backward differences differ in the numbers only. Found by Newton's method: the true second derivative first; where that
+//! has no Cholesky factor, with some or all of its indefinite part projected out; and a line search on Φ.
 //!
 //! # Guarantees
 //! Φ never rises, apart from rounding. Ends at the residual asked for, or at that of rounding; says so where it can do neither.
+//!
+//! # Difference from the minimizer of the shape at rest
+//! Memory, inertia and line search are shared ([`crate::solver::optimize`]). The loops differ, and so would the bytes: here the
+//! inertia is given and no pseudo-time is adapted, the shares that are projected out are three fixed ones that no iteration
+//! remembers, up to 12 shares of a step are tried and not 6, moves are limited beside a body only, friction keeps its anchors
+//! within the step, the part of wind without an energy is left out of the step, and the end is a residual, not a caller's test.
 
 use crate::solver::integrate::integrator::StepError;
-use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
-use crate::solver::linalg::cholesky::BlockCholesky;
 use crate::solver::model::system::{STANDARD_GRAVITY, System};
-use nalgebra::{Matrix3, Vector3};
+use crate::solver::optimize::line_search::{LineSearch, MAX_DISPLACEMENT};
+use crate::solver::optimize::newton_workspace::{NewtonWorkspace, add_inertia};
+use nalgebra::Vector3;
 use seamster_cholesky::OutOfMemory;
 
 /// Iterations of one step at most; a step that needs more is too long.
 const ITERATIONS: usize = 40;
-/// Share of the decrease that the slope promises which an iteration must bring (Armijo).
-const SUFFICIENT: f64 = 1e-4;
-/// Halvings of an iteration at most.
-const HALVINGS: usize = 12;
-/// Shares of what may make the second derivative indefinite that are left out, one after the other until it has a factor.
-const CONVEXITIES: [f64; 3] = [0.0, 0.25, 1.0];
-/// Furthest that a particle is moved at once where there is a body that it could pass through \[m\].
-const LARGEST_MOVE: f64 = 0.04;
+/// Shares of a Newton step that a line search tries at most.
+const LINE_SEARCH_TRIALS: usize = 12;
+/// Shares of the indefinite part that are projected out, one after the other until there is a factor.
+const MODIFICATIONS: [f64; 3] = [0.0, 0.25, 1.0];
 
 /// Operations that a block of second derivatives takes to work out and to sum up.
 const ASSEMBLY: f64 = 150.0;
 
-/// What is to be minimised besides the energy.
+/// The term that is minimized besides the energy.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct InertiaTerm<'a> {
     /// w \[1/s²\].
@@ -39,48 +40,36 @@ pub(crate) struct InertiaTerm<'a> {
 }
 
 /// Newton's method on Φ; owns all scratch memory.
-pub(crate) struct IncrementalPotential {
-    sparsity: Sparsity,
-    hessian: BlockMatrix,
-    cholesky: BlockCholesky,
-    force: Vec<Vector3<f64>>,
-    step: Vec<Vector3<f64>>,
-    trial: Vec<Vector3<f64>>,
+pub(crate) struct IncrementalNewton {
+    work: NewtonWorkspace,
     tolerance: f64,
     /// Iterations so far.
     pub(crate) iterations: u64,
 }
 
-impl IncrementalPotential {
+impl IncrementalNewton {
     /// Solves to a net force of `tolerance` times the mean weight of a particle, RMS.
     pub(crate) fn new(system: &mut System<'_>, tolerance: f64) -> Result<Self, OutOfMemory> {
-        let sparsity = system.bind();
-        let count = system.particle_count();
         Ok(Self {
-            hessian: BlockMatrix::zeros(&sparsity),
-            cholesky: BlockCholesky::new(&sparsity)?,
-            sparsity,
-            force: vec![Vector3::zeros(); count],
-            step: vec![Vector3::zeros(); count],
-            trial: vec![Vector3::zeros(); count],
+            work: NewtonWorkspace::new(system)?,
             tolerance,
             iterations: 0,
         })
     }
 
-    /// Operations of one iteration, counted: assembly, the factor from its length, two solves.
+    /// Returns the operations of one iteration, counted: assembly, the factor from its length, two solves.
     ///
     /// The columns of a factor of length L with n columns have L / n numbers on average, and their squares, which are the
     /// operations, add up to at least L²/n; for plane meshes ordered by minimum degree to about three times that.
     pub(crate) fn operations(&self) -> f64 {
-        let length = self.cholesky.factor_len() as f64;
-        let columns = 3.0 * self.force.len() as f64;
-        ASSEMBLY * self.sparsity.block_count() as f64
+        let length = self.work.cholesky.factor_len() as f64;
+        let columns = 3.0 * self.work.force.len() as f64;
+        ASSEMBLY * self.work.sparsity.block_count() as f64
             + 3.0 * length * length / columns
             + 4.0 * length
     }
 
-    /// Φ \[J\].
+    /// Returns Φ at `x` \[J\].
     pub(crate) fn potential(
         system: &mut System<'_>,
         inertia_term: &InertiaTerm<'_>,
@@ -92,7 +81,7 @@ impl IncrementalPotential {
     }
 
     /// Moves `x` from a guess to the minimum.
-    pub(crate) fn minimise(
+    pub(crate) fn minimize(
         &mut self,
         system: &mut System<'_>,
         inertia_term: &InertiaTerm<'_>,
@@ -101,7 +90,7 @@ impl IncrementalPotential {
         let floor = rounding_residual(system, inertia_term, x);
         for _ in 0..ITERATIONS {
             self.net_force(system, inertia_term, x);
-            let residual = system.residual(&self.force);
+            let residual = system.residual(&self.work.force);
             if !residual.is_finite() {
                 return Err(StepError::NotFinite);
             }
@@ -123,83 +112,73 @@ impl IncrementalPotential {
         Err(StepError::NotConverged)
     }
 
-    /// -dΦ/dx \[N\].
+    /// Computes -dΦ/dx \[N\].
     fn net_force(
         &mut self,
         system: &mut System<'_>,
         inertia_term: &InertiaTerm<'_>,
         x: &[Vector3<f64>],
     ) {
-        system.net_force(x, &mut self.force);
+        system.net_force(x, &mut self.work.force);
         let apart = x.iter().zip(inertia_term.target).zip(&system.mass);
-        for (f, ((x, t), m)) in self.force.iter_mut().zip(apart) {
+        for (f, ((x, t), m)) in self.work.force.iter_mut().zip(apart) {
             *f -= (x - t) * (m * inertia_term.weight);
         }
-        system.hold_still(&mut self.force);
+        system.hold_still(&mut self.work.force);
     }
 
-    /// Newton's step, from the true second derivative or as much of it as has a factor.
+    /// Solves for the Newton step, by the true second derivative or as much of it as has a factor.
     fn direction(
         &mut self,
         system: &mut System<'_>,
         inertia_term: &InertiaTerm<'_>,
         x: &[Vector3<f64>],
     ) -> Result<(), StepError> {
-        for convexity in CONVEXITIES {
-            system.hessian(x, convexity, &mut self.hessian);
-            for (i, m) in system.mass.iter().enumerate() {
-                let inertia = Matrix3::identity() * (m * inertia_term.weight);
-                self.hessian
-                    .add_diagonal(self.sparsity.diagonal(i), &inertia);
-            }
-            system.hold(&self.sparsity, &mut self.hessian);
-            let factor = self.cholesky.factorise(&self.sparsity, &self.hessian);
+        let work = &mut self.work;
+        let weight = |mass| mass * inertia_term.weight;
+        for modification in MODIFICATIONS {
+            system.hessian(x, modification, &mut work.hessian);
+            add_inertia(&mut work.hessian, &work.sparsity, &system.mass, weight);
+            system.hold(&work.sparsity, &mut work.hessian);
+            let factor = work.cholesky.factorise(&work.sparsity, &work.hessian);
             if factor.is_ok() {
-                self.step.copy_from_slice(&self.force);
-                self.cholesky.solve(&mut self.step);
+                work.solve();
                 return Ok(());
             }
         }
         Err(StepError::NotConverged)
     }
 
-    /// Walks along the step as far as Φ allows; whether it could.
+    /// Moves `x` along the step as far as Φ allows; returns false if it allows nothing.
     fn search(
         &mut self,
         system: &mut System<'_>,
         inertia_term: &InertiaTerm<'_>,
         x: &mut [Vector3<f64>],
     ) -> bool {
-        let before = Self::potential(system, inertia_term, x);
-        let pairs = self.step.iter().zip(&self.force);
-        let slope: f64 = pairs.map(|(d, f)| d.dot(f)).sum();
-        let longest = self.step.iter().map(Vector3::norm).fold(0.0, f64::max);
+        let value = Self::potential(system, inertia_term, x);
+        let slope = self.work.slope();
+        let longest = self.work.max_displacement();
         if !(slope > 0.0 && longest.is_finite()) {
             return false;
         }
-        let mut share = if system.contact.is_some() {
-            (LARGEST_MOVE / longest).min(1.0)
-        } else {
-            1.0
+        let search = LineSearch {
+            value,
+            slope,
+            first_share: if system.contact.is_some() {
+                (MAX_DISPLACEMENT / longest).min(1.0)
+            } else {
+                1.0
+            },
+            trials: LINE_SEARCH_TRIALS,
         };
-        // Differences of Φ below this are rounding: the model is trusted instead.
-        let rounding = 64.0 * f64::EPSILON * before.abs() * (x.len() as f64).sqrt();
-        for _ in 0..HALVINGS {
-            for ((t, x), d) in self.trial.iter_mut().zip(x.iter()).zip(&self.step) {
-                *t = x + d * share;
-            }
-            let gained = before - Self::potential(system, inertia_term, &self.trial);
-            if gained >= SUFFICIENT * share * slope - rounding {
-                x.copy_from_slice(&self.trial);
-                return true;
-            }
-            share *= 0.5;
-        }
-        false
+        let along = (&self.work.step[..], &mut self.work.trial[..]);
+        let potential = |x: &[Vector3<f64>]| Self::potential(system, inertia_term, x);
+        search.run(x, along, potential).is_some()
     }
 }
 
-/// The residual below which forces and inertia are rounding.
+/// Returns the residual below which forces and inertia are rounding.
 fn rounding_residual(
     system: &mut System<'_>,
     inertia_term: &InertiaTerm<'_>,

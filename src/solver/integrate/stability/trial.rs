@@ -12,6 +12,7 @@ use crate::solver::integrate::integrator::ParticleState;
 use crate::solver::integrate::select::integrator_for;
 use crate::solver::integrate::settings::IntegratorSettings;
 use crate::solver::integrate::stability::limit;
+use crate::solver::linalg::lanczos::pseudo_random_vectors;
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::Particles;
 use crate::solver::options::{Method, SeamClose, SolverOptions};
@@ -350,7 +351,7 @@ fn furthest(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
 
 /// Moves every particle by at most the disturbance in each direction, the same every time.
 fn disturb(shape: &mut [Vector3<f64>]) {
-    let moves = limit::scattered(shape.len());
+    let moves = pseudo_random_vectors(shape.len());
     for (x, m) in shape.iter_mut().zip(moves) {
         *x += m * (2.0 * DISTURBANCE);
     }

@@ -1,0 +1,87 @@
+//! Backtracking line search with the test of sufficient decrease of L. Armijo, Pacific J. Math. 16(1), 1966.
+
+use nalgebra::Vector3;
+
+/// Share of the decrease predicted by the slope that a step must bring.
+const SUFFICIENT_DECREASE: f64 = 1e-4;
+
+/// Furthest that a particle moves in one iteration \[m\]; much more would carry cloth through a body.
+pub(crate) const MAX_DISPLACEMENT: f64 = 0.04;
+
+/// A descent direction and the objective where it begins.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LineSearch {
+    /// Objective at the start \[J\].
+    pub(crate) value: f64,
+    /// Decrease of the objective per share of the step at the start \[J\].
+    pub(crate) slope: f64,
+    /// Share of the step that is tried first.
+    pub(crate) first_share: f64,
+    /// Shares tried at most, each half the one before.
+    pub(crate) trials: usize,
+}
+
+/// A step that decreased the objective sufficiently.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AcceptedStep {
+    /// Share of the whole step.
+    pub(crate) share: f64,
+    /// Decrease of the objective \[J\].
+    pub(crate) decrease: f64,
+}
+
+impl LineSearch {
+    /// Returns the difference of the objective below which it is rounding for `count` particles \[J\]: there the model is trusted.
+    pub(crate) fn rounding(&self, count: usize) -> f64 {
+        64.0 * f64::EPSILON * self.value.abs() * (count as f64).sqrt()
+    }
+
+    /// Moves `x` along `step` by the first share that decreases `objective` sufficiently; leaves it if none does. `trial` is scratch.
+    pub(crate) fn run(
+        &self,
+        x: &mut [Vector3<f64>],
+        (step, trial): (&[Vector3<f64>], &mut [Vector3<f64>]),
+        mut objective: impl FnMut(&[Vector3<f64>]) -> f64,
+    ) -> Option<AcceptedStep> {
+        let rounding = self.rounding(x.len());
+        let mut share = self.first_share;
+        for _ in 0..self.trials {
+            for ((t, x), d) in trial.iter_mut().zip(x.iter()).zip(step) {
+                *t = x + d * share;
+            }
+            let decrease = self.value - objective(trial);
+            if decrease >= SUFFICIENT_DECREASE * share * self.slope - rounding {
+                x.copy_from_slice(trial);
+                return Some(AcceptedStep { share, decrease });
+            }
+            share *= 0.5;
+        }
+        None
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of x²/2 the step from 1 to -3 overshoots: its half, to -1, brings nothing, its quarter leads to the minimum.
+    #[test]
+    fn a_step_is_halved_until_it_descends() {
+        let search = LineSearch {
+            value: 0.5,
+            slope: 4.0,
+            first_share: 1.0,
+            trials: 3,
+        };
+        let (mut x, mut trial) = ([Vector3::x()], [Vector3::zeros()]);
+        let half_square = |x: &[Vector3<f64>]| 0.5 * x[0].norm_squared();
+        let found = search.run(&mut x, (&[Vector3::x() * -4.0], &mut trial), half_square);
+        let found = found.expect("a quarter of the step descends");
+        assert_eq!((found.share, found.decrease), (0.25, 0.5));
+        assert_eq!(x[0], Vector3::zeros());
+        let fewer = LineSearch { trials: 2, ..search };
+        let mut x = [Vector3::x()];
+        assert!(fewer.run(&mut x, (&[Vector3::x() * -4.0], &mut trial), half_square).is_none());
+        assert_eq!(x[0], Vector3::x());
+    }
+}
