@@ -79,9 +79,16 @@ mod tests {
         let found = found.expect("a quarter of the step descends");
         assert_eq!((found.share, found.decrease), (0.25, 0.5));
         assert_eq!(x[0], Vector3::zeros());
-        let fewer = LineSearch { trials: 2, ..search };
+        let fewer = LineSearch {
+            trials: 2,
+            ..search
+        };
         let mut x = [Vector3::x()];
-        assert!(fewer.run(&mut x, (&[Vector3::x() * -4.0], &mut trial), half_square).is_none());
+        assert!(
+            fewer
+                .run(&mut x, (&[Vector3::x() * -4.0], &mut trial), half_square)
+                .is_none()
+        );
         assert_eq!(x[0], Vector3::x());
     }
 }

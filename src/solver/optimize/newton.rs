@@ -147,7 +147,11 @@ impl Newton {
     fn advance(&mut self, system: &mut System<'_>, x: &mut [Vector3<f64>]) -> bool {
         let energy = system.energy(x);
         let mut failed = false;
-        system.hessian(x, self.pseudo_transient.modification, &mut self.work.hessian);
+        system.hessian(
+            x,
+            self.pseudo_transient.modification,
+            &mut self.work.hessian,
+        );
         while !self.pseudo_transient.is_exhausted() {
             if !self.factorize(system) {
                 failed = true;
@@ -174,7 +178,11 @@ impl Newton {
     fn make_definite(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) {
         if self.pseudo_transient.modify_more() {
             self.fallbacks.projected_hessian = true;
-            system.hessian(x, self.pseudo_transient.modification, &mut self.work.hessian);
+            system.hessian(
+                x,
+                self.pseudo_transient.modification,
+                &mut self.work.hessian,
+            );
         } else {
             self.fallbacks.diagonal_shift = true;
             self.pseudo_transient.gamma *= 0.25;

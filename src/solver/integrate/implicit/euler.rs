@@ -4,9 +4,7 @@
 //! x̂ = X + h V / (1 + c h). The iteration begins at X or at x̂, whichever is lower, and only goes down; so, without drag,
 //! `E(X') + |X' - x̂|²_M / 2h² <= E(X) + |V|²_M / 2`: what the step begins with.
 
-use crate::solver::integrate::implicit::incremental_potential::{
-    IncrementalNewton, InertiaTerm,
-};
+use crate::solver::integrate::implicit::incremental_potential::{IncrementalNewton, InertiaTerm};
 use crate::solver::integrate::integrator::{Integrator, ParticleState, StepError, accept};
 use crate::solver::model::system::System;
 use nalgebra::Vector3;
