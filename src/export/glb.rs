@@ -3,13 +3,14 @@
 //! Written by hand after the glTF 2.0 specification (Khronos Group, 2021), sections 3.6 (buffers, accessors),
 //! 3.7 (meshes), 3.9 (materials) and 4.4 (the binary container).
 
-use super::{DrapedPanel, GarmentMesh, normals};
+use super::garment_mesh::{DrapedPanel, GarmentMesh};
+use super::normals;
 use crate::scene::TriangleMesh;
 use nalgebra::Vector3;
 use serde_json::{Map, Value, json};
 
-/// Linear base colours of fabrics, in the order in which they appear: muted, and apart for readers who see few hues.
-const COLOURS: [[f64; 3]; 6] = [
+/// Linear base colors of fabrics, in the order in which they appear: muted, and apart for readers who see few hues.
+const COLORS: [[f64; 3]; 6] = [
     [0.20, 0.34, 0.50],
     [0.60, 0.22, 0.12],
     [0.28, 0.38, 0.20],
@@ -17,33 +18,33 @@ const COLOURS: [[f64; 3]; 6] = [
     [0.30, 0.12, 0.28],
     [0.55, 0.50, 0.42],
 ];
-const AVATAR_COLOUR: [f64; 3] = [0.45, 0.45, 0.45];
+const AVATAR_COLOR: [f64; 3] = [0.45, 0.45, 0.45];
 
 const ARRAY_BUFFER: u32 = 34962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34963;
 const FLOAT: u32 = 5126;
 const UNSIGNED_INT: u32 = 5125;
 
-/// The garment as binary glTF 2.0.
+/// Writes a garment as binary glTF 2.0.
 ///
 /// `POSITION` and `NORMAL` in metres, y up; `TEXCOORD_0` = pattern coordinates in metres with v up (glTF draws
 /// images with v down: a texture wants `KHR_texture_transform`). A panel without triangles is a node without a mesh.
 pub fn glb(mesh: &GarmentMesh) -> Vec<u8> {
-    let mut file = File::default();
+    let mut file = GlbWriter::default();
     file.garment(mesh);
     file.bytes()
 }
 
-/// A body as binary glTF 2.0: one node, `avatar`.
+/// Writes a body as binary glTF 2.0: one node, `avatar`.
 pub fn avatar_glb(surface: &TriangleMesh) -> Vec<u8> {
-    let mut file = File::default();
+    let mut file = GlbWriter::default();
     file.avatar(surface);
     file.bytes()
 }
 
-/// The garment as [`glb`] writes it with the body beside it, as a node `avatar`.
+/// Writes a garment as [`glb`] does with the body beside it, as a node `avatar`.
 pub fn garment_with_avatar_glb(mesh: &GarmentMesh, surface: &TriangleMesh) -> Vec<u8> {
-    let mut file = File::default();
+    let mut file = GlbWriter::default();
     file.garment(mesh);
     file.avatar(surface);
     file.bytes()
@@ -51,7 +52,7 @@ pub fn garment_with_avatar_glb(mesh: &GarmentMesh, surface: &TriangleMesh) -> Ve
 
 /// A glTF document and its buffer as they grow.
 #[derive(Default)]
-struct File {
+struct GlbWriter {
     buffer: Vec<u8>,
     views: Vec<Value>,
     accessors: Vec<Value>,
@@ -60,15 +61,15 @@ struct File {
     nodes: Vec<Value>,
 }
 
-impl File {
+impl GlbWriter {
     fn garment(&mut self, mesh: &GarmentMesh) {
         let mut fabrics: Vec<&str> = Vec::new();
         for (panel, normals) in mesh.panels.iter().zip(normals::of_garment(mesh)) {
             let known = fabrics.iter().position(|fabric| *fabric == panel.fabric);
             let material = known.unwrap_or_else(|| {
-                let colour = COLOURS[fabrics.len() % COLOURS.len()];
+                let color = COLORS[fabrics.len() % COLORS.len()];
                 fabrics.push(&panel.fabric);
-                self.material(&panel.fabric, colour, true)
+                self.material(&panel.fabric, color, true)
             });
             self.panel(panel, &normals, material);
         }
@@ -98,7 +99,7 @@ impl File {
     }
 
     fn avatar(&mut self, surface: &TriangleMesh) {
-        let material = self.material("avatar", AVATAR_COLOUR, false);
+        let material = self.material("avatar", AVATAR_COLOR, false);
         if surface.triangles.is_empty() {
             return;
         }
@@ -112,7 +113,7 @@ impl File {
         );
     }
 
-    /// A primitive with positions, normals and triangles.
+    /// Adds positions, normals and triangles, and returns their primitive.
     fn surface(
         &mut self,
         positions: &[[f64; 3]],
@@ -135,7 +136,7 @@ impl File {
         self.meshes.push(mesh);
     }
 
-    /// Index of a new cloth-like material.
+    /// Adds a cloth-like material, and returns its index.
     fn material(&mut self, name: &str, [r, g, b]: [f64; 3], double_sided: bool) -> usize {
         self.materials.push(json!({
             "name": name,
@@ -149,7 +150,7 @@ impl File {
         self.materials.len() - 1
     }
 
-    /// Index of a new accessor of vectors, with its bounds where asked for.
+    /// Adds an accessor of vectors, with its bounds where asked for, and returns its index.
     fn floats<const N: usize>(&mut self, vectors: &[[f64; N]], bounded: bool) -> usize {
         let vectors: Vec<[f32; N]> = vectors.iter().map(|v| v.map(single)).collect();
         let start = self.buffer.len();
@@ -173,7 +174,7 @@ impl File {
         self.accessors.len() - 1
     }
 
-    /// Index of a new accessor of vertex indices.
+    /// Adds an accessor of vertex indices, and returns its index.
     fn indices(&mut self, triangles: &[[usize; 3]]) -> usize {
         let start = self.buffer.len();
         let bytes = triangles
@@ -191,7 +192,7 @@ impl File {
         self.accessors.len() - 1
     }
 
-    /// Index of a new view of the buffer from `start` to its end.
+    /// Adds a view of the buffer from `start` to its end, and returns its index.
     fn view(&mut self, start: usize, target: u32) -> usize {
         self.views.push(json!({
             "buffer": 0,
@@ -202,7 +203,7 @@ impl File {
         self.views.len() - 1
     }
 
-    /// The container: a header, the document, the buffer.
+    /// Returns the container: a header, the document, the buffer.
     fn bytes(self) -> Vec<u8> {
         let mut document = self.document().to_string().into_bytes();
         // Every component has four bytes, so the buffer is aligned already.

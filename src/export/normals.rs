@@ -1,10 +1,10 @@
 //! Smooth normals of a surface of triangles, across seams too.
 
-use super::GarmentMesh;
+use super::garment_mesh::GarmentMesh;
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
-/// Normals of a part that has no area: any direction is right, and a reader wants a unit vector.
+/// Normal of a part that has no area: any direction is right, and a reader wants a unit vector.
 const NOWHERE: Vector3<f64> = Vector3::new(0.0, 0.0, 1.0);
 
 /// Cosine of the angle between two faces (60 degrees) above which the seam between them is a crease to be seen, as
@@ -14,14 +14,14 @@ const CREASE_COS: f64 = 0.5;
 /// More vertices than seams ever bring together in one point: a shape that collapsed, whose normals mean nothing.
 const MOST_MET: usize = 64;
 
-/// Unit normals, `#V`: the mean of the triangles round a vertex weighted by area, on their counter-clockwise side.
+/// Returns unit normals, `#V`: the mean of the triangles round a vertex weighted by area, on their counter-clockwise side.
 ///
 /// Assumes indices below `positions.len()`.
 pub(super) fn smooth(positions: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Vec<Vector3<f64>> {
     weighted(positions, triangles).iter().map(unit).collect()
 }
 
-/// Unit normals of every panel, `#V` each: as [`smooth`], and over vertices at the very same place (a closed seam)
+/// Returns unit normals of every panel, `#V` each: as [`smooth`], and over vertices at the very same place (a closed seam)
 /// where the faces do not meet in a crease, so that light does not tell panels apart.
 pub(super) fn of_garment(mesh: &GarmentMesh) -> Vec<Vec<Vector3<f64>>> {
     let own: Vec<Vec<_>> = mesh
@@ -45,7 +45,7 @@ pub(super) fn of_garment(mesh: &GarmentMesh) -> Vec<Vec<Vector3<f64>>> {
     normals
 }
 
-/// Groups of vertices (panel, index) at exactly the same place, in the order of panels and vertices.
+/// Returns groups of vertices (panel, index) at exactly the same place, in the order of panels and vertices.
 fn meetings(mesh: &GarmentMesh) -> Vec<Vec<(usize, usize)>> {
     let mut at: BTreeMap<[u64; 3], Vec<(usize, usize)>> = BTreeMap::new();
     for (panel, part) in mesh.panels.iter().enumerate() {
@@ -60,7 +60,7 @@ fn meetings(mesh: &GarmentMesh) -> Vec<Vec<(usize, usize)>> {
         .collect()
 }
 
-/// The sum of the normals of the triangles round each vertex, each twice its area long, `#V`.
+/// Returns the sum of the normals of the triangles round each vertex, each twice its area long, `#V`.
 fn weighted(positions: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Vec<Vector3<f64>> {
     let mut normals = vec![Vector3::zeros(); positions.len()];
     for triangle in triangles {
@@ -80,7 +80,7 @@ fn unit(normal: &Vector3<f64>) -> Vector3<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::export::DrapedPanel;
+    use crate::export::garment_mesh::DrapedPanel;
     use std::f64::consts::FRAC_PI_2;
 
     #[test]

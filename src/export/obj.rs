@@ -1,10 +1,11 @@
 //! Wavefront OBJ.
 
-use super::{DrapedPanel, GarmentMesh, normals};
+use super::garment_mesh::{DrapedPanel, GarmentMesh};
+use super::normals;
 use nalgebra::Vector3;
 use std::fmt::Write;
 
-/// Wavefront OBJ, one group per panel, positions to the nanometre.
+/// Writes a garment as Wavefront OBJ, one group per panel, positions to the nanometer.
 ///
 /// `usemtl` names the fabric; there is no material library.
 pub fn obj(mesh: &GarmentMesh) -> String {
@@ -43,7 +44,7 @@ fn group(
     Ok(())
 }
 
-/// A name as one word: OBJ ends names at white space.
+/// Returns a name as one word: OBJ ends names at white space.
 fn word(name: &str) -> String {
     name.chars()
         .map(|c| {

@@ -1,21 +1,21 @@
 //! A logarithmic axis with its grid.
 
-use super::ink::{GRID, text};
+use super::style::{GRID, text};
 
 /// Labels at most; more powers of ten than that get a label every other one or fewer.
 const LABELS: i32 = 8;
 
 /// Powers of ten over a stretch of the picture.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Axis {
+pub(super) struct LogAxis {
     /// Exponents of ten at both ends.
     ends: [i32; 2],
-    /// Where they are \[px\].
+    /// Places of the ends \[px\].
     stretch: [f64; 2],
 }
 
-impl Axis {
-    /// The axis that has all `values`, which are positive, and at least two powers of ten.
+impl LogAxis {
+    /// Returns the axis that has all `values`, which are positive, and at least two powers of ten.
     pub(super) fn over(values: impl Iterator<Item = f64>, stretch: [f64; 2]) -> Self {
         let (least, most) = values.fold((f64::INFINITY, 0.0_f64), |(l, m), v| (l.min(v), m.max(v)));
         let ends = if least <= most {
@@ -32,14 +32,14 @@ impl Axis {
         }
     }
 
-    /// Where a value is \[px\].
+    /// Returns the place of a value \[px\].
     pub(super) fn place(&self, value: f64) -> f64 {
         let [from, to] = self.ends.map(f64::from);
         let share = (value.log10() - from) / (to - from);
         self.stretch[0] + share * (self.stretch[1] - self.stretch[0])
     }
 
-    /// Lines across the picture between `sides` at powers of ten, with their labels; thin ones at 2 and 5 if there is room.
+    /// Draws lines across the picture between `sides` at powers of ten, with their labels; thin ones at 2 and 5 if there is room.
     pub(super) fn grid(&self, sides: [f64; 2], upright: bool) -> String {
         let [from, to] = self.ends;
         let every = (to - from - 1) / LABELS + 1;
@@ -61,7 +61,7 @@ impl Axis {
     }
 }
 
-/// The exponent of a positive `f64`, so a small number.
+/// Returns the exponent of a positive `f64` as an integer.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "exponents of f64 are small"
@@ -89,7 +89,7 @@ fn label(name: &str, at: f64, side: f64, upright: bool) -> String {
     }
 }
 
-/// A power of ten: 0.01, 0.1, 1, 10, 100 as they are, others as 10⁻⁵.
+/// Returns a power of ten in words: 0.01, 0.1, 1, 10, 100 as they are, others as 10⁻⁵.
 fn name(power: i32) -> String {
     if (-2..=2).contains(&power) {
         return format!("{}", 10f64.powi(power));

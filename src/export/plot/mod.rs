@@ -4,28 +4,30 @@
 //! reached what was asked.
 
 mod axis;
-mod ink;
+mod style;
 
-use axis::Axis;
-use ink::{Look, escaped, look, text};
+use super::xml::escape;
+use axis::LogAxis;
 use std::fmt::Write;
+use style::{curve_style, text};
 
-/// Size of the picture without its foot, and what is left free on the left, right, top and bottom \[px\].
+/// Size of the picture without its foot \[px\].
 const SIZE: [f64; 2] = [860.0, 480.0];
+/// Margins on the left, right, top and bottom \[px\].
 const MARGIN: [f64; 4] = [84.0, 280.0, 48.0, 64.0];
 /// Height of a line of the foot, and of a name beside the curves \[px\].
 const LINE: f64 = 18.0;
 /// Lines of the foot at most.
 const FOOT: usize = 60;
 
-/// What is drawn.
+/// A picture of curves over two logarithmic axes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Plot {
-    /// Above the picture.
+    /// Heading above the picture.
     pub heading: String,
-    /// What goes across.
+    /// Name of the axis across.
     pub across: String,
-    /// What goes up.
+    /// Name of the axis upwards.
     pub up: String,
     /// The curves.
     pub series: Vec<PlotSeries>,
@@ -33,12 +35,12 @@ pub struct Plot {
     pub foot: Vec<String>,
 }
 
-/// A curve: what one method did.
+/// A curve: the runs of one method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlotSeries {
     /// The method, with what else tells the curve from others; how it is drawn goes by how its name begins.
     pub name: String,
-    /// In the order in which they are joined.
+    /// Runs, in the order in which they are joined.
     pub points: Vec<PlotPoint>,
     /// Size of its markers against the usual.
     pub scale: f64,
@@ -51,9 +53,9 @@ pub struct PlotPoint {
     pub across: f64,
     /// Value up; drawn if positive.
     pub up: f64,
-    /// Whether it reached what was asked.
+    /// True if it reached what was asked.
     pub reached: bool,
-    /// What a pointer on it is told.
+    /// Text that a pointer on it is shown.
     pub tip: String,
 }
 
@@ -65,22 +67,22 @@ impl PlotPoint {
 }
 
 impl Plot {
-    /// The picture.
+    /// Draws the picture.
     pub fn svg(&self) -> String {
         let points = || {
             let all = self.series.iter().flat_map(|s| &s.points);
             all.filter(|p| p.can_be_drawn())
         };
         let [left, right, top, bottom] = MARGIN;
-        let across = Axis::over(points().map(|p| p.across), [left, SIZE[0] - right]);
-        let up = Axis::over(points().map(|p| p.up), [SIZE[1] - bottom, top]);
+        let across = LogAxis::over(points().map(|p| p.across), [left, SIZE[0] - right]);
+        let up = LogAxis::over(points().map(|p| p.up), [SIZE[1] - bottom, top]);
         let foot: Vec<&String> = self.foot.iter().take(FOOT).collect();
         let height = SIZE[1] + LINE * foot.len() as f64;
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {} {height}\" font-family=\"sans-serif\">\n<title>{}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n",
             SIZE[0],
-            escaped(&self.heading),
-            ink::SHEET
+            escape(&self.heading),
+            style::SHEET
         );
         out += &text(&self.heading, [left, 0.55 * top], 16.0, "start");
         out += &across.grid([SIZE[1] - bottom, top], false);
@@ -125,12 +127,12 @@ impl Plot {
     }
 }
 
-fn place(point: &PlotPoint, [across, up]: [&Axis; 2]) -> [f64; 2] {
+fn place(point: &PlotPoint, [across, up]: [&LogAxis; 2]) -> [f64; 2] {
     [across.place(point.across), up.place(point.up)]
 }
 
-fn curve(series: &PlotSeries, axes: [&Axis; 2]) -> String {
-    let look = look(&series.name);
+fn curve(series: &PlotSeries, axes: [&LogAxis; 2]) -> String {
+    let style = curve_style(&series.name);
     let drawn = || series.points.iter().filter(|p| p.can_be_drawn());
     let way: Vec<String> = drawn()
         .map(|p| place(p, axes))
@@ -139,15 +141,15 @@ fn curve(series: &PlotSeries, axes: [&Axis; 2]) -> String {
     let mut out = format!(
         "<polyline points=\"{}\" fill=\"none\" {}/>\n",
         way.join(" "),
-        look.stroke(1.8 * series.scale)
+        style.stroke(1.8 * series.scale)
     );
-    out.extend(drawn().map(|p| look.marker(place(p, axes), p.reached, (series.scale, &p.tip))));
+    out.extend(drawn().map(|p| style.marker(place(p, axes), p.reached, (series.scale, &p.tip))));
     out
 }
 
-/// The name of each curve right of the picture, as near the height of its end as the others leave room, with a thin line from
+/// Draws the name of each curve right of the picture, as near the height of its end as the others leave room, with a thin line from
 /// there.
-fn names(series: &[PlotSeries], axes: [&Axis; 2]) -> String {
+fn names(series: &[PlotSeries], axes: [&LogAxis; 2]) -> String {
     let end = |s: &PlotSeries| {
         let drawn = s.points.iter().filter(|p| p.can_be_drawn());
         let ends = drawn.map(|p| place(p, axes));
@@ -161,7 +163,7 @@ fn names(series: &[PlotSeries], axes: [&Axis; 2]) -> String {
     let heights = apart(&wanted, LINE, [least, most]);
     let x = SIZE[0] - MARGIN[1] + 20.0;
     let one = |((series, end), y): (&(&PlotSeries, [f64; 2]), &f64)| {
-        let look: Look = look(&series.name);
+        let style = curve_style(&series.name);
         let leader = format!(
             "<path d=\"M{:.1} {:.1}L{:.1} {y:.1}H{x}\" fill=\"none\" stroke=\"#8a8f8c\" stroke-width=\"0.7\"/>\n",
             end[0] + 7.0,
@@ -171,15 +173,15 @@ fn names(series: &[PlotSeries], axes: [&Axis; 2]) -> String {
         let sample = format!(
             "<line x1=\"{x}\" y1=\"{y:.1}\" x2=\"{}\" y2=\"{y:.1}\" {}/>\n",
             x + 40.0,
-            look.stroke(1.8 * series.scale)
+            style.stroke(1.8 * series.scale)
         );
-        let marker = look.marker([x + 20.0, *y], true, (series.scale, &series.name));
+        let marker = style.marker([x + 20.0, *y], true, (series.scale, &series.name));
         leader + &sample + &marker + &text(&series.name, [x + 48.0, y + 4.0], 12.0, "start")
     };
     ends.iter().zip(&heights).map(one).collect()
 }
 
-/// The ascending `wanted` moved apart by at least `gap`, within `bounds` as far as there is room.
+/// Moves the ascending `wanted` apart by at least `gap`, within `bounds` as far as there is room.
 fn apart(wanted: &[f64], gap: f64, [least, most]: [f64; 2]) -> Vec<f64> {
     let mut places: Vec<f64> = Vec::new();
     for &want in wanted {

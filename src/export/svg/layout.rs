@@ -1,4 +1,4 @@
-//! Where each panel lies on the sheet: side by side in rows, none over another, true to each other in size.
+//! The places of panels on the sheet: side by side in rows, none over another, true to each other in size.
 
 use crate::pattern::point::Point2;
 use crate::pattern::polyline::bounds;
@@ -10,15 +10,15 @@ const SHAPE: f64 = 1.6;
 /// Size of a figure over the width of the sheet: such that it can be read where the sheet fills a screen.
 const FIGURE: f64 = 1.0 / 115.0;
 
-/// What is drawn of a panel, in millimetres, y down, its box's upper left corner at the origin.
-pub(super) struct Sketch {
+/// A panel's coordinates on the sheet: in millimeters, y down, the upper left corner of its box at the origin.
+pub(super) struct PanelSketch {
     scale: f64,
     low: Point2,
     high: Point2,
 }
 
-impl Sketch {
-    /// The sketch of everything that a panel has.
+impl PanelSketch {
+    /// Returns the sketch that everything that a panel has fits into.
     pub(super) fn of(panel: &Panel) -> Self {
         let edges = panel.edges.iter().flat_map(|edge: &Edge| &edge.points);
         let inner = panel.internal_lines.iter().flatten();
@@ -36,7 +36,7 @@ impl Sketch {
         }
     }
 
-    /// A point of the pattern on the sketch.
+    /// Returns a point of the pattern on the sketch.
     pub(super) fn point(&self, p: Point2) -> Point2 {
         [
             self.scale * (p[0] - self.low[0]),
@@ -44,26 +44,26 @@ impl Sketch {
         ]
     }
 
-    /// Points of the pattern on the sketch.
+    /// Returns points of the pattern on the sketch.
     pub(super) fn points(&self, points: &[Point2]) -> Vec<Point2> {
         points.iter().map(|p| self.point(*p)).collect()
     }
 
-    /// Width and height.
+    /// Returns width and height.
     pub(super) fn size(&self) -> Point2 {
         [0, 1].map(|k| self.scale * (self.high[k] - self.low[k]))
     }
 }
 
 /// A sheet with a place for each box.
-pub(super) struct Sheet {
+pub(super) struct SheetLayout {
     /// Width and height.
     pub(super) size: Point2,
     /// The upper left corner of each box.
     pub(super) places: Vec<Point2>,
 }
 
-/// The size of figures on a sheet of boxes of these sizes.
+/// Returns the size of figures on a sheet of boxes of these sizes.
 pub(super) fn figure(boxes: &[Point2]) -> f64 {
     let area: f64 = boxes.iter().map(|[w, h]| w * h).sum();
     let widest = boxes.iter().map(|b| b[0]).fold(0.0, f64::max);
@@ -73,24 +73,24 @@ pub(super) fn figure(boxes: &[Point2]) -> f64 {
 }
 
 /// Lays boxes in rows, the highest first, with `gap` between and around them.
-pub(super) fn sheet(boxes: &[Point2], gap: f64) -> Sheet {
+pub(super) fn sheet(boxes: &[Point2], gap: f64) -> SheetLayout {
     let mut order: Vec<usize> = (0..boxes.len()).collect();
     order.sort_by(|a, b| boxes[*b][1].total_cmp(&boxes[*a][1]).then(a.cmp(b)));
     let widest = boxes.iter().map(|b| b[0] + 2.0 * gap).fold(0.0, f64::max);
     let long: f64 = boxes.iter().map(|b| b[0] + gap).sum::<f64>() + gap;
     // Of some widths between that of one column and that of one row, the one that gives the wanted shape best.
     let tries = (0..=60).map(|i| widest + (long - widest) * f64::from(i) / 60.0);
-    let off = |sheet: &Sheet| (sheet.size[0] / sheet.size[1] / SHAPE).ln().abs();
+    let off = |sheet: &SheetLayout| (sheet.size[0] / sheet.size[1] / SHAPE).ln().abs();
     tries
         .map(|width| rows(boxes, &order, gap, width + 1e-6))
         .min_by(|a, b| off(a).total_cmp(&off(b)))
-        .unwrap_or(Sheet {
+        .unwrap_or(SheetLayout {
             size: [2.0 * gap; 2],
             places: Vec::new(),
         })
 }
 
-fn rows(boxes: &[Point2], order: &[usize], gap: f64, width: f64) -> Sheet {
+fn rows(boxes: &[Point2], order: &[usize], gap: f64, width: f64) -> SheetLayout {
     let mut places = vec![[0.0; 2]; boxes.len()];
     let (mut at, mut height, mut right) = ([gap, gap], 0.0_f64, 0.0_f64);
     for &i in order {
@@ -104,7 +104,7 @@ fn rows(boxes: &[Point2], order: &[usize], gap: f64, width: f64) -> Sheet {
         right = right.max(at[0]);
         height = height.max(h);
     }
-    Sheet {
+    SheetLayout {
         size: [right.max(2.0 * gap), at[1] + height + gap],
         places,
     }

@@ -1,15 +1,15 @@
 //! Notches, drill holes, grain and fold.
 
-use super::ink::{FOLD_LINE, GRAIN_LINE, MARK};
-use super::inside::{axis, reach};
-use super::write::{number, path};
+use super::interior::{axis, reach};
+use super::markup::{number, path};
+use super::style::{FOLD_LINE, GRAIN_LINE, MARK};
 use crate::pattern::point::Point2;
 use crate::pattern::{Notch, NotchKind};
 
 /// An outline may be off its mirror image by this \[mm\]: a half is unfolded about a line to which its ends were 0.2 near.
 const SYMMETRIC: f64 = 0.5;
 
-/// A notch at a place of an outline, cut inwards.
+/// Draws a notch at a place of an outline, cut inwards.
 pub(super) fn notch(notch: &Notch, at: Point2, inwards: Point2, figure: f64) -> String {
     let deep = notch
         .depth_m
@@ -39,7 +39,7 @@ pub(super) fn notch(notch: &Notch, at: Point2, inwards: Point2, figure: f64) -> 
     MARK.path(&data, figure)
 }
 
-/// A hole drilled through the cloth: a ring with a cross.
+/// Draws a hole drilled through the cloth: a ring with a cross.
 pub(super) fn drill(at: Point2, figure: f64) -> String {
     let r = 0.3 * figure;
     let [x, y] = at.map(number);
@@ -60,17 +60,17 @@ pub(super) fn drill(at: Point2, figure: f64) -> String {
     circle + &MARK.path(&cross.concat(), figure)
 }
 
-/// The line about which a panel was unfolded; of two possible ones that along the grain.
+/// Returns the line about which a panel was unfolded; of two possible ones that along the grain.
 pub(super) fn fold(ring: &[Point2], grain: Point2) -> Option<[Point2; 2]> {
     axis(ring, grain, SYMMETRIC)
 }
 
-/// The fold as drawn.
+/// Draws the fold.
 pub(super) fn fold_line(fold: [Point2; 2], figure: f64) -> String {
     FOLD_LINE.line(&fold, false, figure)
 }
 
-/// The direction of the warp as an arrow with two heads about a place inside.
+/// Draws the direction of the warp as an arrow with two heads about a place inside.
 pub(super) fn grain(rings: &[&[Point2]], about: Point2, way: Point2, figure: f64) -> String {
     let [forth, back] = reach(rings, about, way);
     let half = (0.8 * forth.min(back)).min(12.0 * figure);

@@ -1,31 +1,34 @@
 //! A pattern as a drawing: its panels in true proportion on a sheet, with the names and numbers by which seams say what
 //! is sewn to what. The same pattern gives the same bytes.
 
-mod ink;
-mod inside;
+mod interior;
 mod layout;
 mod marks;
+mod markup;
 mod numbers;
 mod panel;
-mod write;
+mod style;
 
+use super::xml::escape;
 use crate::pattern::point::Point2;
 use crate::pattern::{Panel, Pattern};
-use ink::{CUT_LINE, DARK, EDGE, FOLD_LINE, GRAIN_LINE, INNER_LINE, SHEET, SOFT, Stroke, Text};
-use layout::Sketch;
-use panel::Drawn;
-use write::{escaped, number, shortened};
+use layout::PanelSketch;
+use markup::{number, shortened};
+use panel::PanelDrawing;
+use style::{
+    CUT_LINE, DARK, EDGE, FOLD_LINE, GRAIN_LINE, INNER_LINE, SHEET, SOFT, StrokeStyle, SvgText,
+};
 
-/// Draws a pattern as SVG 1.1 with a view box in millimetres.
+/// Draws a pattern as SVG 1.1 with a view box in millimeters.
 ///
 /// Drawn are outlines with corner and edge numbers, holes, names, grain, notches, drill holes, internal lines with
-/// their numbers, the fold of unfolded panels (dash and dot) and cut lines (dashed). The sheet has a colour of its own,
+/// their numbers, the fold of unfolded panels (dash and dot) and cut lines (dashed). The sheet has a color of its own,
 /// so that it can be read on a light page and on a dark one. Names are escaped; nothing in it runs or loads anything.
 pub fn drawing_svg(pattern: &Pattern) -> String {
-    let sketches: Vec<Sketch> = pattern.panels.iter().map(Sketch::of).collect();
-    let sizes: Vec<Point2> = sketches.iter().map(Sketch::size).collect();
+    let sketches: Vec<PanelSketch> = pattern.panels.iter().map(PanelSketch::of).collect();
+    let sizes: Vec<Point2> = sketches.iter().map(PanelSketch::size).collect();
     let figure = layout::figure(&sizes);
-    let drawn: Vec<Drawn> = pattern
+    let drawn: Vec<PanelDrawing> = pattern
         .panels
         .iter()
         .zip(&sketches)
@@ -42,7 +45,7 @@ pub fn drawing_svg(pattern: &Pattern) -> String {
     let mut svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" role=\"img\" font-family=\"system-ui, 'Segoe UI', 'Noto Sans', sans-serif\">\n\
          <title>{}</title>\n<rect width=\"{w}\" height=\"{h}\" fill=\"{SHEET}\"/>\n",
-        escaped(&pattern.name)
+        escape(&pattern.name)
     );
     svg += &heading(pattern, figure);
     for (drawn, [x, y]) in drawn.iter().zip(&sheet.places) {
@@ -60,7 +63,7 @@ pub fn drawing_svg(pattern: &Pattern) -> String {
     svg
 }
 
-/// Name and number of panels, at the top.
+/// Draws the name and the number of panels, at the top.
 fn heading(pattern: &Pattern, figure: f64) -> String {
     let count = pattern.panels.len();
     let panels = if count == 1 { "panel" } else { "panels" };
@@ -69,15 +72,15 @@ fn heading(pattern: &Pattern, figure: f64) -> String {
         format!(", size {}", shortened(size, 20))
     });
     let text = |text: &str, y: f64, size: f64, is_name: bool| {
-        let text = Text {
+        let text = SvgText {
             text,
             at: [3.0 * figure, y],
             size,
-            colour: if is_name { DARK } else { SOFT },
+            color: if is_name { DARK } else { SOFT },
             bold: is_name,
             rim: SHEET,
         };
-        text.drawn("start")
+        text.draw("start")
     };
     let name = shortened(&pattern.name, 40);
     text(&name, 2.6 * figure, 1.8 * figure, true)
@@ -89,46 +92,47 @@ fn heading(pattern: &Pattern, figure: f64) -> String {
         )
 }
 
-/// What the numbers and the lines that are on the sheet mean.
+/// Draws the legend: the meaning of the numbers and lines that are on the sheet.
 fn legend(pattern: &Pattern, figure: f64) -> String {
     let any = |has: fn(&Panel) -> bool| pattern.panels.iter().any(has);
     let mut out = String::new();
     let mut x = 0.0;
-    let mut text = |sample: Option<(&str, &'static str)>, line: Option<&Stroke>, meaning: &str| {
-        let mut put = |text: &str, colour: &'static str, bold: bool| {
-            let drawn = Text {
-                text,
-                at: [x, 0.0],
-                size: 0.9 * figure,
-                colour,
-                bold,
-                rim: SHEET,
+    let mut text =
+        |sample: Option<(&str, &'static str)>, line: Option<&StrokeStyle>, meaning: &str| {
+            let mut put = |text: &str, color: &'static str, bold: bool| {
+                let drawn = SvgText {
+                    text,
+                    at: [x, 0.0],
+                    size: 0.9 * figure,
+                    color,
+                    bold,
+                    rim: SHEET,
+                };
+                out += &drawn.draw("start");
             };
-            out += &drawn.drawn("start");
-        };
-        if let Some((sample, colour)) = sample {
-            put(sample, colour, colour == EDGE);
-            x += 0.9 * figure * ink::width(sample) + 0.4 * figure;
-        }
-        if let Some(line) = line {
-            let end = x + 3.0 * figure;
-            out += &line.line(&[[x, 0.0], [end, 0.0]], false, figure);
-            x = end + 0.5 * figure;
-        }
-        let mut put = |text: &str| {
-            let drawn = Text {
-                text,
-                at: [x, 0.0],
-                size: 0.9 * figure,
-                colour: SOFT,
-                bold: false,
-                rim: SHEET,
+            if let Some((sample, color)) = sample {
+                put(sample, color, color == EDGE);
+                x += 0.9 * figure * style::width(sample) + 0.4 * figure;
+            }
+            if let Some(line) = line {
+                let end = x + 3.0 * figure;
+                out += &line.line(&[[x, 0.0], [end, 0.0]], false, figure);
+                x = end + 0.5 * figure;
+            }
+            let mut put = |text: &str| {
+                let drawn = SvgText {
+                    text,
+                    at: [x, 0.0],
+                    size: 0.9 * figure,
+                    color: SOFT,
+                    bold: false,
+                    rim: SHEET,
+                };
+                out += &drawn.draw("start");
             };
-            out += &drawn.drawn("start");
+            put(meaning);
+            x += 0.9 * figure * style::width(meaning) + 1.6 * figure;
         };
-        put(meaning);
-        x += 0.9 * figure * ink::width(meaning) + 1.6 * figure;
-    };
     text(Some(("0", DARK)), None, "corner");
     text(Some(("0", EDGE)), None, "edge");
     if any(|panel| panel.grain.is_some()) {

@@ -1,53 +1,53 @@
 //! The numbers of corners and edges, by which seams name them.
 
-use super::ink::{CLOTH, DARK, EDGE, SHEET, Text};
-use super::write::number;
+use super::markup::number;
+use super::style::{CLOTH, DARK, EDGE, SHEET, SvgText};
 use crate::pattern::Edge;
 use crate::pattern::point::{Point2, distance, sub};
 use crate::pattern::polyline::length;
 
-/// How numbers are put on a panel.
-pub(super) struct Numbers {
+/// The style in which numbers are put on a panel.
+pub(super) struct NumberStyle {
     /// Size of figures where there is room \[mm\].
     pub(super) figure: f64,
-    /// Whether they stand outside: the panel is too narrow for them.
+    /// True if they stand outside: the panel is too narrow for them.
     pub(super) outside: bool,
     /// +1 or -1: inwards is this times the left of the way round.
     pub(super) sense: f64,
 }
 
-impl Numbers {
-    /// A unit vector inwards from a way.
+impl NumberStyle {
+    /// Returns a unit vector inwards from a way.
     pub(super) fn inwards(&self, way: Point2) -> Point2 {
         let long = way[0].hypot(way[1]).max(f64::MIN_POSITIVE);
         [-self.sense * way[1] / long, self.sense * way[0] / long]
     }
 
-    /// The size of a number beside an edge of a length: it stands there with two others.
+    /// Returns the size of a number beside an edge of a length: it stands there with two others.
     fn size(&self, index: usize, room: f64) -> f64 {
-        (room / (3.2 + 1.8 * more(index))).clamp(0.45 * self.figure, self.figure)
+        (room / (3.2 + 1.8 * extra_digits(index))).clamp(0.45 * self.figure, self.figure)
     }
 
-    fn text(&self, index: usize, at: Point2, size: f64, colour: &'static str) -> String {
-        Text {
+    fn text(&self, index: usize, at: Point2, size: f64, color: &'static str) -> String {
+        SvgText {
             text: &index.to_string(),
             at,
             size,
-            colour,
-            bold: colour == EDGE,
+            color,
+            bold: color == EDGE,
             rim: if self.outside { SHEET } else { CLOTH },
         }
-        .drawn("middle")
+        .draw("middle")
     }
 
-    /// A place off `at` where a number of a size does not touch the line.
+    /// Returns a place off `at` where a number of a size does not touch the line.
     fn beside(&self, at: Point2, inwards: Point2, (index, size): (usize, f64), way: f64) -> Point2 {
-        let way = size * (way + 0.3 * more(index) * inwards[0].abs());
+        let way = size * (way + 0.3 * extra_digits(index) * inwards[0].abs());
         let way = if self.outside { -way } else { way };
         [0, 1].map(|k| at[k] + way * inwards[k])
     }
 
-    /// The numbers of the edges `lines`, whose indices are those of `edges`.
+    /// Draws the numbers of the edges `lines`, whose indices are those of `edges`.
     pub(super) fn of_edges(&self, edges: &[Edge], lines: &[Vec<Point2>]) -> String {
         let edge = |(edge, line): (&Edge, &Vec<Point2>)| {
             let (at, way) = along(line, 0.5);
@@ -58,7 +58,7 @@ impl Numbers {
         edges.iter().zip(lines).map(edge).collect()
     }
 
-    /// Dots at the corners, where each edge begins, with their numbers.
+    /// Draws dots at the corners, where each edge begins, with their numbers.
     pub(super) fn of_corners(&self, lines: &[Vec<Point2>]) -> String {
         let count = lines.len();
         let corner = |i: usize| {
@@ -84,8 +84,8 @@ impl Numbers {
     }
 }
 
-/// How many digits a number has more than one.
-fn more(index: usize) -> f64 {
+/// Returns the number of digits beyond the first.
+fn extra_digits(index: usize) -> f64 {
     match index {
         0..10 => 0.0,
         10..100 => 1.0,
@@ -93,7 +93,7 @@ fn more(index: usize) -> f64 {
     }
 }
 
-/// The point at a fraction of a polyline's length, and the way it goes there.
+/// Returns the point at a fraction of a polyline's length, and the way it goes there.
 pub(super) fn along(line: &[Point2], at: f64) -> (Point2, Point2) {
     let mut left = at * length(line);
     let count = line.len() - 1;

@@ -1,32 +1,35 @@
-//! One panel as drawn.
+//! The drawing of one panel.
 
-use super::ink::{CLOTH, CUT_LINE, DARK, INNER, INNER_LINE, OUTLINE, SHEET, SOFT, Text, width};
-use super::inside::{coarse, roomiest};
-use super::layout::Sketch;
+use super::interior::{coarse, reach, roomiest};
+use super::layout::PanelSketch;
 use super::marks;
-use super::numbers::{Numbers, along};
-use super::write::{escaped, path, shortened};
+use super::markup::{path, shortened};
+use super::numbers::{NumberStyle, along};
+use super::style::{
+    CLOTH, CUT_LINE, DARK, INNER, INNER_LINE, OUTLINE, SHEET, SOFT, SvgText, width,
+};
+use crate::export::xml::escape;
 use crate::pattern::point::Point2;
 use crate::pattern::polyline::{contains, signed_area};
 use crate::pattern::{Edge, Panel};
 
-/// Characters of a name that are drawn; the title has all.
+/// The most characters of a name that are drawn; the title has all.
 const NAME: usize = 40;
 
 /// A panel drawn, its box's upper left corner at the origin.
-pub(super) struct Drawn {
-    /// Elements.
+pub(super) struct PanelDrawing {
+    /// Its elements.
     pub(super) content: String,
     /// Width and height of its box \[mm\].
     pub(super) size: Point2,
 }
 
 /// Draws a panel with figures of a size \[mm\].
-pub(super) fn draw(panel: &Panel, sketch: &Sketch, figure: f64) -> Drawn {
+pub(super) fn draw(panel: &Panel, sketch: &PanelSketch, figure: f64) -> PanelDrawing {
     let lines = on_sketch(&panel.edges, sketch);
     if lines.is_empty() {
         let (content, size) = (String::new(), sketch.size());
-        return Drawn { content, size };
+        return PanelDrawing { content, size };
     }
     let ring = ring(&lines);
     let hole_lines: Vec<Vec<Vec<Point2>>> = panel
@@ -38,13 +41,13 @@ pub(super) fn draw(panel: &Panel, sketch: &Sketch, figure: f64) -> Drawn {
     let coarse_holes: Vec<Vec<Point2>> = holes.iter().map(|hole| coarse(hole)).collect();
     let middle = roomiest(&coarse(&ring), &coarse_holes);
     let (middle, room) = middle.unwrap_or((ring[0], 0.0));
-    let numbers = Numbers {
+    let numbers = NumberStyle {
         figure,
         outside: room < 1.9 * figure,
         sense: signed_area(&ring).signum(),
     };
-    let label = Label::of(panel, &ring, (middle, room), figure);
-    let mut content = format!("<title>{}</title>\n", escaped(&panel.name));
+    let label = PanelLabel::of(panel, &ring, (middle, room), figure);
+    let mut content = format!("<title>{}</title>\n", escape(&panel.name));
     if !panel.cut_line.is_empty() {
         content += &CUT_LINE.line(&sketch.points(&panel.cut_line), true, figure);
     }
@@ -69,7 +72,7 @@ pub(super) fn draw(panel: &Panel, sketch: &Sketch, figure: f64) -> Drawn {
     content += &numbers.of_edges(&panel.edges, &lines);
     content += &numbers.of_corners(&lines);
     for (hole, lines) in panel.holes.iter().zip(&hole_lines) {
-        let numbers = Numbers {
+        let numbers = NumberStyle {
             figure: 0.7 * figure,
             outside: false,
             sense: -signed_area(&self::ring(lines)).signum(),
@@ -77,12 +80,12 @@ pub(super) fn draw(panel: &Panel, sketch: &Sketch, figure: f64) -> Drawn {
         content += &numbers.of_edges(&hole.edges, lines);
         content += &numbers.of_corners(lines);
     }
-    let (text, size) = label.drawn(sketch.size(), numbers.outside);
+    let (text, size) = label.draw(sketch.size(), numbers.outside);
     content += &text;
-    Drawn { content, size }
+    PanelDrawing { content, size }
 }
 
-fn on_sketch(edges: &[Edge], sketch: &Sketch) -> Vec<Vec<Point2>> {
+fn on_sketch(edges: &[Edge], sketch: &PanelSketch) -> Vec<Vec<Point2>> {
     let drawn = edges.iter().filter(|edge| edge.points.len() > 1);
     drawn.map(|edge| sketch.points(&edge.points)).collect()
 }
@@ -92,7 +95,7 @@ fn ring(lines: &[Vec<Point2>]) -> Vec<Point2> {
     parts.flatten().copied().collect()
 }
 
-/// Outline and holes as one area.
+/// Draws outline and holes as one area.
 fn cloth(ring: &[Point2], holes: &[Vec<Point2>], figure: f64) -> String {
     let holes: String = holes.iter().map(|hole| path(hole, true)).collect();
     format!(
@@ -102,29 +105,29 @@ fn cloth(ring: &[Point2], holes: &[Vec<Point2>], figure: f64) -> String {
     )
 }
 
-/// Lines drawn on the cloth, each with its number.
-fn inner_lines(panel: &Panel, sketch: &Sketch, figure: f64) -> String {
+/// Draws the lines on the cloth, each with its number.
+fn inner_lines(panel: &Panel, sketch: &PanelSketch, figure: f64) -> String {
     let lines = panel.internal_lines.iter().enumerate();
     let line = |(i, line): (usize, &Vec<Point2>)| {
         let points = sketch.points(line);
         if points.len() < 2 {
             return String::new();
         }
-        let text = Text {
+        let text = SvgText {
             text: &i.to_string(),
             at: along(&points, 0.5).0,
             size: 0.6 * figure,
-            colour: INNER,
+            color: INNER,
             bold: false,
             rim: CLOTH,
         };
-        INNER_LINE.line(&points, false, figure) + &text.drawn("middle")
+        INNER_LINE.line(&points, false, figure) + &text.draw("middle")
     };
     lines.map(line).collect()
 }
 
-/// Fold and grain.
-fn directions(panel: &Panel, rings: &[&[Point2]], label: &Label, figure: f64) -> String {
+/// Draws fold and grain.
+fn directions(panel: &Panel, rings: &[&[Point2]], label: &PanelLabel, figure: f64) -> String {
     let (sin, cos) = panel
         .grain
         .map_or(90.0, |grain| grain.angle_deg)
@@ -155,8 +158,8 @@ fn directions(panel: &Panel, rings: &[&[Point2]], label: &Label, figure: f64) ->
     content
 }
 
-/// What a panel is called and how many there are.
-struct Label {
+/// The name of a panel, and the number of pieces that are cut.
+struct PanelLabel {
     name: String,
     note: String,
     at: Point2,
@@ -165,19 +168,19 @@ struct Label {
     figure: f64,
 }
 
-impl Label {
+impl PanelLabel {
     fn of(panel: &Panel, ring: &[Point2], (at, room): (Point2, f64), figure: f64) -> Self {
         let name = shortened(&panel.name, NAME);
         let note = note(panel);
         let ring = coarse(ring);
         // Both lines of the label must keep off the outline.
-        let reach = [-0.8, 0.0, 1.6].map(|y| {
+        let widths = [-0.8, 0.0, 1.6].map(|y| {
             let row = [at[0], at[1] + y * figure];
-            let [right, left] = super::inside::reach(&[&ring], row, [1.0, 0.0]);
+            let [right, left] = reach(&[&ring], row, [1.0, 0.0]);
             right.min(left)
         });
         // Numbers of edges stand between.
-        let half = reach.into_iter().fold(f64::INFINITY, f64::min) - 1.6 * figure;
+        let half = widths.into_iter().fold(f64::INFINITY, f64::min) - 1.6 * figure;
         let wanted = 1.4 * figure;
         let size = wanted.min(2.0 * half / width(&name));
         let note_fits = width(&note) * 0.8 * figure <= 2.0 * half;
@@ -191,21 +194,21 @@ impl Label {
         }
     }
 
-    /// The texts, and the size of the panel's box with them.
-    fn drawn(&self, size: Point2, numbers_outside: bool) -> (String, Point2) {
+    /// Draws the texts, and returns the size of the panel's box with them.
+    fn draw(&self, size: Point2, numbers_outside: bool) -> (String, Point2) {
         let figure = self.figure;
         let line = |text: &str, at: Point2, size: f64, is_name: bool, rim: &'static str| {
-            let colour = if is_name { DARK } else { SOFT };
+            let color = if is_name { DARK } else { SOFT };
             let bold = is_name;
-            let text = Text {
+            let text = SvgText {
                 text,
                 at,
                 size,
-                colour,
+                color,
                 bold,
                 rim,
             };
-            text.drawn("middle")
+            text.draw("middle")
         };
         if let Some(height) = self.fits {
             let below = [self.at[0], self.at[1] + 1.5 * figure];
@@ -229,7 +232,7 @@ impl Label {
     }
 }
 
-/// The id by which seams name the panel, where it is not its name, and how many are cut.
+/// Returns the id by which seams name the panel, where it is not its name, and the number of pieces that are cut.
 fn note(panel: &Panel) -> String {
     let mut parts = Vec::new();
     if panel.id != panel.name {

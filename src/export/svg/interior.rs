@@ -1,26 +1,25 @@
-//! Where in an outline there is room: for a name, for an arrow, and where its axis of symmetry is.
+//! The interior of an outline: its roomiest place, its reach to either side, its axis of symmetry.
 
 use crate::pattern::point::{Point2, cross, distance, dot, sub};
 use crate::pattern::polyline::{bounds, contains, nearest, segments};
 
-/// Points of an outline that are looked at; more would only take time.
-const LOOKED_AT: usize = 400;
+/// The most points of an outline that are looked at; more would only take time.
+const MOST_POINTS: usize = 400;
 
 /// Rows and columns of places that are tried.
 const GRID: u32 = 24;
 
-/// An outline of at most [`LOOKED_AT`] points.
+/// Thins an outline to at most [`MOST_POINTS`] points.
 pub(super) fn coarse(ring: &[Point2]) -> Vec<Point2> {
-    let step = ring.len().div_ceil(LOOKED_AT).max(1);
+    let step = ring.len().div_ceil(MOST_POINTS).max(1);
     ring.iter().step_by(step).copied().collect()
 }
 
-/// How much farther from the outline a place must be to be better than one that is nearer to the middle, as a share of
-/// the difference.
+/// Weight of the distance to the middle against that to the outline, for one place to be better than another.
 const TO_MIDDLE: f64 = 0.15;
 
-/// A place inside that is far from the outline and holes, and how far it is; of places alike, the one nearest to the
-/// middle. Nothing if no place tried is inside.
+/// Returns a place inside that is far from the outline and holes, with its distance; of places alike, the one nearest to
+/// the middle. Returns none if no place tried is inside.
 pub(super) fn roomiest(ring: &[Point2], holes: &[Vec<Point2>]) -> Option<(Point2, f64)> {
     let [low, high] = bounds(ring);
     let at =
@@ -41,7 +40,7 @@ pub(super) fn roomiest(ring: &[Point2], holes: &[Vec<Point2>]) -> Option<(Point2
         .max_by(|a, b| worth(a).total_cmp(&worth(b)))
 }
 
-/// How far one can go from `from` (inside) along `way` and against it until the outline or a hole.
+/// Returns the distances from `from` (inside) along `way` and against it to the outline or a hole.
 pub(super) fn reach(rings: &[&[Point2]], from: Point2, way: Point2) -> [f64; 2] {
     let mut reach = [f64::INFINITY; 2];
     for (a, b) in rings.iter().flat_map(|ring| segments(ring)) {
@@ -59,9 +58,9 @@ pub(super) fn reach(rings: &[&[Point2]], from: Point2, way: Point2) -> [f64; 2] 
     reach
 }
 
-/// The ends of the line about which an outline is its own mirror image; of two, the one nearer to `wanted` (a direction).
+/// Returns the ends of the line about which an outline is its own mirror image; of two, the one nearer to `wanted` (a direction).
 pub(super) fn axis(ring: &[Point2], wanted: Point2, within: f64) -> Option<[Point2; 2]> {
-    let (centre, turn) = principal(ring)?;
+    let (center, turn) = principal(ring)?;
     let unit = |angle: f64| [angle.cos(), angle.sin()];
     let quarter = std::f64::consts::FRAC_PI_4;
     // Where the two moments are alike every direction is principal: the usual ones are tried too.
@@ -76,16 +75,16 @@ pub(super) fn axis(ring: &[Point2], wanted: Point2, within: f64) -> Option<[Poin
     let images = |way: Point2| {
         let points = coarse(ring);
         points.into_iter().all(|p| {
-            let d = sub(p, centre);
+            let d = sub(p, center);
             let along = dot(d, way);
-            let image = [0, 1].map(|k| centre[k] + 2.0 * along * way[k] - d[k]);
+            let image = [0, 1].map(|k| center[k] + 2.0 * along * way[k] - d[k]);
             nearest(segments(ring), image).is_some_and(|found| found.distance <= within)
         })
     };
     let symmetric = angles.into_iter().map(unit).filter(|way| images(*way));
     let way = symmetric.max_by(|a, b| dot(*a, wanted).abs().total_cmp(&dot(*b, wanted).abs()))?;
     let at = segments(ring).filter_map(|(a, b)| {
-        let (d, e) = (sub(b, a), sub(a, centre));
+        let (d, e) = (sub(b, a), sub(a, center));
         let sine = cross(way, d);
         let on = cross(e, way) / sine;
         (sine != 0.0 && (0.0..=1.0).contains(&on)).then(|| cross(e, d) / sine)
@@ -93,11 +92,11 @@ pub(super) fn axis(ring: &[Point2], wanted: Point2, within: f64) -> Option<[Poin
     let [low, high] = at.fold([f64::INFINITY, f64::NEG_INFINITY], |b, s| {
         [b[0].min(s), b[1].max(s)]
     });
-    let place = |s: f64| [0, 1].map(|k| centre[k] + s * way[k]);
+    let place = |s: f64| [0, 1].map(|k| center[k] + s * way[k]);
     (low < high).then(|| [place(low), place(high)])
 }
 
-/// The centre of area of an outline and the angle of one of its principal axes \[radians\].
+/// Returns the center of area of an outline and the angle of one of its principal axes \[radians\].
 fn principal(ring: &[Point2]) -> Option<(Point2, f64)> {
     let origin = *ring.first()?;
     let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);

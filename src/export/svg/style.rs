@@ -1,53 +1,54 @@
-//! What lines and figures look like. Dark on a sheet of their own colour, so that they can be read on any page.
+//! The style of lines and figures. Dark on a sheet of their own color, so that they can be read on any page.
 
-use super::write::{escaped, number, path};
+use super::markup::{number, path};
+use crate::export::xml::escape;
 use crate::pattern::point::Point2;
 
-/// The sheet.
+/// Color of the sheet.
 pub(super) const SHEET: &str = "#f7f5ef";
-/// Cloth.
+/// Color of cloth.
 pub(super) const CLOTH: &str = "#ffffff";
-/// Outlines, corners, names.
+/// Color of outlines, corners and names.
 pub(super) const DARK: &str = "#24313a";
-/// What is said beside.
+/// Color of secondary text.
 pub(super) const SOFT: &str = "#66717a";
-/// Edge numbers.
+/// Color of edge numbers.
 pub(super) const EDGE: &str = "#0a7355";
-/// Cut lines.
+/// Color of cut lines.
 pub(super) const CUT: &str = "#b0471f";
-/// Fold lines.
+/// Color of fold lines.
 pub(super) const FOLD: &str = "#1f62b0";
-/// Lines drawn on the cloth, with their numbers.
+/// Color of lines drawn on the cloth, with their numbers.
 pub(super) const INNER: &str = "#8a5a9c";
 
-/// A line: its colour, its width and dashes in figures.
-pub(super) struct Stroke {
-    pub(super) colour: &'static str,
+/// The style of a line: its color, its width and dashes in figures.
+pub(super) struct StrokeStyle {
+    pub(super) color: &'static str,
     pub(super) width: f64,
     pub(super) dashes: &'static [f64],
 }
 
-pub(super) const OUTLINE: Stroke = stroke(DARK, 0.15, &[]);
-pub(super) const CUT_LINE: Stroke = stroke(CUT, 0.1, &[0.6, 0.4]);
-pub(super) const FOLD_LINE: Stroke = stroke(FOLD, 0.1, &[1.4, 0.4, 0.2, 0.4]);
-pub(super) const INNER_LINE: Stroke = stroke(INNER, 0.09, &[]);
-pub(super) const GRAIN_LINE: Stroke = stroke(SOFT, 0.1, &[]);
-pub(super) const MARK: Stroke = stroke(DARK, 0.12, &[]);
+pub(super) const OUTLINE: StrokeStyle = stroke(DARK, 0.15, &[]);
+pub(super) const CUT_LINE: StrokeStyle = stroke(CUT, 0.1, &[0.6, 0.4]);
+pub(super) const FOLD_LINE: StrokeStyle = stroke(FOLD, 0.1, &[1.4, 0.4, 0.2, 0.4]);
+pub(super) const INNER_LINE: StrokeStyle = stroke(INNER, 0.09, &[]);
+pub(super) const GRAIN_LINE: StrokeStyle = stroke(SOFT, 0.1, &[]);
+pub(super) const MARK: StrokeStyle = stroke(DARK, 0.12, &[]);
 
-const fn stroke(colour: &'static str, width: f64, dashes: &'static [f64]) -> Stroke {
-    Stroke {
-        colour,
+const fn stroke(color: &'static str, width: f64, dashes: &'static [f64]) -> StrokeStyle {
+    StrokeStyle {
+        color,
         width,
         dashes,
     }
 }
 
-impl Stroke {
-    /// The attributes of the line; `figure` is the size of figures \[mm\].
+impl StrokeStyle {
+    /// Returns the attributes of the line; `figure` is the size of figures \[mm\].
     pub(super) fn attributes(&self, figure: f64) -> String {
         let mut out = format!(
             " stroke=\"{}\" stroke-width=\"{}\"",
-            self.colour,
+            self.color,
             number(self.width * figure)
         );
         if !self.dashes.is_empty() {
@@ -57,32 +58,32 @@ impl Stroke {
         out
     }
 
-    /// The line along these points, not filled.
+    /// Draws the line along these points, not filled.
     pub(super) fn line(&self, points: &[Point2], closed: bool, figure: f64) -> String {
         self.path(&path(points, closed), figure)
     }
 
-    /// The line along this path, not filled.
+    /// Draws the line along this path, not filled.
     pub(super) fn path(&self, data: &str, figure: f64) -> String {
         let attributes = self.attributes(figure);
         format!("<path d=\"{data}\" fill=\"none\"{attributes}/>\n")
     }
 }
 
-/// A text centred at a place, with a rim that parts it from the lines below it.
-pub(super) struct Text<'a> {
+/// A text centered at a place, with a rim that parts it from the lines below it.
+pub(super) struct SvgText<'a> {
     pub(super) text: &'a str,
     pub(super) at: Point2,
     /// Its size \[mm\].
     pub(super) size: f64,
-    pub(super) colour: &'static str,
+    pub(super) color: &'static str,
     pub(super) bold: bool,
     pub(super) rim: &'static str,
 }
 
-impl Text<'_> {
-    /// The element.
-    pub(super) fn drawn(&self, anchor: &str) -> String {
+impl SvgText<'_> {
+    /// Draws the text.
+    pub(super) fn draw(&self, anchor: &str) -> String {
         // The middle of figures lies about a third of their size above their line.
         let [x, y] = [self.at[0], self.at[1] + 0.35 * self.size];
         let weight = if self.bold {
@@ -95,15 +96,15 @@ impl Text<'_> {
             number(x),
             number(y),
             number(self.size),
-            self.colour,
+            self.color,
             self.rim,
             number(0.3 * self.size),
-            escaped(self.text)
+            escape(self.text)
         )
     }
 }
 
-/// About how wide a text is, in its size.
+/// Estimates the width of a text, in its size.
 pub(super) fn width(text: &str) -> f64 {
     // Han and kana fill a square, capitals three quarters of one, small letters a bit more than half.
     let wide = |c: char| match c {
