@@ -1,5 +1,6 @@
 //! The shape of a garment: the JSON format, and what the other formats are written from.
 
+use crate::pattern::Point2;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
@@ -21,7 +22,8 @@ pub struct DrapedPanel {
     /// Positions \[m\], y up; `#V`.
     pub positions: Vec<[f64; 3]>,
     /// Pattern coordinates \[m\]; `#V`.
-    pub uv: Vec<[f64; 2]>,
+    #[schema(value_type = Vec<[f64; 2]>)]
+    pub uv: Vec<Point2>,
     /// Triangles, counter-clockwise seen from outside; `#T`.
     pub triangles: Vec<[u32; 3]>,
 }

@@ -81,6 +81,7 @@ fn unit(normal: &Vector3<f64>) -> Vector3<f64> {
 mod tests {
     use super::*;
     use crate::export::garment_mesh::DrapedPanel;
+    use crate::pattern::Point2;
     use std::f64::consts::FRAC_PI_2;
 
     #[test]
@@ -106,7 +107,7 @@ mod tests {
     /// Two squares of side 1 sewn along the y axis: one in the plane z = 0, the other turned up out of it by `turn`.
     fn sewn(turn: f64) -> GarmentMesh {
         let (sin, cos) = turn.sin_cos();
-        let panel = |far: [f64; 2], triangles: [[u32; 3]; 2]| DrapedPanel {
+        let panel = |far: Point2, triangles: [[u32; 3]; 2]| DrapedPanel {
             positions: vec![
                 [0.0, 0.0, 0.0],
                 [far[0], 0.0, far[1]],

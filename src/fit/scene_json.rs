@@ -3,6 +3,7 @@
 use super::resolve::ResolvedGarment;
 use super::run;
 use crate::fault::Faults;
+use crate::pattern::Point2;
 use crate::scene::{Body, Scene};
 use crate::solver::{self, Context};
 use nalgebra::Vector3;
@@ -25,7 +26,7 @@ struct SceneJson<'a> {
     /// Positions of the vertices at the start \[m\].
     vertices: Vec<[f64; 3]>,
     /// Pattern coordinates \[m\].
-    rest_positions: &'a [[f64; 2]],
+    rest_positions: &'a [Point2],
     triangles: &'a [[usize; 3]],
     /// Two vertices, rest length \[m\], stiffness \[N/m\].
     springs: Vec<(usize, usize, f64, f64)>,

@@ -83,6 +83,7 @@ pub(super) mod tests {
     use super::*;
     use crate::fit::garment::SeamsSpec;
     use crate::fit::panel_spec::panel_specs;
+    use crate::pattern::Point2;
     use serde_json::{Value, json};
 
     /// A square sleeve of 0.4 m with its face up.
@@ -91,7 +92,7 @@ pub(super) mod tests {
         let edges = (0..4).map(|i| {
             json!({"index": i, "from": i, "to": (i + 1) % 4, "length_m": 0.4, "points": [corners[i], corners[(i + 1) % 4]]})
         });
-        let corner = |(i, p): (usize, &[f64; 2])| json!({"index": i, "x": p[0], "y": p[1]});
+        let corner = |(i, p): (usize, &Point2)| json!({"index": i, "x": p[0], "y": p[1]});
         serde_json::from_value(json!({
             "name": "test",
             "source": {"format": "dxf", "units": "m", "scale_to_m": 1.0, "allowance": "unknown"},

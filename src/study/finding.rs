@@ -13,7 +13,7 @@ pub(super) enum StartShape {
     SewnWithoutWeight,
 }
 
-/// What was found out about the reference of the errors on one mesh.
+/// A finding about the reference that errors on one mesh are measured against.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum ReferenceFinding {
     /// No method came to rest in time.

@@ -1,12 +1,13 @@
 //! Work against precision as a picture (SVG): both axes logarithmic, a line a method, each with its name at its end.
 //!
-//! Methods are told apart by marker and dashes as well as by colour. A hollow marker is a run that was stopped before it
+//! Methods are told apart by marker and dashes as well as by color. A hollow marker is a run that was stopped before it
 //! reached what was asked.
 
 mod axis;
 mod style;
 
 use super::xml::escape;
+use crate::pattern::Point2;
 use axis::LogAxis;
 use std::fmt::Write;
 use style::{curve_style, text};
@@ -127,7 +128,7 @@ impl Plot {
     }
 }
 
-fn place(point: &PlotPoint, [across, up]: [&LogAxis; 2]) -> [f64; 2] {
+fn place(point: &PlotPoint, [across, up]: [&LogAxis; 2]) -> Point2 {
     [across.place(point.across), up.place(point.up)]
 }
 
@@ -155,14 +156,14 @@ fn names(series: &[PlotSeries], axes: [&LogAxis; 2]) -> String {
         let ends = drawn.map(|p| place(p, axes));
         ends.max_by(|p, q| p[0].total_cmp(&q[0]))
     };
-    let mut ends: Vec<(&PlotSeries, [f64; 2])> =
+    let mut ends: Vec<(&PlotSeries, Point2)> =
         series.iter().filter_map(|s| Some((s, end(s)?))).collect();
     ends.sort_by(|(_, p), (_, q)| p[1].total_cmp(&q[1]));
     let wanted: Vec<f64> = ends.iter().map(|(_, end)| end[1]).collect();
     let [least, most] = [MARGIN[2], SIZE[1] - MARGIN[3] + LINE];
     let heights = apart(&wanted, LINE, [least, most]);
     let x = SIZE[0] - MARGIN[1] + 20.0;
-    let one = |((series, end), y): (&(&PlotSeries, [f64; 2]), &f64)| {
+    let one = |((series, end), y): (&(&PlotSeries, Point2), &f64)| {
         let style = curve_style(&series.name);
         let leader = format!(
             "<path d=\"M{:.1} {:.1}L{:.1} {y:.1}H{x}\" fill=\"none\" stroke=\"#8a8f8c\" stroke-width=\"0.7\"/>\n",

@@ -1,6 +1,7 @@
 //! The style of the lines, markers and texts of a picture: dark on a sheet of their own color.
 
 use crate::export::xml::escape;
+use crate::pattern::Point2;
 
 /// The sheet.
 pub(super) const SHEET: &str = "#f7f5ef";
@@ -23,7 +24,7 @@ pub(super) struct CurveStyle {
 enum MarkerShape {
     Circle,
     /// A polygon of these corners, in half sizes from the middle.
-    Polygon(&'static [[f64; 2]]),
+    Polygon(&'static [Point2]),
 }
 
 const SQUARE: MarkerShape =
@@ -92,12 +93,7 @@ impl CurveStyle {
     }
 
     /// Draws a marker, filled or hollow, `scale` times as large as others, with the text that a pointer on it is shown.
-    pub(super) fn marker(
-        &self,
-        [x, y]: [f64; 2],
-        filled: bool,
-        (scale, tip): (f64, &str),
-    ) -> String {
+    pub(super) fn marker(&self, [x, y]: Point2, filled: bool, (scale, tip): (f64, &str)) -> String {
         let half = scale * HALF;
         let tip = format!("<title>{}</title>", escape(tip));
         let ink = format!(
@@ -110,8 +106,7 @@ impl CurveStyle {
                 "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{half:.1}\" {ink}>{tip}</circle>\n"
             ),
             MarkerShape::Polygon(corners) => {
-                let corner =
-                    |c: &[f64; 2]| format!("{:.1},{:.1}", x + half * c[0], y + half * c[1]);
+                let corner = |c: &Point2| format!("{:.1},{:.1}", x + half * c[0], y + half * c[1]);
                 let corners: Vec<String> = corners.iter().map(corner).collect();
                 format!(
                     "<polygon points=\"{}\" {ink}>{tip}</polygon>\n",
@@ -123,7 +118,7 @@ impl CurveStyle {
 }
 
 /// Draws a text.
-pub(super) fn text(text: &str, [x, y]: [f64; 2], size: f64, anchor: &str) -> String {
+pub(super) fn text(text: &str, [x, y]: Point2, size: f64, anchor: &str) -> String {
     format!(
         "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"{size}\" text-anchor=\"{anchor}\" fill=\"{DARK}\">{}</text>\n",
         escape(text)
