@@ -1,4 +1,4 @@
-//! Sparse Cholesky factors of symmetric positive definite matrices in f64: one symbolic factorisation, many numeric ones
+//! Sparse Cholesky factors of symmetric positive definite matrices in f64: one symbolic factorization, many numeric ones
 //! in the same memory.
 //!
 //! A crate of its own because faer is generic: used from a large crate, its kernels are compiled again with every change of
@@ -79,7 +79,7 @@ impl Cholesky {
     ///
     /// # Errors
     /// [`NotPositiveDefinite`] if a pivot is not positive; the factor is then of no use.
-    pub fn factorise(&mut self, values: &[f64]) -> Result<(), NotPositiveDefinite> {
+    pub fn factorize(&mut self, values: &[f64]) -> Result<(), NotPositiveDefinite> {
         let size = self.column_start.len() - 1;
         let pattern =
             SymbolicSparseColMatRef::new_checked(size, size, &self.column_start, None, &self.rows);

@@ -72,14 +72,14 @@ pub fn build(parts: Parts) -> Scene {
         fabrics,
         cut,
         net: None,
-        fibres: None,
+        fibers: None,
         least_bending_n_m: 0.0,
         body,
         friction,
         gravity: GRAVITY,
         drag: None,
         pins,
-        held_axis: None,
+        fixed_axis: None,
         wind: None,
     }
 }

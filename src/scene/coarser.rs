@@ -1,6 +1,6 @@
 //! The same scene on a coarser mesh: what a multilevel solver starts from.
 
-use super::{Fibre, Scene};
+use super::{FiberSpring, Scene};
 use crate::mesh::{self, ClothMesh, Coarser};
 use std::collections::BTreeMap;
 
@@ -17,14 +17,14 @@ pub struct CoarserScene {
 
 /// Least bending length of cloth on a coarser mesh, as a share of its mesh edges.
 const BENDING_LENGTH: f64 = 1.0;
-/// Directions of fibres are told apart to this much of a turn.
+/// Directions of fibers are told apart to this much of a turn.
 const TURN: f64 = 1e6;
 
 /// The scene on the next coarser mesh; `None` if there is none worth having.
 ///
-/// Mass goes to the corners of the triangle that it lies in. A net of springs becomes fibres: a spring that lies in a triangle
-/// which deforms as a whole has the same energy as a fibre along it, and all springs of one direction in a triangle are one
-/// fibre. So the coarser net is the finer one with its shapes restricted, not a model of its own.
+/// Mass goes to the corners of the triangle that it lies in. A net of springs becomes fibers: a spring that lies in a triangle
+/// which deforms as a whole has the same energy as a fiber along it, and all springs of one direction in a triangle are one
+/// fiber. So the coarser net is the finer one with its shapes restricted, not a model of its own.
 pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
     let Coarser {
         mesh,
@@ -47,14 +47,14 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
         fabrics: scene.fabrics.clone(),
         cut: scene.cut.clone(),
         net: None,
-        fibres: fibres(scene, &mesh, &weights),
+        fibers: fibers(scene, &mesh, &weights),
         least_bending_n_m: least_bending(scene, &mesh),
         body: scene.body.clone(),
         friction: scene.friction,
         gravity: scene.gravity,
         drag: scene.drag,
         pins: scene.pins.iter().map(|&v| number[v]).collect(),
-        held_axis: scene.held_axis,
+        fixed_axis: scene.fixed_axis,
         wind: scene.wind,
         mesh,
     };
@@ -72,33 +72,37 @@ fn least_bending(scene: &Scene, mesh: &ClothMesh) -> f64 {
     weight * (BENDING_LENGTH * mesh.mean_edge()).powi(3)
 }
 
-/// The springs or fibres of `scene` as fibres of the triangles of `mesh`.
-fn fibres(scene: &Scene, mesh: &ClothMesh, weights: &[[(usize, f64); 3]]) -> Option<Vec<Fibre>> {
-    let springs = scene.net.iter().flatten().map(|s| Fibre {
+/// The springs or fibers of `scene` as fibers of the triangles of `mesh`.
+fn fibers(
+    scene: &Scene,
+    mesh: &ClothMesh,
+    weights: &[[(usize, f64); 3]],
+) -> Option<Vec<FiberSpring>> {
+    let springs = scene.net.iter().flatten().map(|s| FiberSpring {
         corners: [s.a, s.b, s.a],
         weights: [-1.0, 1.0, 0.0],
         rest_length_m: s.rest_length_m,
         stiffness_n_m: s.stiffness_n_m,
     });
-    let fibres = scene.fibres.iter().flatten().copied().chain(springs);
+    let fibers = scene.fibers.iter().flatten().copied().chain(springs);
     let triangles = Triangles::new(mesh);
-    let mut merged: BTreeMap<(usize, [i64; 3]), Fibre> = BTreeMap::new();
-    for fibre in fibres {
-        let rest = fibre.corners.map(|v| scene.mesh.uv[v]);
-        let along = sum(fibre.weights, rest);
+    let mut merged: BTreeMap<(usize, [i64; 3]), FiberSpring> = BTreeMap::new();
+    for fiber in fibers {
+        let rest = fiber.corners.map(|v| scene.mesh.uv[v]);
+        let along = sum(fiber.weights, rest);
         let length = along[0].hypot(along[1]);
-        let home = triangles.around(fibre.corners.map(|v| weights[v]), middle(&fibre, rest))?;
+        let home = triangles.around(fiber.corners.map(|v| weights[v]), middle(&fiber, rest))?;
         let unit = one_way(along.map(|x| x / length));
-        let ratio = fibre.rest_length_m / length;
+        let ratio = fiber.rest_length_m / length;
         #[expect(clippy::cast_possible_truncation, reason = "at most a few millions")]
         let key = [unit[0], unit[1], ratio].map(|x| (x * TURN).round() as i64);
-        let merged = merged.entry((home, key)).or_insert(Fibre {
+        let merged = merged.entry((home, key)).or_insert(FiberSpring {
             corners: mesh.triangles[home],
             weights: triangles.slopes[home].map(|g| g[0] * unit[0] + g[1] * unit[1]),
             rest_length_m: ratio,
             stiffness_n_m: 0.0,
         });
-        merged.stiffness_n_m += fibre.stiffness_n_m * length * length;
+        merged.stiffness_n_m += fiber.stiffness_n_m * length * length;
     }
     (!merged.is_empty()).then(|| merged.into_values().collect())
 }
@@ -107,16 +111,16 @@ fn sum(weights: [f64; 3], points: [[f64; 2]; 3]) -> [f64; 2] {
     [0, 1].map(|k| (0..3).map(|i| weights[i] * points[i][k]).sum())
 }
 
-/// The middle of a fibre: of its two ends, or of its triangle.
-fn middle(fibre: &Fibre, rest: [[f64; 2]; 3]) -> [f64; 2] {
-    if fibre.corners[0] == fibre.corners[2] {
+/// The middle of a fiber: of its two ends, or of its triangle.
+fn middle(fiber: &FiberSpring, rest: [[f64; 2]; 3]) -> [f64; 2] {
+    if fiber.corners[0] == fiber.corners[2] {
         sum([0.5, 0.5, 0.0], rest)
     } else {
         sum([1.0 / 3.0; 3], rest)
     }
 }
 
-/// A direction or its opposite, whichever points right or, upright, up: one way along a fibre is as good as the other.
+/// A direction or its opposite, whichever points right or, upright, up: one way along a fiber is as good as the other.
 fn one_way(unit: [f64; 2]) -> [f64; 2] {
     let upright = unit[0].abs() <= 0.5 / TURN;
     let back = if upright {

@@ -102,7 +102,7 @@ mod tests {
         }
     }
 
-    /// Cloth is less dense than its fibres (about 1500 kg/m3) and more than a loose pile.
+    /// Cloth is less dense than its fibers (about 1500 kg/m3) and more than a loose pile.
     #[test]
     fn bulk_density_of_every_shipped_fabric_is_that_of_cloth() {
         for (id, fabric) in library() {

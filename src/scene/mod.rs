@@ -39,7 +39,7 @@ pub struct Scene {
     /// Springs given as they are, which then are the membrane; those of the fabrics if absent.
     pub net: Option<Vec<NetSpring>>,
     /// What a finer net is on this mesh; the membrane if there are any.
-    pub fibres: Option<Vec<Fibre>>,
+    pub fibers: Option<Vec<FiberSpring>>,
     /// Bending rigidity that the cloth has at least, whatever its fabric \[N m\]: 0 but on coarser meshes, which cannot fold
     /// as finely.
     pub least_bending_n_m: f64,
@@ -54,7 +54,7 @@ pub struct Scene {
     /// Vertices that do not move.
     pub pins: Vec<usize>,
     /// The coordinate in which nothing moves (0 x, 1 y, 2 z), for a problem in a plane.
-    pub held_axis: Option<usize>,
+    pub fixed_axis: Option<usize>,
     /// Moving air, if there is any.
     pub wind: Option<Wind>,
 }
@@ -86,7 +86,7 @@ pub struct Cut {
 
 /// A spring between two points of one triangle: its length is `|sum weights x|`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Fibre {
+pub struct FiberSpring {
     /// The triangle.
     pub corners: [usize; 3],
     /// Of the corners; they add up to 0.

@@ -12,7 +12,7 @@ mod options;
 mod report;
 
 pub use crate::solver::drape::multilevel::{drape, drape_on};
-pub use crate::solver::forces::contact::{Anchors, contact_force, contact_pressure};
+pub use crate::solver::forces::contact::{FrictionAnchors, contact_force, contact_pressure};
 pub use crate::solver::integrate::{
     Frame, MotionEnergy, MotionReport, StableStep, Start, Trajectory, allowed_step, stable_step,
     trajectory,
@@ -35,7 +35,7 @@ pub struct Drape {
     /// Position of each vertex \[m\]; `#V`. The best shape so far where it did not converge.
     pub positions: Vec<Vector3<f64>>,
     /// Where friction holds it.
-    pub anchors: Anchors,
+    pub anchors: FrictionAnchors,
     /// How far to trust it.
     pub report: DrapeReport,
     /// Whether it was stopped by the cancel token.
@@ -47,7 +47,7 @@ impl Drape {
     pub fn of_shape(positions: &[Vector3<f64>]) -> Self {
         Self {
             positions: positions.to_vec(),
-            anchors: Anchors::default(),
+            anchors: FrictionAnchors::default(),
             report: DrapeReport::default(),
             canceled: false,
         }

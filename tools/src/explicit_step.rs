@@ -170,14 +170,14 @@ fn square(rows: usize) -> Scene {
             face_down: false,
         }],
         net: None,
-        fibres: None,
+        fibers: None,
         least_bending_n_m: 0.0,
         body: None,
         friction: 0.0,
         gravity: Vector3::new(0.0, 0.0, -9.81),
         drag: Some(20.0),
         pins: vec![0, last],
-        held_axis: None,
+        fixed_axis: None,
         wind: None,
     }
 }
@@ -224,6 +224,6 @@ fn planar_hang(rows: usize) -> Scene {
     for fabric in &mut scene.fabrics {
         (fabric.bending_warp_n_m, fabric.bending_weft_n_m) = (0.0, 0.0);
     }
-    scene.held_axis = Some(1);
+    scene.fixed_axis = Some(1);
     scene
 }

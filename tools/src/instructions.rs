@@ -143,7 +143,7 @@ fn row(edge: &str, profile: &Profile) -> Result<String, String> {
         report += of(profile, function)?;
     }
     let form = of(profile, "avatar::form::DressForm::build")?;
-    let factors = of(profile, "solver::cholesky::BlockCholesky::factorise")?;
+    let factors = of(profile, "solver::cholesky::BlockCholesky::factorize")?;
     let shares = [report, form, factors].map(share).join(" | ");
     Ok(format!("| {edge} m | {all} | {shares} |\n"))
 }

@@ -164,7 +164,7 @@ impl Found {
                 format!("drag of {drag} 1/s is not 0 to {FAR}"),
             )
         });
-        let axis = scene.held_axis.filter(|&axis| axis > 2).map(|axis| {
+        let axis = scene.fixed_axis.filter(|&axis| axis > 2).map(|axis| {
             (
                 "scene/held_axis",
                 format!("there is no axis {axis}: 0 is x, 1 y, 2 z"),

@@ -48,8 +48,8 @@ pub struct RawScene {
     #[serde(default)]
     pub drag_1_s: Option<f64>,
     /// The coordinate in which nothing moves (0 x, 1 y, 2 z), for a problem in a plane.
-    #[serde(default)]
-    pub held_axis: Option<usize>,
+    #[serde(default, rename = "held_axis")]
+    pub fixed_axis: Option<usize>,
     /// Velocity of the air \[m/s\], steady; still if absent.
     #[serde(default)]
     pub wind_m_s: Option<[f64; 3]>,
@@ -90,14 +90,14 @@ impl RawScene {
             fabrics: Vec::new(),
             cut: Vec::new(),
             net: Some(self.springs),
-            fibres: None,
+            fibers: None,
             least_bending_n_m: 0.0,
             body: self.body.map(Body::Analytic),
             friction: self.friction,
             gravity: self.gravity_m_s2.into(),
             drag: self.drag_1_s,
             pins: self.pins,
-            held_axis: self.held_axis,
+            fixed_axis: self.fixed_axis,
             wind: self.wind_m_s.map(|velocity| Wind {
                 velocity: velocity.into(),
                 gust: 0.0,

@@ -5,7 +5,7 @@ use crate::solver::drape::monitor::Trace;
 use crate::solver::drape::relax::settle;
 use crate::solver::drape::sew::{SEAM_STIFFNESS, close};
 use crate::solver::drape::stage::{Bounds, How};
-use crate::solver::forces::contact::Anchors;
+use crate::solver::forces::contact::FrictionAnchors;
 use crate::solver::integrate::dynamic_relaxation::DynamicRelaxation;
 use crate::solver::optimize::pseudo_transient::{FIRST_GAMMA, NEAR_GAMMA};
 use crate::solver::options::SolverOptions;
@@ -26,7 +26,7 @@ pub(crate) struct Rest {
     /// How far the middle of the garment sank \[m\].
     pub(crate) sunk: f64,
     /// Where friction holds it.
-    pub(crate) anchors: Anchors,
+    pub(crate) anchors: FrictionAnchors,
     /// Whether it was at rest.
     pub(crate) at_rest: bool,
     /// How far it still was from rest.
@@ -49,7 +49,7 @@ pub(crate) struct Level<'a, 'c, 'w> {
     /// Whether its seams are closed before it begins, so that the start is near the end already.
     pub(crate) sewn: bool,
     /// Where friction holds the start.
-    pub(crate) anchors: Anchors,
+    pub(crate) anchors: FrictionAnchors,
 }
 
 impl Level<'_, '_, '_> {

@@ -36,7 +36,7 @@ pub(crate) fn scatter(scene: &Scene, x: &mut [Vector3<f64>]) {
     let mut random = numbers();
     for (x, by) in x.iter_mut().zip(by) {
         let mut d = Vector3::new(random(), random(), random()) * by;
-        if let Some(axis) = scene.held_axis {
+        if let Some(axis) = scene.fixed_axis {
             d[axis] = 0.0;
         }
         *x += d;
@@ -74,7 +74,7 @@ mod tests {
             mass_kg: vec![1.0; 4],
             springs: vec![spring(0, 1), spring(1, 2), spring(2, 3)],
             pins: vec![0],
-            held_axis: Some(2),
+            fixed_axis: Some(2),
             ..RawScene::default()
         };
         let scene = raw

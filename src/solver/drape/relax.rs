@@ -6,7 +6,7 @@ use crate::solver::drape::sew::closed_stiffness;
 use crate::solver::drape::stage::{Ended, How, note_fallbacks, run};
 use crate::solver::integrate::dynamic_relaxation::DynamicRelaxation;
 use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::Particles;
+use crate::solver::model::dof_map::DofMap;
 use crate::solver::model::system::System;
 use crate::solver::optimize::iterate::{Iterate, Termination};
 use crate::solver::optimize::newton::Newton;
@@ -44,15 +44,15 @@ pub(crate) fn settle(
 ) -> Rest {
     let stitches = level.stitches(u32::MAX);
     let weld = level.options.seam_close == SeamClose::Weld;
-    let particles = if weld {
-        Particles::welded(x.len(), stitches.iter().copied())
+    let dof_map = if weld {
+        DofMap::welded(x.len(), stitches.iter().copied())
     } else {
-        Particles::apart(x.len())
+        DofMap::identity(x.len())
     };
     let springs = (!weld && !stitches.is_empty())
         .then(|| (stitches.clone(), closed_stiffness(level.options, stiffness)));
     let stage = Stage {
-        particles: &particles,
+        dof_map: &dof_map,
         stitches: springs,
         gravity: true,
         friction: Some(&level.anchors),
@@ -60,7 +60,7 @@ pub(crate) fn settle(
     };
     level.trace.begin_stage();
     let mut system = assemble(level.scene, level.options, &stage, level.clock);
-    let mut shape = particles.mean(x);
+    let mut shape = dof_map.average(x);
     let gravity = &level.scene.gravity;
     let first_height = mean_height(gravity, &shape);
     let floor = system.residual_floor(&shape);
@@ -72,13 +72,13 @@ pub(crate) fn settle(
             ..MOTION
         }),
         gravity: *gravity,
-        particles: &particles,
-        stitches: particles.pairs(&stitches),
+        dof_map: &dof_map,
+        stitches: dof_map.pairs(&stitches),
         tolerance,
         trace: level.trace,
     };
     let (ended, newton) = fall.run(&mut system, &mut shape);
-    *x = particles.spread(&shape);
+    *x = dof_map.scatter(&shape);
     note_fallbacks(&mut report.fallbacks, ended.fallbacks);
     report.newton_iterations += ended.iterations;
     report.residual = ended.residual;
@@ -143,7 +143,7 @@ fn estimate(
 struct Fall<'a, 'c, 'w> {
     how: How,
     gravity: Vector3<f64>,
-    particles: &'a Particles,
+    dof_map: &'a DofMap,
     /// Pairs of particles that are sewn together and still two.
     stitches: Vec<(usize, usize)>,
     tolerance: f64,
@@ -173,7 +173,7 @@ impl Fall<'_, '_, '_> {
     fn callback(&mut self, i: Iterate<'_>, fell: bool) -> ControlFlow<Termination> {
         let tolerance = self.tolerance;
         let done = (1.0 - (i.residual / tolerance).ln() / (10.0 / tolerance).ln()).clamp(0.0, 1.0);
-        let spread = || self.particles.spread(i.positions);
+        let spread = || self.dof_map.scatter(i.positions);
         let look = Look {
             stage: "drape",
             fraction: SEWING_SHARE + (1.0 - SEWING_SHARE) * done,

@@ -5,7 +5,7 @@ use crate::solver::drape::monitor::{Look, SEWING_SHARE};
 use crate::solver::drape::stage::{Ended, note_fallbacks, push_once, run};
 use crate::solver::integrate::dynamic_relaxation::DynamicRelaxation;
 use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::Particles;
+use crate::solver::model::dof_map::DofMap;
 use crate::solver::optimize::iterate::{Iterate, Termination};
 use crate::solver::options::Method;
 use crate::solver::options::SolverOptions;
@@ -80,9 +80,9 @@ fn pull(
     (stitches, stiffness): (&[(usize, usize)], f64),
     report: &mut DrapeReport,
 ) -> Ended {
-    let particles = Particles::apart(x.len());
+    let dof_map = DofMap::identity(x.len());
     let stage = Stage {
-        particles: &particles,
+        dof_map: &dof_map,
         stitches: Some((stitches.to_vec(), stiffness)),
         gravity: false,
         friction: None,

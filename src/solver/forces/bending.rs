@@ -15,7 +15,7 @@
 //! Energies of quadratic shapes are exact on every mesh. Shapes at rest converge to those of the plate on meshes that look the
 //! same from every vertex, as the inside of a lattice does; where triangles alternate, cloth comes out softer.
 
-use crate::solver::forces::{Force, Link, Stencil};
+use crate::solver::forces::{PairForce, PairForces, Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
@@ -157,12 +157,12 @@ fn weighted(patch: &BendPatch, weights: &[f64; 6], x: &[Vector3<f64>]) -> Vector
     sum
 }
 
-impl Force for BendForce {
-    fn name(&self) -> &'static str {
-        "bend"
+impl Potential for BendForce {
+    fn kind(&self) -> TermKind {
+        TermKind::Bend
     }
 
-    fn couple(&self, pairs: &mut Vec<(usize, usize)>) {
+    fn add_coupled_pairs(&self, pairs: &mut Vec<(usize, usize)>) {
         for patch in &self.patches {
             let p = patch.particles;
             pairs.extend(PAIRS.iter().map(|&(i, j)| (p[i], p[j])));
@@ -193,7 +193,12 @@ impl Force for BendForce {
         }
     }
 
-    fn add_hessian(&mut self, _x: &[Vector3<f64>], _convexity: f64, hessian: &mut BlockMatrix) {
+    fn add_hessian(
+        &mut self,
+        _x: &[Vector3<f64>],
+        _hessian_modification: f64,
+        hessian: &mut BlockMatrix,
+    ) {
         for (patch, slots) in self.patches.iter().zip(&self.slots) {
             let [u, v, w] = &patch.weights;
             for (&(i, j), &slot) in PAIRS.iter().zip(slots) {
@@ -207,7 +212,7 @@ impl Force for BendForce {
         }
     }
 
-    fn add_stiffness(&self, stiffness: &mut [f64]) {
+    fn add_stiffness_bound(&self, stiffness: &mut [f64]) {
         for patch in &self.patches {
             for row in &patch.weights {
                 let sum: f64 = row.iter().map(|w| w.abs()).sum();
@@ -218,16 +223,16 @@ impl Force for BendForce {
         }
     }
 
-    fn add_to_stencil(&self, stencil: &mut Stencil) -> bool {
+    fn add_to_pair_forces(&self, pair_forces: &mut PairForces) -> bool {
         for patch in &self.patches {
             let (p, [u, v, w]) = (&patch.particles, &patch.weights);
             let links = PAIRS.iter().filter(|&&(i, j)| p[i] != p[j]);
             // The weights of each row add up to 0, so that the force is one of differences of positions.
-            stencil.links.extend(links.map(|&(i, j)| Link {
+            pair_forces.pairs.extend(links.map(|&(i, j)| PairForce {
                 a: p[i],
                 b: p[j],
-                straight: -(u[i] * u[j] + v[i] * v[j] + w[i] * w[j]),
-                bent: 0.0,
+                stiffness: -(u[i] * u[j] + v[i] * v[j] + w[i] * w[j]),
+                stiffness_times_rest: 0.0,
             }));
         }
         true

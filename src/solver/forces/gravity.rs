@@ -1,6 +1,6 @@
 //! Weight.
 
-use crate::solver::forces::{Force, Stencil};
+use crate::solver::forces::{PairForces, Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use nalgebra::Vector3;
 
@@ -10,12 +10,12 @@ pub(crate) struct Gravity {
     pub(crate) start: Vec<Vector3<f64>>,
 }
 
-impl Force for Gravity {
-    fn name(&self) -> &'static str {
-        "gravity"
+impl Potential for Gravity {
+    fn kind(&self) -> TermKind {
+        TermKind::Gravity
     }
 
-    fn couple(&self, _pairs: &mut Vec<(usize, usize)>) {}
+    fn add_coupled_pairs(&self, _pairs: &mut Vec<(usize, usize)>) {}
 
     fn bind(&mut self, _sparsity: &Sparsity) {}
 
@@ -35,12 +35,18 @@ impl Force for Gravity {
         }
     }
 
-    fn add_hessian(&mut self, _x: &[Vector3<f64>], _convexity: f64, _hessian: &mut BlockMatrix) {}
+    fn add_hessian(
+        &mut self,
+        _x: &[Vector3<f64>],
+        _hessian_modification: f64,
+        _hessian: &mut BlockMatrix,
+    ) {
+    }
 
-    fn add_stiffness(&self, _stiffness: &mut [f64]) {}
+    fn add_stiffness_bound(&self, _stiffness: &mut [f64]) {}
 
-    fn add_to_stencil(&self, stencil: &mut Stencil) -> bool {
-        for (push, weight) in stencil.push.iter_mut().zip(&self.weight) {
+    fn add_to_pair_forces(&self, pair_forces: &mut PairForces) -> bool {
+        for (push, weight) in pair_forces.constant.iter_mut().zip(&self.weight) {
             *push += weight;
         }
         true

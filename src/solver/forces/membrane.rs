@@ -10,7 +10,7 @@
 //! π² B / (K l²) (L. Euler), the pressure rises as that of the strip does, by half of itself for a shortening of all its length
 //! (the elastica). With ever finer meshes the threshold goes to infinity, and what is left is the continuum above.
 
-use crate::solver::forces::Force;
+use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix2, Matrix3, Vector3};
 
@@ -19,7 +19,7 @@ const AFTER_BUCKLING: f64 = 0.5;
 
 /// A triangle of membrane.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Membrane {
+pub(crate) struct MembraneTriangle {
     pub(crate) particles: [usize; 3],
     /// Derivatives of the three shape functions along warp and weft \[1/m\].
     pub(crate) gradients: [[f64; 2]; 3],
@@ -31,7 +31,7 @@ pub(crate) struct Membrane {
     critical: [f64; 2],
 }
 
-impl Membrane {
+impl MembraneTriangle {
     /// The triangle with these rest positions in warp-weft coordinates \[m\]; `None` if it has no area.
     pub(crate) fn new(
         particles: [usize; 3],
@@ -57,7 +57,7 @@ impl Membrane {
 
     /// The same, of a cloth of these bending rigidities along warp and weft \[N m\], that buckles where it is pressed together
     /// into folds as wide as the edges of the mesh \[m\]. With one width for all, even strain is even stress.
-    pub(crate) fn that_buckles(mut self, rigidity: [f64; 2], edge: f64) -> Self {
+    pub(crate) fn with_buckling(mut self, rigidity: [f64; 2], edge: f64) -> Self {
         let euler = (std::f64::consts::PI / edge).powi(2);
         self.critical = [0, 1].map(|i| euler * rigidity[i] / self.moduli[i]);
         self
@@ -133,7 +133,7 @@ impl Membrane {
 
 /// All triangles.
 pub(crate) struct ContinuumForce {
-    triangles: Vec<Membrane>,
+    triangles: Vec<MembraneTriangle>,
     slots: Vec<[Slot; 6]>,
     /// Whether no triangle folds.
     taut: bool,
@@ -142,7 +142,7 @@ pub(crate) struct ContinuumForce {
 const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 impl ContinuumForce {
-    pub(crate) fn new(triangles: Vec<Membrane>) -> Self {
+    pub(crate) fn new(triangles: Vec<MembraneTriangle>) -> Self {
         Self {
             triangles,
             slots: Vec::new(),
@@ -151,12 +151,12 @@ impl ContinuumForce {
     }
 }
 
-impl Force for ContinuumForce {
-    fn name(&self) -> &'static str {
-        "stretch"
+impl Potential for ContinuumForce {
+    fn kind(&self) -> TermKind {
+        TermKind::Stretch
     }
 
-    fn couple(&self, pairs: &mut Vec<(usize, usize)>) {
+    fn add_coupled_pairs(&self, pairs: &mut Vec<(usize, usize)>) {
         for triangle in &self.triangles {
             pairs.extend(
                 PAIRS
@@ -175,14 +175,15 @@ impl Force for ContinuumForce {
     }
 
     fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
-        let energy = |t: &Membrane| t.area * t.energy(Membrane::strain(&t.deformation(x)));
+        let energy =
+            |t: &MembraneTriangle| t.area * t.energy(MembraneTriangle::strain(&t.deformation(x)));
         self.triangles.iter().map(energy).sum()
     }
 
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
         for t in &self.triangles {
             let f = t.deformation(x);
-            let strain = Membrane::strain(&f);
+            let strain = MembraneTriangle::strain(&f);
             let s = if self.taut {
                 [0, 1, 2].map(|i| t.moduli[i] * strain[i])
             } else {
@@ -198,15 +199,20 @@ impl Force for ContinuumForce {
         }
     }
 
-    fn add_hessian(&mut self, x: &[Vector3<f64>], convexity: f64, hessian: &mut BlockMatrix) {
+    fn add_hessian(
+        &mut self,
+        x: &[Vector3<f64>],
+        hessian_modification: f64,
+        hessian: &mut BlockMatrix,
+    ) {
         for (t, slots) in self.triangles.iter().zip(&self.slots) {
             let f = t.deformation(x);
-            let strain = Membrane::strain(&f);
+            let strain = MembraneTriangle::strain(&f);
             let mut s = t.stress(strain);
-            if convexity > 0.0 {
+            if hessian_modification > 0.0 {
                 let pull = tension(s);
                 for (s, pull) in s.iter_mut().zip(pull) {
-                    *s += convexity * (pull - *s);
+                    *s += hessian_modification * (pull - *s);
                 }
             }
             let [kw, kf, g] = t.tangent(strain);
@@ -234,7 +240,7 @@ impl Force for ContinuumForce {
         self.taut = taut;
     }
 
-    fn add_stiffness(&self, stiffness: &mut [f64]) {
+    fn add_stiffness_bound(&self, stiffness: &mut [f64]) {
         for t in &self.triangles {
             let [kw, kf, g] = t.moduli;
             let largest = kw.max(kf) + g;

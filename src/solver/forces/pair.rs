@@ -3,61 +3,61 @@
 //! A link pulls particle `a` with (`straight` - `bent` / |d|) d, d = xb - xa, and `b` with the opposite. A spring of stiffness k and
 //! rest length L is the link (k, k L). A row of quadratic bending, energy `|sum w_i x_i|² / 2` with `sum w_i = 0`, is the links
 //! `(-w_i w_j, 0)` of all pairs: its force `-w_i sum w_j x_j` is the same as `-sum w_i w_j (x_j - x_i)`. So springs and bending between the same two
-//! particles are one link, and the differences lose less to rounding than the positions would.
+//! particles are one pair, and the differences lose less to rounding than the positions would.
 
 use nalgebra::Vector3;
 
 /// Links and pushes of the terms that are nothing else.
 #[derive(Clone, Debug)]
-pub(crate) struct Stencil {
+pub(crate) struct PairForces {
     /// In any order; several may join the same two particles.
-    pub(crate) links: Vec<Link>,
+    pub(crate) pairs: Vec<PairForce>,
     /// Constant force on each particle \[N\]; `#P`.
-    pub(crate) push: Vec<Vector3<f64>>,
+    pub(crate) constant: Vec<Vector3<f64>>,
 }
 
 /// What acts between two particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Link {
+pub(crate) struct PairForce {
     pub(crate) a: usize,
     pub(crate) b: usize,
     /// \[N/m\]
-    pub(crate) straight: f64,
+    pub(crate) stiffness: f64,
     /// \[N\]
-    pub(crate) bent: f64,
+    pub(crate) stiffness_times_rest: f64,
 }
 
-impl Stencil {
+impl PairForces {
     /// Nothing, for this many particles.
     pub(crate) fn new(particle_count: usize) -> Self {
         Self {
-            links: Vec::new(),
-            push: vec![Vector3::zeros(); particle_count],
+            pairs: Vec::new(),
+            constant: vec![Vector3::zeros(); particle_count],
         }
     }
 
     /// One link for each two particles that are linked, the lower index first, in order.
-    pub(crate) fn merged(&self) -> Vec<Link> {
-        let mut links: Vec<Link> = self
-            .links
+    pub(crate) fn merged(&self) -> Vec<PairForce> {
+        let mut pairs: Vec<PairForce> = self
+            .pairs
             .iter()
-            .filter(|link| link.a != link.b)
-            .map(|link| Link {
-                a: link.a.min(link.b),
-                b: link.a.max(link.b),
-                ..*link
+            .filter(|pair| pair.a != pair.b)
+            .map(|pair| PairForce {
+                a: pair.a.min(pair.b),
+                b: pair.a.max(pair.b),
+                ..*pair
             })
             .collect();
         // Stable, so that sums are always taken in the same order.
-        links.sort_by_key(|link| (link.a, link.b));
-        links.dedup_by(|next, kept| {
+        pairs.sort_by_key(|pair| (pair.a, pair.b));
+        pairs.dedup_by(|next, kept| {
             let same = (next.a, next.b) == (kept.a, kept.b);
             if same {
-                kept.straight += next.straight;
-                kept.bent += next.bent;
+                kept.stiffness += next.stiffness;
+                kept.stiffness_times_rest += next.stiffness_times_rest;
             }
             same
         });
-        links
+        pairs
     }
 }

@@ -1,6 +1,6 @@
 //! The seam force F = -k l of the paper (P8): springs of rest length zero between the two points of each stitch.
 
-use crate::solver::forces::{Force, Link, Stencil};
+use crate::solver::forces::{PairForce, PairForces, Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
@@ -21,12 +21,12 @@ impl SewingForce {
     }
 }
 
-impl Force for SewingForce {
-    fn name(&self) -> &'static str {
-        "seam"
+impl Potential for SewingForce {
+    fn kind(&self) -> TermKind {
+        TermKind::Seam
     }
 
-    fn couple(&self, pairs: &mut Vec<(usize, usize)>) {
+    fn add_coupled_pairs(&self, pairs: &mut Vec<(usize, usize)>) {
         pairs.extend(&self.stitches);
     }
 
@@ -61,7 +61,12 @@ impl Force for SewingForce {
         }
     }
 
-    fn add_hessian(&mut self, _x: &[Vector3<f64>], _convexity: f64, hessian: &mut BlockMatrix) {
+    fn add_hessian(
+        &mut self,
+        _x: &[Vector3<f64>],
+        _hessian_modification: f64,
+        hessian: &mut BlockMatrix,
+    ) {
         let block = Matrix3::identity() * self.stiffness;
         for &[aa, bb, ab] in &self.slots {
             hessian.add(aa, &block);
@@ -70,20 +75,20 @@ impl Force for SewingForce {
         }
     }
 
-    fn add_stiffness(&self, stiffness: &mut [f64]) {
+    fn add_stiffness_bound(&self, stiffness: &mut [f64]) {
         for &(a, b) in &self.stitches {
             stiffness[a] += 2.0 * self.stiffness;
             stiffness[b] += 2.0 * self.stiffness;
         }
     }
-    fn add_to_stencil(&self, stencil: &mut Stencil) -> bool {
-        stencil
-            .links
-            .extend(self.stitches.iter().map(|&(a, b)| Link {
+    fn add_to_pair_forces(&self, pair_forces: &mut PairForces) -> bool {
+        pair_forces
+            .pairs
+            .extend(self.stitches.iter().map(|&(a, b)| PairForce {
                 a,
                 b,
-                straight: self.stiffness,
-                bent: 0.0,
+                stiffness: self.stiffness,
+                stiffness_times_rest: 0.0,
             }));
         true
     }

@@ -1,6 +1,6 @@
 //! Linear springs on mesh edges: the membrane of the paper (P8).
 
-use crate::solver::forces::{Force, Link, Stencil};
+use crate::solver::forces::{PairForce, PairForces, Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
@@ -32,12 +32,12 @@ impl SpringForce {
     }
 }
 
-impl Force for SpringForce {
-    fn name(&self) -> &'static str {
-        "stretch"
+impl Potential for SpringForce {
+    fn kind(&self) -> TermKind {
+        TermKind::Stretch
     }
 
-    fn couple(&self, pairs: &mut Vec<(usize, usize)>) {
+    fn add_coupled_pairs(&self, pairs: &mut Vec<(usize, usize)>) {
         pairs.extend(self.springs.iter().map(|s| (s.a, s.b)));
     }
 
@@ -72,7 +72,12 @@ impl Force for SpringForce {
         }
     }
 
-    fn add_hessian(&mut self, x: &[Vector3<f64>], convexity: f64, hessian: &mut BlockMatrix) {
+    fn add_hessian(
+        &mut self,
+        x: &[Vector3<f64>],
+        hessian_modification: f64,
+        hessian: &mut BlockMatrix,
+    ) {
         for (s, &slot) in self.springs.iter().zip(&self.slots) {
             let d = x[s.b] - x[s.a];
             let length = d.norm();
@@ -84,7 +89,7 @@ impl Force for SpringForce {
             // Across the spring the stiffness is its tension over its length: negative when it is pressed together.
             let across = 1.0 - s.rest_length / length;
             let across = if across < 0.0 {
-                across * (1.0 - convexity)
+                across * (1.0 - hessian_modification)
             } else {
                 across
             };
@@ -95,19 +100,21 @@ impl Force for SpringForce {
         }
     }
 
-    fn add_stiffness(&self, stiffness: &mut [f64]) {
+    fn add_stiffness_bound(&self, stiffness: &mut [f64]) {
         for s in &self.springs {
             stiffness[s.a] += 2.0 * s.stiffness;
             stiffness[s.b] += 2.0 * s.stiffness;
         }
     }
-    fn add_to_stencil(&self, stencil: &mut Stencil) -> bool {
-        stencil.links.extend(self.springs.iter().map(|s| Link {
-            a: s.a,
-            b: s.b,
-            straight: s.stiffness,
-            bent: s.stiffness * s.rest_length,
-        }));
+    fn add_to_pair_forces(&self, pair_forces: &mut PairForces) -> bool {
+        pair_forces
+            .pairs
+            .extend(self.springs.iter().map(|s| PairForce {
+                a: s.a,
+                b: s.b,
+                stiffness: s.stiffness,
+                stiffness_times_rest: s.stiffness * s.rest_length,
+            }));
         true
     }
 }

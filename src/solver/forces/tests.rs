@@ -1,9 +1,10 @@
 //! Every force against the differences of its energy, every second derivative against those of its force, and closed forms.
 
-use crate::scene::{Body, DressForm, Fibre};
+use crate::scene::{Body, DressForm, FiberSpring};
 use crate::solver::forces::contact::{BodyContact, Friction};
 use crate::solver::forces::*;
-use nalgebra::{DMatrix, Matrix3};
+use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
+use nalgebra::{DMatrix, Matrix3, Vector3};
 use std::sync::Arc;
 
 /// Six points off a plane, the same every time.
@@ -26,13 +27,13 @@ fn points() -> Vec<Vector3<f64>> {
         .collect()
 }
 
-fn dense(force: &mut dyn Force, x: &[Vector3<f64>], convexity: f64) -> DMatrix<f64> {
+fn dense(force: &mut dyn Potential, x: &[Vector3<f64>], hessian_modification: f64) -> DMatrix<f64> {
     let mut pairs = Vec::new();
-    force.couple(&mut pairs);
+    force.add_coupled_pairs(&mut pairs);
     let sparsity = Sparsity::from_pairs(x.len(), pairs);
     force.bind(&sparsity);
     let mut blocks = BlockMatrix::zeros(&sparsity);
-    force.add_hessian(x, convexity, &mut blocks);
+    force.add_hessian(x, hessian_modification, &mut blocks);
     let mut dense = DMatrix::zeros(3 * x.len(), 3 * x.len());
     for column in 0..x.len() {
         for (row, slot) in sparsity.column(column) {
@@ -48,7 +49,7 @@ fn dense(force: &mut dyn Force, x: &[Vector3<f64>], convexity: f64) -> DMatrix<f
     dense
 }
 
-fn net(force: &mut dyn Force, x: &[Vector3<f64>]) -> Vec<f64> {
+fn net(force: &mut dyn Potential, x: &[Vector3<f64>]) -> Vec<f64> {
     let mut f = vec![Vector3::zeros(); x.len()];
     force.add_force(x, &mut f);
     f.iter().flat_map(|v| [v.x, v.y, v.z]).collect()
@@ -56,7 +57,7 @@ fn net(force: &mut dyn Force, x: &[Vector3<f64>]) -> Vec<f64> {
 
 /// Central differences with step `h` have errors of order h² times the third derivative plus rounding eps |E| / h: `within`
 /// bounds both, relative to the largest number compared.
-fn check_derivatives(force: &mut dyn Force, x: &[Vector3<f64>], h: f64, within: f64) {
+fn check_derivatives(force: &mut dyn Potential, x: &[Vector3<f64>], h: f64, within: f64) {
     let analytic = net(force, x);
     let second = dense(force, x, 0.0);
     let mut differences = (
@@ -81,25 +82,25 @@ fn check_derivatives(force: &mut dyn Force, x: &[Vector3<f64>], h: f64, within: 
         assert!(
             (a - d).abs() <= within * largest,
             "{}: force {a} against {d}",
-            force.name()
+            force.kind().name()
         );
     }
     let apart = (&second - &differences.1).amax();
     assert!(
         apart <= within * second.amax().max(1e-12),
         "{}: second derivatives {apart} apart",
-        force.name()
+        force.kind().name()
     );
 }
 
 /// The convex part has no eigenvalue below rounding.
-fn check_convex(force: &mut dyn Force, x: &[Vector3<f64>]) {
+fn check_convex(force: &mut dyn Potential, x: &[Vector3<f64>]) {
     let convex = dense(force, x, 1.0);
     let lowest = convex.clone().symmetric_eigenvalues().min();
     assert!(
         lowest >= -1e-12 * convex.amax(),
         "{}: lowest eigenvalue {lowest}",
-        force.name()
+        force.kind().name()
     );
 }
 
@@ -121,8 +122,8 @@ fn springs() -> SpringForce {
 
 fn membranes() -> ContinuumForce {
     let moduli = [900.0, 400.0, 50.0];
-    let triangle = |particles, rest| Membrane::new(particles, rest, moduli).unwrap();
-    let buckling = |particles, rest| triangle(particles, rest).that_buckles([0.5, 0.3], 2.0);
+    let triangle = |particles, rest| MembraneTriangle::new(particles, rest, moduli).unwrap();
+    let buckling = |particles, rest| triangle(particles, rest).with_buckling([0.5, 0.3], 2.0);
     ContinuumForce::new(vec![
         buckling([0, 2, 5], [[0.0, 0.0], [2.2, 0.1], [0.0, 2.1]]),
         triangle([0, 1, 2], [[0.0, 0.0], [1.2, 0.1], [0.0, 1.0]]),
@@ -132,16 +133,16 @@ fn membranes() -> ContinuumForce {
 }
 
 /// What springs are on a coarser mesh, pulled and pressed.
-fn fibres() -> FibreForce {
-    let fibre = |corners, weights, rest_length_m| Fibre {
+fn fibers() -> FiberForce {
+    let fiber = |corners, weights, rest_length_m| FiberSpring {
         corners,
         weights,
         rest_length_m,
         stiffness_n_m: 200.0,
     };
-    FibreForce::new(vec![
-        fibre([0, 1, 2], [-0.7, 1.2, -0.5], 0.4),
-        fibre([3, 4, 5], [0.3, 0.9, -1.2], 3.0),
+    FiberForce::new(vec![
+        fiber([0, 1, 2], [-0.7, 1.2, -0.5], 0.4),
+        fiber([3, 4, 5], [0.3, 0.9, -1.2], 3.0),
     ])
 }
 
@@ -154,8 +155,8 @@ fn a_triangle_pressed_together_carries_the_load_of_a_buckled_strip() {
         [edge, 0.0],
         [0.5 * edge, 0.75_f64.sqrt() * edge],
     ];
-    let membrane = Membrane::new([0, 1, 2], rest, [1000.0, 1000.0, 100.0]).unwrap();
-    let mut force = ContinuumForce::new(vec![membrane.that_buckles([rigidity; 2], edge)]);
+    let membrane = MembraneTriangle::new([0, 1, 2], rest, [1000.0, 1000.0, 100.0]).unwrap();
+    let mut force = ContinuumForce::new(vec![membrane.with_buckling([rigidity; 2], edge)]);
     let x = rest.map(|[u, v]| Vector3::new(0.8 * u, v, 0.0));
     let mut net = [Vector3::zeros(); 3];
     force.add_force(&x, &mut net);
@@ -186,10 +187,10 @@ fn patches() -> BendForce {
 #[test]
 fn forces_are_the_gradients_of_their_energies() {
     let x = points();
-    let mut forces: Vec<Box<dyn Force>> = vec![
+    let mut forces: Vec<Box<dyn Potential>> = vec![
         Box::new(springs()),
         Box::new(membranes()),
-        Box::new(fibres()),
+        Box::new(fibers()),
         Box::new(patches()),
         Box::new(SewingForce::new(vec![(0, 4), (2, 5)], 1e3)),
         Box::new(Gravity {
@@ -243,7 +244,7 @@ fn a_stretched_patch_has_no_net_force_inside_and_the_energy_of_the_continuum() {
     let mut force = ContinuumForce::new(
         triangles
             .iter()
-            .map(|t| Membrane::new(*t, t.map(|v| flat[v]), moduli).unwrap())
+            .map(|t| MembraneTriangle::new(*t, t.map(|v| flat[v]), moduli).unwrap())
             .collect(),
     );
     let x: Vec<_> = flat

@@ -16,7 +16,7 @@
 //! the true forces balance. The skew part, which is as large where cloth streams in the wind, goes into the step by `skew.rs`.
 
 use crate::scene::Wind;
-use crate::solver::forces::Force;
+use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
@@ -131,12 +131,12 @@ fn drag_by_area(a: &Vector3<f64>, v: &Vector3<f64>) -> Matrix3<f64> {
     (across * ACROSS + along * ALONG) * (0.5 * AIR_DENSITY)
 }
 
-impl Force for WindForce {
-    fn name(&self) -> &'static str {
-        "wind"
+impl Potential for WindForce {
+    fn kind(&self) -> TermKind {
+        TermKind::Wind
     }
 
-    fn couple(&self, pairs: &mut Vec<(usize, usize)>) {
+    fn add_coupled_pairs(&self, pairs: &mut Vec<(usize, usize)>) {
         for t in &self.triangles {
             pairs.extend(PAIRS.iter().map(|&(i, j)| (t[i], t[j])));
         }
@@ -166,9 +166,14 @@ impl Force for WindForce {
         self.add(x, force);
     }
 
-    fn add_hessian(&mut self, x: &[Vector3<f64>], convexity: f64, hessian: &mut BlockMatrix) {
+    fn add_hessian(
+        &mut self,
+        x: &[Vector3<f64>],
+        hessian_modification: f64,
+        hessian: &mut BlockMatrix,
+    ) {
         // Its eigenvalues have both signs: without it the rest is convex.
-        let kept = 1.0 - convexity;
+        let kept = 1.0 - hessian_modification;
         if kept <= 0.0 {
             return;
         }
@@ -180,13 +185,18 @@ impl Force for WindForce {
         }
     }
 
-    fn add_stiffness(&self, _stiffness: &mut [f64]) {}
+    fn add_stiffness_bound(&self, _stiffness: &mut [f64]) {}
 
-    fn is_skew(&self) -> bool {
-        true
+    fn is_conservative(&self) -> bool {
+        false
     }
 
-    fn add_skew(&self, x: &[Vector3<f64>], d: &[Vector3<f64>], out: &mut [Vector3<f64>]) {
+    fn add_antisymmetric_product(
+        &self,
+        x: &[Vector3<f64>],
+        d: &[Vector3<f64>],
+        out: &mut [Vector3<f64>],
+    ) {
         for t in &self.triangles {
             let third = self.third_by_corner(t, x);
             let moved = t.map(|v| d[v]);
@@ -278,7 +288,7 @@ mod tests {
         });
         let symmetric = (&differences + differences.transpose()) * 0.5;
         let mut pairs = Vec::new();
-        force.couple(&mut pairs);
+        force.add_coupled_pairs(&mut pairs);
         let sparsity = Sparsity::from_pairs(4, pairs);
         force.bind(&sparsity);
         let mut blocks = BlockMatrix::zeros(&sparsity);
@@ -296,7 +306,7 @@ mod tests {
             let mut unit = vec![Vector3::zeros(); 4];
             unit[column / 3][column % 3] = 1.0;
             let mut product = vec![Vector3::zeros(); 4];
-            force.add_skew(&shape(), &unit, &mut product);
+            force.add_antisymmetric_product(&shape(), &unit, &mut product);
             for row in 0..n {
                 assert!((product[row / 3][row % 3] - skew[(row, column)]).abs() < 1e-7);
             }

@@ -103,7 +103,8 @@ fn steps(
     };
     let mut state = ParticleState::at_rest(x);
     let mut before = state.clone();
-    let mut energy_monitor = (chosen && !system.is_skew()).then(|| EnergyMonitor::new(motion.drag));
+    let mut energy_monitor =
+        (chosen && system.is_conservative()).then(|| EnergyMonitor::new(motion.drag));
     let mut force = vec![Vector3::zeros(); x.len()];
     let (mut number, mut steps) = (0, 0);
     while steps < limit {

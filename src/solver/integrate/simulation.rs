@@ -13,7 +13,7 @@ use crate::solver::integrate::select::integrator_for;
 use crate::solver::integrate::settings::{IntegratorSettings, SAFETY};
 use crate::solver::integrate::stability::feasibility::too_many;
 use crate::solver::integrate::step_control::StepControl;
-use crate::solver::model::dof_map::Particles;
+use crate::solver::model::dof_map::DofMap;
 use crate::solver::model::system::System;
 use crate::solver::options::{Method, SolverOptions};
 use crate::solver::report::describe::energies;
@@ -35,7 +35,7 @@ const BLOCKS_A_LIMIT: u64 = 40;
 pub(crate) struct MotionSimulation<'r, 'c, 'w> {
     pub(crate) options: &'r SolverOptions,
     pub(crate) began: f64,
-    pub(crate) particles: &'r Particles,
+    pub(crate) dof_map: &'r DofMap,
     pub(crate) frames: Vec<Frame>,
     pub(crate) report: MotionReport,
     pub(crate) canceled: bool,
@@ -76,7 +76,7 @@ impl MotionSimulation<'_, '_, '_> {
         // A share of 1e-9 is rounding, not another frame.
         let count = (duration * rate - 1e-9).ceil().max(1.0);
         let most = self.context.limits.trajectory_positions;
-        if (count + 1.0) * self.particles.of_vertex.len() as f64 > most as f64 {
+        if (count + 1.0) * self.dof_map.of_vertex.len() as f64 > most as f64 {
             return Err(format!(
                 "{count} frames of this mesh are more than the {most} positions allowed: ask for fewer frames"
             ));
@@ -244,8 +244,8 @@ impl MotionSimulation<'_, '_, '_> {
         let kinetic = 0.5 * moving.map(|(v, m)| m * v.norm_squared()).sum::<f64>();
         self.frames.push(Frame {
             time_s: state.time,
-            positions: self.particles.spread(&state.x),
-            velocities: self.particles.spread(&state.v),
+            positions: self.dof_map.scatter(&state.x),
+            velocities: self.dof_map.scatter(&state.v),
             energy: MotionEnergy {
                 kinetic,
                 potential: energies(system, &state.x),

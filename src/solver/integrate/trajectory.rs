@@ -3,13 +3,13 @@
 use crate::scene::Scene;
 use crate::solver::Context;
 use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
-use crate::solver::forces::contact::Anchors;
+use crate::solver::forces::contact::FrictionAnchors;
 use crate::solver::integrate::damping;
 use crate::solver::integrate::integrator::ParticleState;
 use crate::solver::integrate::report::{MotionReport, Trajectory};
 use crate::solver::integrate::simulation::MotionSimulation;
 use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::Particles;
+use crate::solver::model::dof_map::DofMap;
 use crate::solver::options::{Method, SeamClose, SolverOptions};
 use crate::solver::report::describe::add_terms;
 use nalgebra::Vector3;
@@ -40,33 +40,33 @@ pub fn trajectory(
     let began = (context.cpu_s)();
     let stitches = scene.mesh.stitches.iter().map(|s| (s.a, s.b));
     let weld = options.seam_close == SeamClose::Weld;
-    let particles = if weld {
-        Particles::welded(scene.start.len(), stitches.clone())
+    let dof_map = if weld {
+        DofMap::welded(scene.start.len(), stitches.clone())
     } else {
-        Particles::apart(scene.start.len())
+        DofMap::identity(scene.start.len())
     };
     let stiffness = closed_stiffness(options, SEAM_STIFFNESS);
     let springs = (!weld && stitches.len() > 0).then(|| (stitches.collect(), stiffness));
     let stage = Stage {
-        particles: &particles,
+        dof_map: &dof_map,
         stitches: springs,
         gravity: true,
-        friction: Some(&Anchors::default()),
+        friction: Some(&FrictionAnchors::default()),
         // Automatic methods may turn out to be explicit.
         explicit: options.method.is_explicit() || options.method == Method::Auto,
     };
     let mut system = assemble(scene, options, &stage, context.cpu_s);
     let mut state =
-        ParticleState::at_rest(&particles.mean(from.positions.as_ref().unwrap_or(&scene.start)));
+        ParticleState::at_rest(&dof_map.average(from.positions.as_ref().unwrap_or(&scene.start)));
     state.windy = true;
     if let Some(velocities) = &from.velocities {
-        state.v = particles.mean(velocities);
-        system.hold_still(&mut state.v);
+        state.v = dof_map.average(velocities);
+        system.zero_fixed(&mut state.v);
     }
     let mut run = MotionSimulation {
         options,
         began,
-        particles: &particles,
+        dof_map: &dof_map,
         frames: Vec::new(),
         report: MotionReport {
             within_limits: true,

@@ -1,8 +1,8 @@
 //! A program that puts together by hand the two terms of a hung sheet, and nothing else.
 
 use crate::scene::Scene;
-use crate::solver::forces::{ContinuumForce, Force, Gravity, Membrane};
-use crate::solver::model::system::{System, TimedForce};
+use crate::solver::forces::{ContinuumForce, Gravity, MembraneTriangle, Potential};
+use crate::solver::model::system::{System, TimedTerm};
 use nalgebra::Vector3;
 
 /// A clock that stands still.
@@ -12,7 +12,7 @@ pub(crate) fn no_clock() -> f64 {
 
 /// Stretch alone, or with weight, of a scene whose cloth is cut along its warp.
 pub(crate) fn system(scene: &Scene, weight: bool) -> System<'static> {
-    let mut forces: Vec<Box<dyn Force>> = vec![Box::new(ContinuumForce::new(membranes(scene)))];
+    let mut forces: Vec<Box<dyn Potential>> = vec![Box::new(ContinuumForce::new(membranes(scene)))];
     if weight {
         forces.push(Box::new(Gravity {
             weight: scene.mass.iter().map(|m| scene.gravity * *m).collect(),
@@ -20,16 +20,19 @@ pub(crate) fn system(scene: &Scene, weight: bool) -> System<'static> {
         }));
     }
     let terms = forces.into_iter();
-    let mut held = vec![false; scene.mass.len()];
+    let mut is_fixed = vec![false; scene.mass.len()];
     for &pin in &scene.pins {
-        held[pin] = true;
+        is_fixed[pin] = true;
     }
     System {
         mass: scene.mass.clone(),
-        held,
-        held_axis: None,
+        is_fixed,
+        fixed_axis: None,
         terms: terms
-            .map(|force| TimedForce { force, cpu_s: 0.0 })
+            .map(|potential| TimedTerm {
+                potential,
+                cpu_s: 0.0,
+            })
             .collect(),
         contact: None,
         contact_cpu_s: 0.0,
@@ -37,7 +40,7 @@ pub(crate) fn system(scene: &Scene, weight: bool) -> System<'static> {
     }
 }
 
-fn membranes(scene: &Scene) -> Vec<Membrane> {
+fn membranes(scene: &Scene) -> Vec<MembraneTriangle> {
     let (fabric, edge) = (&scene.fabrics[0], scene.mesh.mean_edge());
     let moduli = [
         fabric.stretch_warp_n_m,
@@ -45,8 +48,8 @@ fn membranes(scene: &Scene) -> Vec<Membrane> {
         fabric.shear_n_m,
     ];
     let of_triangle = |t: &[usize; 3]| {
-        let membrane = Membrane::new(*t, t.map(|v| scene.mesh.uv[v]), moduli)?;
-        Some(membrane.that_buckles([0.0; 2], edge))
+        let membrane = MembraneTriangle::new(*t, t.map(|v| scene.mesh.uv[v]), moduli)?;
+        Some(membrane.with_buckling([0.0; 2], edge))
     };
     scene
         .mesh
@@ -60,5 +63,5 @@ fn membranes(scene: &Scene) -> Vec<Membrane> {
 pub(crate) fn bytes_of_arrays(scene: &Scene, weight: bool) -> usize {
     let vectors = if weight { 2 } else { 0 };
     let of_particle = size_of::<f64>() + size_of::<bool>() + vectors * size_of::<Vector3<f64>>();
-    scene.mass.len() * of_particle + scene.mesh.triangles.len() * size_of::<Membrane>()
+    scene.mass.len() * of_particle + scene.mesh.triangles.len() * size_of::<MembraneTriangle>()
 }

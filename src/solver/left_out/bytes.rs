@@ -4,8 +4,8 @@ use crate::scene::Scene;
 use crate::solver::left_out::by_hand::{self, no_clock};
 use crate::solver::left_out::scenes::{Has, scene};
 use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::Particles;
-use crate::solver::{Anchors, SolverOptions};
+use crate::solver::model::dof_map::DofMap;
+use crate::solver::{FrictionAnchors, SolverOptions};
 use allocation_counter::{AllocationInfo, measure};
 
 /// Cells along a sheet.
@@ -18,11 +18,11 @@ fn allocated<T>(make: impl FnOnce() -> T) -> AllocationInfo {
 }
 
 fn assembled(scene: &Scene) -> AllocationInfo {
-    let particles = Particles::apart(scene.start.len());
+    let dof_map = DofMap::identity(scene.start.len());
     let stitches: Vec<_> = scene.mesh.stitches.iter().map(|s| (s.a, s.b)).collect();
-    let anchors = Anchors::default();
+    let anchors = FrictionAnchors::default();
     let stage = Stage {
-        particles: &particles,
+        dof_map: &dof_map,
         stitches: (!stitches.is_empty()).then_some((stitches, 1e4)),
         gravity: true,
         friction: Some(&anchors),

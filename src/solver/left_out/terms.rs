@@ -5,8 +5,8 @@ use crate::progress::CancelToken;
 use crate::solver::drape;
 use crate::solver::left_out::scenes::{Has, scene};
 use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::Particles;
-use crate::solver::{Anchors, Context, DrapeReport, SeamClose, SolverOptions};
+use crate::solver::model::dof_map::DofMap;
+use crate::solver::{Context, DrapeReport, FrictionAnchors, SeamClose, SolverOptions};
 
 /// Cells along a sheet: few, since what is assembled counts, not what comes of it.
 const CELLS: usize = 2;
@@ -40,24 +40,24 @@ fn sorted<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
 fn a_system_has_the_terms_that_its_scene_needs_and_no_others() {
     for has in Has::combinations() {
         let scene = scene(has, CELLS);
-        let particles = Particles::apart(scene.start.len());
+        let dof_map = DofMap::identity(scene.start.len());
         let stitches: Vec<_> = scene.mesh.stitches.iter().map(|s| (s.a, s.b)).collect();
         let stage = Stage {
-            particles: &particles,
+            dof_map: &dof_map,
             stitches: has.seams.then_some((stitches, 1e4)),
             gravity: true,
-            friction: Some(&Anchors::default()),
+            friction: Some(&FrictionAnchors::default()),
             explicit: false,
         };
         let system = assemble(&scene, &SolverOptions::default(), &stage, &|| 0.0);
         let contact = system.contact.as_ref();
-        let held = contact.is_some_and(|c| c.anchors() != Anchors::default());
+        let held = contact.is_some_and(|c| c.anchors() != FrictionAnchors::default());
         let apart = [("contact", contact.is_some()), ("friction", held)];
         let apart = apart
             .into_iter()
             .filter(|(_, is)| *is)
             .map(|(name, _)| name);
-        let terms = system.terms.iter().map(|term| term.force.name());
+        let terms = system.terms.iter().map(|term| term.potential.kind().name());
         assert_eq!(sorted(terms.chain(apart)), needed(has).0, "{has:?}");
     }
 }

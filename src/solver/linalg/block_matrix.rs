@@ -108,10 +108,10 @@ impl BlockMatrix {
     }
 
     /// Takes particles out of the system: their rows and columns become those of the identity.
-    pub(crate) fn hold(&mut self, sparsity: &Sparsity, held: &[bool]) {
+    pub(crate) fn constrain(&mut self, sparsity: &Sparsity, is_fixed: &[bool]) {
         for column in 0..sparsity.particle_count() {
             for (row, k) in sparsity.column(column) {
-                if held[row] || held[column] {
+                if is_fixed[row] || is_fixed[column] {
                     self.blocks[k] = if row == column {
                         Matrix3::identity()
                     } else {
@@ -123,7 +123,7 @@ impl BlockMatrix {
     }
 
     /// Takes one coordinate of every particle out of the system, likewise.
-    pub(crate) fn hold_axis(&mut self, sparsity: &Sparsity, axis: usize) {
+    pub(crate) fn constrain_axis(&mut self, sparsity: &Sparsity, axis: usize) {
         for column in 0..sparsity.particle_count() {
             for (row, k) in sparsity.column(column) {
                 let block = &mut self.blocks[k];

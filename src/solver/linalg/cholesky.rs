@@ -36,13 +36,13 @@ impl BlockCholesky {
     }
 
     /// Factors `matrix`.
-    pub(crate) fn factorise(
+    pub(crate) fn factorize(
         &mut self,
         sparsity: &Sparsity,
         matrix: &BlockMatrix,
     ) -> Result<(), NotPositiveDefinite> {
         self.gather(sparsity, matrix);
-        self.cholesky.factorise(&self.values)
+        self.cholesky.factorize(&self.values)
     }
 
     /// Solves with the last factor: `x` holds the right side and becomes the solution.
@@ -123,7 +123,7 @@ mod tests {
         let mut solution = right.clone();
         let mut cholesky = BlockCholesky::new(&sparsity).expect("small");
         cholesky
-            .factorise(&sparsity, &matrix)
+            .factorize(&sparsity, &matrix)
             .expect("diagonally dominant");
         cholesky.solve(&mut solution);
         let exact = dense
@@ -160,7 +160,7 @@ mod tests {
         assert!(
             BlockCholesky::new(&sparsity)
                 .expect("small")
-                .factorise(&sparsity, &matrix)
+                .factorize(&sparsity, &matrix)
                 .is_err()
         );
     }

@@ -17,7 +17,7 @@ type Apply<'a> = dyn FnMut(&[Vector3<f64>], &mut [Vector3<f64>]) + 'a;
 
 /// Scratch of the method.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct SkewSolver {
+pub(crate) struct NonsymmetricSolver {
     /// Residuals of the last two iterates.
     residual: Vec<Vector3<f64>>,
     older: Vec<Vector3<f64>>,
@@ -28,7 +28,7 @@ pub(crate) struct SkewSolver {
     skewed: Vec<Vector3<f64>>,
 }
 
-impl SkewSolver {
+impl NonsymmetricSolver {
     /// Turns `step`, the solution of P step = `force`, into that of (P + N) step = `force`: `solve` solves with P in place,
     /// `apply` writes N times its first argument into its second.
     pub(crate) fn correct(
@@ -96,7 +96,7 @@ mod tests {
             .map(|i| Vector3::new(1.0, 0.2 * i as f64, 2.0))
             .collect();
         let mut step = force.clone();
-        SkewSolver::default().correct(&force, &mut step, &mut |_| {}, &mut apply);
+        NonsymmetricSolver::default().correct(&force, &mut step, &mut |_| {}, &mut apply);
         for (i, (x, f)) in step.iter().zip(&force).enumerate() {
             let (r, turned) = (rate(i), 1.0 + rate(i).powi(2));
             let exact = Vector3::new((f.x + r * f.y) / turned, (f.y - r * f.x) / turned, f.z);

@@ -3,12 +3,12 @@
 use crate::scene::{Fabric, Scene};
 use crate::solver::forces::BendPatch;
 use crate::solver::model::build::rest_triangles;
-use crate::solver::model::dof_map::Particles;
+use crate::solver::model::dof_map::DofMap;
 use std::collections::BTreeMap;
 
 /// Every triangle with its neighbours, across seams that are welded too: a seam pressed open bends like the cloth.
-pub(crate) fn bend_patches(scene: &Scene, particles: &Particles) -> Vec<BendPatch> {
-    let sides = sides(scene, particles);
+pub(crate) fn bend_patches(scene: &Scene, dof_map: &DofMap) -> Vec<BendPatch> {
+    let sides = sides(scene, dof_map);
     let least = scene.least_bending_n_m;
     let patch = |(t, fabric, rest): ([usize; 3], Option<&Fabric>, [[f64; 2]; 3])| {
         let rigidity = fabric.map_or([0.0; 2], |f| [f.bending_warp_n_m, f.bending_weft_n_m]);
@@ -16,7 +16,7 @@ pub(crate) fn bend_patches(scene: &Scene, particles: &Particles) -> Vec<BendPatc
         if rigidity[0].max(rigidity[1]) <= 0.0 {
             return None;
         }
-        let corners = t.map(|v| particles.of_vertex[v]);
+        let corners = t.map(|v| dof_map.of_vertex[v]);
         let wing = |k: usize| {
             let (key, mine) = side(corners, rest, k);
             let [a, b] = sides[&key].as_slice() else {
@@ -41,11 +41,11 @@ struct BendSide {
     rising: bool,
 }
 
-fn sides(scene: &Scene, particles: &Particles) -> BTreeMap<(usize, usize), Vec<BendSide>> {
+fn sides(scene: &Scene, dof_map: &DofMap) -> BTreeMap<(usize, usize), Vec<BendSide>> {
     let mut sides: BTreeMap<_, Vec<BendSide>> = BTreeMap::new();
     for (t, _, rest) in rest_triangles(scene) {
         for k in 0..3 {
-            let (key, side) = side(t.map(|v| particles.of_vertex[v]), rest, k);
+            let (key, side) = side(t.map(|v| dof_map.of_vertex[v]), rest, k);
             sides.entry(key).or_default().push(side);
         }
     }

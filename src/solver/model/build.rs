@@ -3,14 +3,14 @@
 pub use crate::solver::model::membrane::springs;
 
 use crate::scene::{Fabric, Scene};
-use crate::solver::forces::contact::{Anchors, BodyContact, Friction};
+use crate::solver::forces::contact::{BodyContact, Friction, FrictionAnchors};
 use crate::solver::forces::{
-    BendForce, ContinuumForce, FibreForce, Force, Gravity, SewingForce, SpringForce, WindForce,
+    BendForce, ContinuumForce, FiberForce, Gravity, Potential, SewingForce, SpringForce, WindForce,
 };
 use crate::solver::model::bending::bend_patches;
-use crate::solver::model::dof_map::Particles;
+use crate::solver::model::dof_map::DofMap;
 use crate::solver::model::membrane::{carried, membranes, spring_net};
-use crate::solver::model::system::{System, TimedForce};
+use crate::solver::model::system::{System, TimedTerm};
 use crate::solver::options::MembraneModel;
 use crate::solver::options::SolverOptions;
 use nalgebra::Vector3;
@@ -28,13 +28,13 @@ const EXPLICIT_REUSE: f64 = 2e-5;
 /// What one stage of a fit asks for.
 pub(crate) struct Stage<'a> {
     /// Which vertices are one particle.
-    pub(crate) particles: &'a Particles,
+    pub(crate) dof_map: &'a DofMap,
     /// Vertex pairs that a spring pulls together, and its stiffness \[N/m\].
     pub(crate) stitches: Option<(Vec<(usize, usize)>, f64)>,
     /// Whether weight acts.
     pub(crate) gravity: bool,
     /// Where the body holds cloth by friction to begin with; none without friction.
-    pub(crate) friction: Option<&'a Anchors>,
+    pub(crate) friction: Option<&'a FrictionAnchors>,
     /// Whether steps are many and small.
     pub(crate) explicit: bool,
 }
@@ -46,17 +46,17 @@ pub(crate) fn assemble<'a>(
     stage: &Stage<'_>,
     clock: &'a dyn Fn() -> f64,
 ) -> System<'a> {
-    let particles = stage.particles;
-    let mass = particles.sum(&scene.mass);
-    let mut forces: Vec<Box<dyn Force>> =
-        vec![match (&scene.net, &scene.fibres, options.membrane) {
-            (_, Some(fibres), _) => Box::new(FibreForce::new(carried(fibres, particles))),
+    let dof_map = stage.dof_map;
+    let mass = dof_map.sum(&scene.mass);
+    let mut forces: Vec<Box<dyn Potential>> =
+        vec![match (&scene.net, &scene.fibers, options.membrane) {
+            (_, Some(fibers), _) => Box::new(FiberForce::new(carried(fibers, dof_map))),
             (None, None, MembraneModel::Continuum) => {
-                Box::new(ContinuumForce::new(membranes(scene, particles)))
+                Box::new(ContinuumForce::new(membranes(scene, dof_map)))
             }
-            _ => Box::new(SpringForce::new(spring_net(scene, particles))),
+            _ => Box::new(SpringForce::new(spring_net(scene, dof_map))),
         }];
-    let patches = bends(scene).then(|| bend_patches(scene, particles));
+    let patches = bends(scene).then(|| bend_patches(scene, dof_map));
     if let Some(patches) = patches.filter(|patches| !patches.is_empty()) {
         forces.push(Box::new(BendForce::new(patches)));
     }
@@ -64,25 +64,25 @@ pub(crate) fn assemble<'a>(
         let weight = mass.iter().map(|m| scene.gravity * *m).collect();
         forces.push(Box::new(Gravity {
             weight,
-            start: particles.mean(&scene.start),
+            start: dof_map.average(&scene.start),
         }));
     }
     // Wind acts as weight does: on a garment that is sewn.
     if let Some(wind) = scene.wind.filter(|_| stage.gravity) {
-        let triangles = particle_triangles(scene, particles);
-        let start = particles.mean(&scene.start);
+        let triangles = particle_triangles(scene, dof_map);
+        let start = dof_map.average(&scene.start);
         forces.push(Box::new(WindForce::new(wind, triangles, &start)));
     }
     if let Some((stitches, stiffness)) = &stage.stitches {
-        let pairs = particles.pairs(stitches);
+        let pairs = dof_map.pairs(stitches);
         forces.push(Box::new(SewingForce::new(pairs, *stiffness)));
     }
-    let mut held = vec![false; mass.len()];
+    let mut is_fixed = vec![false; mass.len()];
     for &pin in &scene.pins {
-        held[particles.of_vertex[pin]] = true;
+        is_fixed[dof_map.of_vertex[pin]] = true;
     }
     let contact = scene.body.as_ref().map(|body| {
-        let area = particles.sum(&vertex_areas(scene));
+        let area = dof_map.sum(&vertex_areas(scene));
         let held = stage.friction.filter(|_| scene.friction > 0.0);
         let friction =
             held.map(|held| Friction::new(scene.friction, mass.len()).with_anchors(held));
@@ -92,12 +92,15 @@ pub(crate) fn assemble<'a>(
     });
     let terms = forces
         .into_iter()
-        .map(|force| TimedForce { force, cpu_s: 0.0 })
+        .map(|potential| TimedTerm {
+            potential,
+            cpu_s: 0.0,
+        })
         .collect();
     System {
         mass,
-        held,
-        held_axis: scene.held_axis,
+        is_fixed,
+        fixed_axis: scene.fixed_axis,
         terms,
         contact,
         contact_cpu_s: 0.0,
@@ -119,8 +122,8 @@ pub fn kept_distance(scene: &Scene) -> f64 {
     SKIN_OFFSET + 0.5 * thickness.fold(0.0, f64::max)
 }
 
-pub(crate) fn particle_triangles(scene: &Scene, particles: &Particles) -> Vec<[usize; 3]> {
-    let of_vertex = |t: &[usize; 3]| t.map(|v| particles.of_vertex[v]);
+pub(crate) fn particle_triangles(scene: &Scene, dof_map: &DofMap) -> Vec<[usize; 3]> {
+    let of_vertex = |t: &[usize; 3]| t.map(|v| dof_map.of_vertex[v]);
     scene.mesh.triangles.iter().map(of_vertex).collect()
 }
 

@@ -4,16 +4,16 @@ use nalgebra::Vector3;
 
 /// The particle that each vertex is.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Particles {
+pub(crate) struct DofMap {
     /// `#V`
     pub(crate) of_vertex: Vec<usize>,
     /// Number of particles.
     pub(crate) count: usize,
 }
 
-impl Particles {
+impl DofMap {
     /// Every vertex a particle of its own.
-    pub(crate) fn apart(vertex_count: usize) -> Self {
+    pub(crate) fn identity(vertex_count: usize) -> Self {
         Self {
             of_vertex: (0..vertex_count).collect(),
             count: vertex_count,
@@ -61,7 +61,7 @@ impl Particles {
     }
 
     /// Mean over the vertices of each particle.
-    pub(crate) fn mean(&self, of_vertex: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
+    pub(crate) fn average(&self, of_vertex: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
         let mut mean = vec![Vector3::zeros(); self.count];
         let mut number = vec![0.0; self.count];
         for (&particle, value) in self.of_vertex.iter().zip(of_vertex) {
@@ -73,7 +73,7 @@ impl Particles {
     }
 
     /// The value of each vertex's particle.
-    pub(crate) fn spread(&self, of_particle: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
+    pub(crate) fn scatter(&self, of_particle: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
         self.of_vertex
             .iter()
             .map(|&particle| of_particle[particle])
@@ -95,9 +95,9 @@ mod tests {
 
     #[test]
     fn chains_of_pairs_become_one_particle() {
-        let particles = Particles::welded(5, [(4, 2), (2, 0)].into_iter());
-        assert_eq!(particles.of_vertex, [0, 1, 0, 2, 0]);
-        assert_eq!(particles.count, 3);
-        assert_eq!(particles.sum(&[1.0; 5]), [3.0, 1.0, 1.0]);
+        let dof_map = DofMap::welded(5, [(4, 2), (2, 0)].into_iter());
+        assert_eq!(dof_map.of_vertex, [0, 1, 0, 2, 0]);
+        assert_eq!(dof_map.count, 3);
+        assert_eq!(dof_map.sum(&[1.0; 5]), [3.0, 1.0, 1.0]);
     }
 }

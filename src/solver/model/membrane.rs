@@ -1,21 +1,21 @@
-//! What of a scene stretches: triangles of the continuum, springs on mesh edges, springs as given, fibres.
+//! What of a scene stretches: triangles of the continuum, springs on mesh edges, springs as given, fibers.
 
-use crate::scene::{Fibre, NetSpring, Scene};
-use crate::solver::forces::{Membrane, Spring};
+use crate::scene::{FiberSpring, NetSpring, Scene};
+use crate::solver::forces::{MembraneTriangle, Spring};
 use crate::solver::model::build::{cut_triangles, rest_area};
-use crate::solver::model::dof_map::Particles;
+use crate::solver::model::dof_map::DofMap;
 use std::collections::BTreeMap;
 
 /// The springs of the paper's membrane on `scene`, every vertex a particle: `(i, j, rest length [m], stiffness [N/m])`.
 pub fn springs(scene: &Scene) -> Vec<(usize, usize, f64, f64)> {
-    let apart = Particles::apart(scene.mesh.uv.len());
+    let apart = DofMap::identity(scene.mesh.uv.len());
     spring_net(scene, &apart)
         .into_iter()
         .map(|s| (s.a, s.b, s.rest_length, s.stiffness))
         .collect()
 }
 
-pub(crate) fn membranes(scene: &Scene, particles: &Particles) -> Vec<Membrane> {
+pub(crate) fn membranes(scene: &Scene, dof_map: &DofMap) -> Vec<MembraneTriangle> {
     let edge = scene.mesh.mean_edge();
     cut_triangles(scene)
         .filter_map(|(t, fabric, rest)| {
@@ -26,8 +26,8 @@ pub(crate) fn membranes(scene: &Scene, particles: &Particles) -> Vec<Membrane> {
             ];
             let rigidity = [fabric.bending_warp_n_m, fabric.bending_weft_n_m];
             let rigidity = rigidity.map(|b| b.max(scene.least_bending_n_m));
-            let membrane = Membrane::new(t.map(|v| particles.of_vertex[v]), rest, moduli);
-            membrane.map(|m| m.that_buckles(rigidity, edge))
+            let membrane = MembraneTriangle::new(t.map(|v| dof_map.of_vertex[v]), rest, moduli);
+            membrane.map(|m| m.with_buckling(rigidity, edge))
         })
         .collect()
 }
@@ -37,9 +37,9 @@ pub(crate) fn membranes(scene: &Scene, particles: &Particles) -> Vec<Membrane> {
 /// Their constants are those of A. Van Gelder, "Approximate simulation of elastic membranes by triangulated spring meshes"
 /// (Journal of Graphics Tools 3(2), 1998), k = E sum A / l² over the edge's triangles, with the modulus of an orthotropic cloth
 /// along the edge, 1/E = cos⁴/Kw + sin⁴/Kf + sin² cos²/G.
-pub(crate) fn spring_net(scene: &Scene, particles: &Particles) -> Vec<Spring> {
+pub(crate) fn spring_net(scene: &Scene, dof_map: &DofMap) -> Vec<Spring> {
     if let Some(net) = &scene.net {
-        return given_net(net, particles);
+        return given_net(net, dof_map);
     }
     let mut edges: BTreeMap<(usize, usize), Spring> = BTreeMap::new();
     for (t, fabric, rest) in cut_triangles(scene) {
@@ -51,7 +51,7 @@ pub(crate) fn spring_net(scene: &Scene, particles: &Particles) -> Vec<Spring> {
             let softness = cos2 * cos2 / fabric.stretch_warp_n_m
                 + sin2 * sin2 / fabric.stretch_weft_n_m
                 + sin2 * cos2 / fabric.shear_n_m;
-            let (a, b) = (particles.of_vertex[t[i]], particles.of_vertex[t[j]]);
+            let (a, b) = (dof_map.of_vertex[t[i]], dof_map.of_vertex[t[j]]);
             let key = (t[i].min(t[j]), t[i].max(t[j]));
             edges
                 .entry(key)
@@ -68,19 +68,19 @@ pub(crate) fn spring_net(scene: &Scene, particles: &Particles) -> Vec<Spring> {
     edges.into_values().filter(|s| s.a != s.b).collect()
 }
 
-pub(crate) fn carried(fibres: &[Fibre], particles: &Particles) -> Vec<Fibre> {
-    let carry = |f: &Fibre| Fibre {
-        corners: f.corners.map(|v| particles.of_vertex[v]),
+pub(crate) fn carried(fibers: &[FiberSpring], dof_map: &DofMap) -> Vec<FiberSpring> {
+    let carry = |f: &FiberSpring| FiberSpring {
+        corners: f.corners.map(|v| dof_map.of_vertex[v]),
         ..*f
     };
-    fibres.iter().map(carry).collect()
+    fibers.iter().map(carry).collect()
 }
 
-fn given_net(net: &[NetSpring], particles: &Particles) -> Vec<Spring> {
+fn given_net(net: &[NetSpring], dof_map: &DofMap) -> Vec<Spring> {
     net.iter()
         .map(|s| Spring {
-            a: particles.of_vertex[s.a],
-            b: particles.of_vertex[s.b],
+            a: dof_map.of_vertex[s.a],
+            b: dof_map.of_vertex[s.b],
             rest_length: s.rest_length_m,
             stiffness: s.stiffness_n_m,
         })

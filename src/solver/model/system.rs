@@ -1,7 +1,7 @@
 //! The particles of a garment and the force terms that act on them: only those that the scene needs.
 
-use crate::solver::forces::Force;
 use crate::solver::forces::contact::BodyContact;
+use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use nalgebra::Vector3;
 
@@ -13,11 +13,11 @@ pub(crate) struct System<'a> {
     /// \[kg\]; one per particle.
     pub(crate) mass: Vec<f64>,
     /// Particles that do not move.
-    pub(crate) held: Vec<bool>,
+    pub(crate) is_fixed: Vec<bool>,
     /// The coordinate in which no particle moves.
-    pub(crate) held_axis: Option<usize>,
+    pub(crate) fixed_axis: Option<usize>,
     /// The terms, with the CPU time spent in each.
-    pub(crate) terms: Vec<TimedForce>,
+    pub(crate) terms: Vec<TimedTerm>,
     /// Contact with the body, kept apart from the other terms because it remembers what slipped.
     pub(crate) contact: Option<BodyContact>,
     /// CPU time in contact \[s\].
@@ -27,8 +27,8 @@ pub(crate) struct System<'a> {
 }
 
 /// A term and the CPU time spent in it.
-pub(crate) struct TimedForce {
-    pub(crate) force: Box<dyn Force>,
+pub(crate) struct TimedTerm {
+    pub(crate) potential: Box<dyn Potential>,
     pub(crate) cpu_s: f64,
 }
 
@@ -42,31 +42,38 @@ impl System<'_> {
     pub(crate) fn bind(&mut self) -> Sparsity {
         let mut pairs = Vec::new();
         for term in &self.terms {
-            term.force.couple(&mut pairs);
+            term.potential.add_coupled_pairs(&mut pairs);
         }
         let sparsity = Sparsity::from_pairs(self.particle_count(), pairs);
         self.for_each(|force| force.bind(&sparsity));
         sparsity
     }
 
-    /// Whether some force has no energy.
-    pub(crate) fn is_skew(&self) -> bool {
-        self.terms.iter().any(|term| term.force.is_skew())
+    /// Returns true if every force has an energy.
+    pub(crate) fn is_conservative(&self) -> bool {
+        self.terms
+            .iter()
+            .all(|term| term.potential.is_conservative())
     }
 
-    /// The skew part of the negative derivative of all forces at `x`, times `d`, which is zero for what is held.
-    pub(crate) fn skew(&self, x: &[Vector3<f64>], d: &[Vector3<f64>], out: &mut [Vector3<f64>]) {
+    /// Writes to `out` the antisymmetric part of the negative derivative of all forces at `x`, times `d`, which is zero for what is held.
+    pub(crate) fn antisymmetric_product(
+        &self,
+        x: &[Vector3<f64>],
+        d: &[Vector3<f64>],
+        out: &mut [Vector3<f64>],
+    ) {
         out.fill(Vector3::zeros());
         for term in &self.terms {
-            term.force.add_skew(x, d, out);
+            term.potential.add_antisymmetric_product(x, d, out);
         }
-        self.hold_still(out);
+        self.zero_fixed(out);
     }
 
     /// Tells the terms of an accepted shape. Whether anything slipped on the body.
     pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
         for term in &mut self.terms {
-            term.force.accept(x);
+            term.potential.accept(x);
         }
         self.contact.as_mut().is_some_and(|c| c.accept(x))
     }
@@ -74,7 +81,7 @@ impl System<'_> {
     /// Tells the terms how the particles move \[m/s\] at `time` \[s\]; without it they rest in the mean wind.
     pub(crate) fn set_motion(&mut self, velocity: &[Vector3<f64>], time: f64) {
         for term in &mut self.terms {
-            term.force.set_motion(velocity, time);
+            term.potential.set_motion(velocity, time);
         }
     }
 
@@ -85,11 +92,11 @@ impl System<'_> {
         sum
     }
 
-    /// Energy of the term `name` \[J\], 0 if there is none.
-    pub(crate) fn energy_of(&mut self, name: &str, x: &[Vector3<f64>]) -> f64 {
+    /// Returns the energy of the terms of this kind \[J\], 0 if there is none.
+    pub(crate) fn energy_of(&mut self, kind: TermKind, x: &[Vector3<f64>]) -> f64 {
         let mut sum = 0.0;
         self.for_each(|force| {
-            if force.name() == name {
+            if force.kind() == kind {
                 sum += force.energy(x);
             }
         });
@@ -100,7 +107,7 @@ impl System<'_> {
     pub(crate) fn net_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
         force.fill(Vector3::zeros());
         self.for_each(|term| term.add_force(x, force));
-        self.hold_still(force);
+        self.zero_fixed(force);
     }
 
     /// Adds the forces of contact and of all terms that are not marked in `except` \[N\].
@@ -119,42 +126,42 @@ impl System<'_> {
     }
 
     /// Makes zero what would move a particle that does not move.
-    pub(crate) fn hold_still(&self, vectors: &mut [Vector3<f64>]) {
+    pub(crate) fn zero_fixed(&self, vectors: &mut [Vector3<f64>]) {
         for (v, _) in vectors
             .iter_mut()
-            .zip(&self.held)
-            .filter(|(_, held)| **held)
+            .zip(&self.is_fixed)
+            .filter(|(_, is_fixed)| **is_fixed)
         {
             *v = Vector3::zeros();
         }
-        if let Some(axis) = self.held_axis {
+        if let Some(axis) = self.fixed_axis {
             vectors.iter_mut().for_each(|v| v[axis] = 0.0);
         }
     }
 
     /// Takes what does not move out of `hessian`: its rows and columns become those of the identity.
-    pub(crate) fn hold(&self, sparsity: &Sparsity, hessian: &mut BlockMatrix) {
-        hessian.hold(sparsity, &self.held);
-        if let Some(axis) = self.held_axis {
-            hessian.hold_axis(sparsity, axis);
+    pub(crate) fn constrain(&self, sparsity: &Sparsity, hessian: &mut BlockMatrix) {
+        hessian.constrain(sparsity, &self.is_fixed);
+        if let Some(axis) = self.fixed_axis {
+            hessian.constrain_axis(sparsity, axis);
         }
     }
 
-    /// Second derivative of the energy, less the share `convexity` of what may make it indefinite.
+    /// Second derivative of the energy, less the share `hessian_modification` of what may make it indefinite.
     pub(crate) fn hessian(
         &mut self,
         x: &[Vector3<f64>],
-        convexity: f64,
+        hessian_modification: f64,
         hessian: &mut BlockMatrix,
     ) {
         hessian.clear();
-        self.for_each(|force| force.add_hessian(x, convexity, hessian));
+        self.for_each(|force| force.add_hessian(x, hessian_modification, hessian));
     }
 
     /// Bound on the stiffness that each particle feels in the rest shape \[N/m\].
     pub(crate) fn stiffness(&mut self) -> Vec<f64> {
         let mut sum = vec![0.0; self.particle_count()];
-        self.for_each(|force| force.add_stiffness(&mut sum));
+        self.for_each(|force| force.add_stiffness_bound(&mut sum));
         sum
     }
 
@@ -184,10 +191,10 @@ impl System<'_> {
         (rounding / count).sqrt() / weight
     }
 
-    fn for_each(&mut self, mut run: impl FnMut(&mut dyn Force)) {
+    fn for_each(&mut self, mut run: impl FnMut(&mut dyn Potential)) {
         let mut before = (self.clock)();
         for term in &mut self.terms {
-            run(term.force.as_mut());
+            run(term.potential.as_mut());
             let now = (self.clock)();
             term.cpu_s += now - before;
             before = now;

@@ -13,7 +13,7 @@
 //! residual asked for, at the round-off floor, at the limit of iterations or time, or when canceled, and says which.
 
 use crate::solver::linalg::block_matrix::BlockMatrix;
-use crate::solver::linalg::nonsymmetric::SkewSolver;
+use crate::solver::linalg::nonsymmetric::NonsymmetricSolver;
 use crate::solver::model::system::System;
 use crate::solver::optimize::iterate::{Callback, Iterate, Termination};
 use crate::solver::optimize::line_search::{LineSearch, MAX_DISPLACEMENT};
@@ -48,7 +48,7 @@ pub(crate) struct Newton {
     /// The second derivative with the proximal term.
     shifted: BlockMatrix,
     /// Solver for forces that have no energy.
-    skew: Option<SkewSolver>,
+    nonsymmetric: Option<NonsymmetricSolver>,
     pseudo_transient: PseudoTransient,
     /// True if the last factor was that of the true second derivative.
     was_convex: bool,
@@ -71,7 +71,7 @@ impl Newton {
         let work = NewtonWorkspace::new(system)?;
         Ok(Self {
             shifted: BlockMatrix::zeros(&work.sparsity),
-            skew: system.is_skew().then(SkewSolver::default),
+            nonsymmetric: (!system.is_conservative()).then(NonsymmetricSolver::default),
             work,
             pseudo_transient: PseudoTransient::new(first_gamma),
             iterations: 0,
@@ -135,9 +135,9 @@ impl Newton {
         let work = &mut self.work;
         system.net_force(x, &mut work.force);
         system.hessian(x, 0.0, &mut work.hessian);
-        system.hold(&work.sparsity, &mut work.hessian);
+        system.constrain(&work.sparsity, &mut work.hessian);
         work.cholesky
-            .factorise(&work.sparsity, &work.hessian)
+            .factorize(&work.sparsity, &work.hessian)
             .ok()?;
         self.solve(system, x);
         Some(rms(x.len(), |i| self.work.step[i]))
@@ -195,16 +195,16 @@ impl Newton {
         self.shifted.blocks.copy_from_slice(&work.hessian.blocks);
         let weight = |mass| mass / (gamma * gamma);
         add_inertia(&mut self.shifted, &work.sparsity, &system.mass, weight);
-        system.hold(&work.sparsity, &mut self.shifted);
+        system.constrain(&work.sparsity, &mut self.shifted);
         work.cholesky
-            .factorise(&work.sparsity, &self.shifted)
+            .factorize(&work.sparsity, &self.shifted)
             .is_ok()
     }
 
     /// Solves for the step from `x` by the last factor.
     fn solve(&mut self, system: &System<'_>, x: &[Vector3<f64>]) {
         self.work.solve();
-        if let Some(skew) = &mut self.skew {
+        if let Some(nonsymmetric) = &mut self.nonsymmetric {
             let NewtonWorkspace {
                 cholesky,
                 force,
@@ -212,8 +212,10 @@ impl Newton {
                 ..
             } = &mut self.work;
             let mut solve = |right: &mut [Vector3<f64>]| cholesky.solve(right);
-            let mut apply = |d: &[Vector3<f64>], out: &mut [Vector3<f64>]| system.skew(x, d, out);
-            skew.correct(force, step, &mut solve, &mut apply);
+            let mut apply = |d: &[Vector3<f64>], out: &mut [Vector3<f64>]| {
+                system.antisymmetric_product(x, d, out)
+            };
+            nonsymmetric.correct(force, step, &mut solve, &mut apply);
         }
     }
 

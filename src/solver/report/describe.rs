@@ -1,6 +1,7 @@
 //! What a report says of a shape besides how it was reached: energies, terms, what was left out, whether it is worn.
 
 use crate::scene::Scene;
+use crate::solver::forces::TermKind;
 use crate::solver::model::build::bends;
 use crate::solver::model::system::System;
 use crate::solver::report::schema::{DrapeReport, Energy, SkippedTerm, Support, TermTime};
@@ -14,11 +15,11 @@ const INSIDE: f64 = 0.01;
 #[inline(never)] // so that a profile tells what it takes
 pub(crate) fn energies(system: &mut System<'_>, x: &[Vector3<f64>]) -> Energy {
     Energy {
-        stretch: system.energy_of("stretch", x),
-        bend: system.energy_of("bend", x),
-        gravity: system.energy_of("gravity", x),
-        seam: system.energy_of("seam", x),
-        contact: system.energy_of("contact", x),
+        stretch: system.energy_of(TermKind::Stretch, x),
+        bend: system.energy_of(TermKind::Bend, x),
+        gravity: system.energy_of(TermKind::Gravity, x),
+        seam: system.energy_of(TermKind::Seam, x),
+        contact: system.energy_of(TermKind::Contact, x),
     }
 }
 
@@ -37,7 +38,7 @@ fn of_system(system: &System<'_>) -> Vec<TermTime> {
         .terms
         .iter()
         .map(|t| TermTime {
-            name: t.force.name().to_owned(),
+            name: t.potential.kind().name().to_owned(),
             cpu_s: t.cpu_s,
         })
         .collect();

@@ -3,7 +3,7 @@
 use crate::scene::Scene;
 use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
 use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::Particles;
+use crate::solver::model::dof_map::DofMap;
 use crate::solver::options::SolverOptions;
 use crate::solver::report::describe::energies;
 use crate::solver::report::schema::DrapeReport;
@@ -19,11 +19,11 @@ pub(crate) fn describe(
     clock: &dyn Fn() -> f64,
     report: &mut DrapeReport,
 ) {
-    let particles = Particles::apart(x.len());
+    let dof_map = DofMap::identity(x.len());
     let stitches: Vec<_> = scene.mesh.stitches.iter().map(|s| (s.a, s.b)).collect();
     let stiffness = closed_stiffness(options, SEAM_STIFFNESS);
     let stage = Stage {
-        particles: &particles,
+        dof_map: &dof_map,
         stitches: (!stitches.is_empty()).then_some((stitches, stiffness)),
         gravity: true,
         friction: None,

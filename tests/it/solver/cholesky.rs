@@ -8,7 +8,7 @@ fn a_path_laplacian_is_solved() {
     let mut cholesky =
         Cholesky::new(vec![0, 2, 4, 5], vec![0, 1, 1, 2, 2], Some(&[2, 0, 1])).expect("small");
     cholesky
-        .factorise(&[2.0, -1.0, 2.0, -1.0, 2.0])
+        .factorize(&[2.0, -1.0, 2.0, -1.0, 2.0])
         .expect("positive definite");
     let mut x = [1.0, 0.0, 1.0];
     cholesky.solve(&mut x);
@@ -18,5 +18,5 @@ fn a_path_laplacian_is_solved() {
 #[test]
 fn an_indefinite_matrix_is_refused() {
     let mut cholesky = Cholesky::new(vec![0, 1], vec![0], None).expect("small");
-    assert_eq!(cholesky.factorise(&[-1.0]), Err(NotPositiveDefinite));
+    assert_eq!(cholesky.factorize(&[-1.0]), Err(NotPositiveDefinite));
 }

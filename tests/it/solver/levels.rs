@@ -131,9 +131,9 @@ fn mass_is_kept() {
     }
 }
 
-/// Wherever cloth deforms the same everywhere, a net and its fibres have the same energy: nothing was lost on the way down.
+/// Wherever cloth deforms the same everywhere, a net and its fibers have the same energy: nothing was lost on the way down.
 #[test]
-fn fibres_have_the_energy_of_the_springs_they_stand_for() {
+fn fibers_have_the_energy_of_the_springs_they_stand_for() {
     let limits = Limits::default();
     let net = Net {
         family: Family::Capsule,
@@ -152,14 +152,14 @@ fn fibres_have_the_energy_of_the_springs_they_stand_for() {
     assert!(levels.len() >= 2);
     for (_, coarse) in levels {
         let x: Vec<_> = coarse.scene.mesh.uv.iter().map(stretched).collect();
-        let fibres = coarse.scene.fibres.iter().flatten();
-        let carried: f64 = fibres
+        let fibers = coarse.scene.fibers.iter().flatten();
+        let carried: f64 = fibers
             .map(|f| {
                 let image: Vector3<f64> = (0..3).map(|i| x[f.corners[i]] * f.weights[i]).sum();
                 0.5 * f.stiffness_n_m * (image.norm() - f.rest_length_m).powi(2)
             })
             .sum();
-        // Directions and rest lengths of fibres that are made one differ by up to 1e-6.
+        // Directions and rest lengths of fibers that are made one differ by up to 1e-6.
         assert!(
             (carried / energy - 1.0).abs() < 1e-4,
             "{carried} J of {energy} J"

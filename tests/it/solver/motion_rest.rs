@@ -13,7 +13,7 @@ fn hung() -> Scene {
         gravity: Vector3::new(0.0, -9.8, 0.0),
         drag: Some(10.0),
         pins: vec![20, 24],
-        held_axis: Some(2),
+        fixed_axis: Some(2),
         ..grid(5, 100.0)
     }
 }

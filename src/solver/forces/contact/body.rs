@@ -7,8 +7,8 @@
 //! (lagged), so that within a step friction has an energy.
 
 use crate::scene::{Body, BodySample};
-use crate::solver::forces::Force;
 use crate::solver::forces::contact::layer;
+use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
@@ -19,15 +19,15 @@ const SLIP_FELT: f64 = 1e-7;
 #[derive(Clone, Debug)]
 pub(crate) struct Friction {
     coefficient: f64,
-    anchors: Vec<Option<Anchor>>,
+    anchors: Vec<Option<FrictionAnchor>>,
 }
 
 /// Where friction holds the particles of a shape; empty where there is none. A drape that goes on from the shape needs it.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Anchors(Vec<Option<Anchor>>);
+pub struct FrictionAnchors(Vec<Option<FrictionAnchor>>);
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Anchor {
+struct FrictionAnchor {
     point: Vector3<f64>,
     normal: Vector3<f64>,
     /// Largest tangential force: μ N \[N\].
@@ -45,7 +45,7 @@ impl Friction {
     }
 
     /// The same friction that holds on where it held; with anchors of another number of particles it begins anew.
-    pub(crate) fn with_anchors(mut self, held: &Anchors) -> Self {
+    pub(crate) fn with_anchors(mut self, held: &FrictionAnchors) -> Self {
         if held.0.len() == self.anchors.len() {
             self.anchors.clone_from(&held.0);
         }
@@ -55,7 +55,7 @@ impl Friction {
 
 /// A remembered sample of the body: good for positions within `reuse` of where it was taken.
 #[derive(Clone, Copy, Debug)]
-struct Memory {
+struct CachedSample {
     at: Vector3<f64>,
     sample: Option<BodySample>,
     /// How far a particle may move before the sample says nothing of it any more \[m\].
@@ -69,7 +69,7 @@ pub(crate) struct BodyContact {
     offset: f64,
     /// Cloth area of each particle \[m²\].
     area: Vec<f64>,
-    memory: Vec<Memory>,
+    cache: Vec<CachedSample>,
     /// How far a sample is carried on by its second-order expansion \[m\]; 0 takes a new one each time.
     reuse: f64,
     friction: Option<Friction>,
@@ -79,7 +79,7 @@ pub(crate) struct BodyContact {
 impl BodyContact {
     /// Contact that keeps particles of cloth area `area` \[m²\] at `offset` \[m\] from the body.
     pub(crate) fn new(body: Body, offset: f64, area: &[f64]) -> Self {
-        let never = Memory {
+        let never = CachedSample {
             at: Vector3::repeat(f64::INFINITY),
             sample: None,
             reach: 0.0,
@@ -88,7 +88,7 @@ impl BodyContact {
             body,
             offset,
             area: area.to_vec(),
-            memory: vec![never; area.len()],
+            cache: vec![never; area.len()],
             reuse: 0.0,
             friction: None,
             diagonals: Vec::new(),
@@ -109,15 +109,15 @@ impl BodyContact {
 
     /// The sample of particle `i` if it is in the layer, its distance being that at `x`.
     fn touch(&mut self, i: usize, x: &Vector3<f64>) -> Option<BodySample> {
-        let memory = &mut self.memory[i];
-        let moved = x - memory.at;
+        let cached = &mut self.cache[i];
+        let moved = x - cached.at;
         // A particle that was never looked at is infinitely far from where it was.
-        if moved.norm() > memory.reach {
+        if moved.norm() > cached.reach {
             let sample = self.body.sample(x);
             // Outside the layer nothing is felt until the particle has come nearer by the distance that is left.
             let free = sample.map_or(self.offset, |s| s.distance - self.offset);
             let touching = sample.filter(|s| s.distance < self.offset + self.reuse);
-            *memory = Memory {
+            *cached = CachedSample {
                 at: *x,
                 sample: touching,
                 reach: if touching.is_some() {
@@ -128,7 +128,7 @@ impl BodyContact {
             };
             return touching.filter(|s| s.distance < self.offset);
         }
-        let mut sample = memory.sample?;
+        let mut sample = cached.sample?;
         let bent = sample.curvature * moved;
         sample.distance += sample.normal.dot(&moved) + 0.5 * moved.dot(&bent);
         sample.normal += bent;
@@ -157,7 +157,7 @@ impl BodyContact {
             let slipping = u.norm() > slip;
             slipped |= u.norm() > slip + SLIP_FELT;
             point = position - if slipping { u * (slip / u.norm()) } else { u };
-            friction.anchors[i] = Some(Anchor {
+            friction.anchors[i] = Some(FrictionAnchor {
                 point,
                 normal,
                 limit,
@@ -169,9 +169,9 @@ impl BodyContact {
     }
 
     /// Where friction holds the particles.
-    pub(crate) fn anchors(&self) -> Anchors {
+    pub(crate) fn anchors(&self) -> FrictionAnchors {
         let anchors = self.friction.as_ref().map(|f| f.anchors.clone());
-        Anchors(anchors.unwrap_or_default())
+        FrictionAnchors(anchors.unwrap_or_default())
     }
 
     /// Particles in contact at `x`.
@@ -181,7 +181,7 @@ impl BodyContact {
             .collect()
     }
 
-    fn anchor(&self, i: usize) -> Option<Anchor> {
+    fn anchor(&self, i: usize) -> Option<FrictionAnchor> {
         self.friction.as_ref()?.anchors[i]
     }
 }
@@ -190,12 +190,12 @@ fn tangential(v: &Vector3<f64>, normal: &Vector3<f64>) -> Vector3<f64> {
     v - normal * normal.dot(v)
 }
 
-impl Force for BodyContact {
-    fn name(&self) -> &'static str {
-        "contact"
+impl Potential for BodyContact {
+    fn kind(&self) -> TermKind {
+        TermKind::Contact
     }
 
-    fn couple(&self, _pairs: &mut Vec<(usize, usize)>) {}
+    fn add_coupled_pairs(&self, _pairs: &mut Vec<(usize, usize)>) {}
 
     fn bind(&mut self, sparsity: &Sparsity) {
         self.diagonals = (0..sparsity.particle_count())
@@ -242,13 +242,18 @@ impl Force for BodyContact {
         }
     }
 
-    fn add_hessian(&mut self, x: &[Vector3<f64>], convexity: f64, hessian: &mut BlockMatrix) {
+    fn add_hessian(
+        &mut self,
+        x: &[Vector3<f64>],
+        hessian_modification: f64,
+        hessian: &mut BlockMatrix,
+    ) {
         for (i, position) in x.iter().enumerate() {
             let k = self.area[i] * layer::TANGENTIAL;
             if let Some(sample) = self.touch(i, position) {
                 let depth = self.offset - sample.distance;
                 let mut block = sample.normal * sample.normal.transpose() * layer::slope(depth);
-                block -= sample.curvature * ((1.0 - convexity) * layer::pressure(depth));
+                block -= sample.curvature * ((1.0 - hessian_modification) * layer::pressure(depth));
                 block *= self.area[i];
                 hessian.add_diagonal(self.diagonals[i], &block);
             }
@@ -267,7 +272,7 @@ impl Force for BodyContact {
         }
     }
 
-    fn add_stiffness(&self, stiffness: &mut [f64]) {
+    fn add_stiffness_bound(&self, stiffness: &mut [f64]) {
         let sticking = if self.friction.is_some() {
             layer::TANGENTIAL
         } else {

@@ -1,6 +1,6 @@
 //! Explicit steps, whatever their rule: by the fused kernel for all terms that are links, by the terms themselves for the others.
 
-use crate::solver::forces::Stencil;
+use crate::solver::forces::PairForces;
 use crate::solver::integrate::explicit::kernel::{Kernel, StepRule};
 use crate::solver::integrate::integrator::{ParticleState, accept};
 use crate::solver::model::system::System;
@@ -27,22 +27,22 @@ pub(crate) struct ExplicitStepper {
 impl ExplicitStepper {
     pub(crate) fn new(system: &System<'_>) -> Self {
         let count = system.particle_count();
-        let mut stencil = Stencil::new(count);
+        let mut pair_forces = PairForces::new(count);
         let in_kernel: Vec<bool> = system
             .terms
             .iter()
-            .map(|term| term.force.add_to_stencil(&mut stencil))
+            .map(|term| term.potential.add_to_pair_forces(&mut pair_forces))
             .collect();
         let more = system.contact.is_some() || in_kernel.contains(&false);
         let mut pairs = Vec::new();
         for (term, _) in system.terms.iter().zip(&in_kernel).filter(|(_, k)| !**k) {
-            term.force.couple(&mut pairs);
+            term.potential.add_coupled_pairs(&mut pairs);
         }
         let touching = if system.contact.is_some() { count } else { 0 };
         let more_operations = A_PAIR * pairs.len() as f64 + A_CONTACT * touching as f64;
         Self {
             more_operations,
-            kernel: Kernel::new(system, &stencil, more),
+            kernel: Kernel::new(system, &pair_forces, more),
             in_kernel,
             more,
             force: vec![Vector3::zeros(); count],

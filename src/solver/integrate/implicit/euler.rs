@@ -70,7 +70,7 @@ impl ImplicitEuler {
     ) -> Result<f64, StepError> {
         accept(system, state);
         let dragged = 1.0 + self.drag * h;
-        system.hold_still(&mut state.v);
+        system.zero_fixed(&mut state.v);
         for ((target, x), v) in self.target.iter_mut().zip(&state.x).zip(&state.v) {
             *target = x + v * (h / dragged);
         }

@@ -124,7 +124,7 @@ impl IncrementalNewton {
         for (f, ((x, t), m)) in self.work.force.iter_mut().zip(apart) {
             *f -= (x - t) * (m * inertia_term.weight);
         }
-        system.hold_still(&mut self.work.force);
+        system.zero_fixed(&mut self.work.force);
     }
 
     /// Solves for the Newton step, by the true second derivative or as much of it as has a factor.
@@ -139,8 +139,8 @@ impl IncrementalNewton {
         for modification in MODIFICATIONS {
             system.hessian(x, modification, &mut work.hessian);
             add_inertia(&mut work.hessian, &work.sparsity, &system.mass, weight);
-            system.hold(&work.sparsity, &mut work.hessian);
-            let factor = work.cholesky.factorise(&work.sparsity, &work.hessian);
+            system.constrain(&work.sparsity, &mut work.hessian);
+            let factor = work.cholesky.factorize(&work.sparsity, &work.hessian);
             if factor.is_ok() {
                 work.solve();
                 return Ok(());

@@ -12,7 +12,7 @@ use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
 use crate::solver::integrate::select::integrator_for;
 use crate::solver::integrate::settings::{IntegratorSettings, SAFETY};
 use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::Particles;
+use crate::solver::model::dof_map::DofMap;
 use crate::solver::options::{Method, SeamClose, SolverOptions};
 use nalgebra::Vector3;
 
@@ -68,11 +68,11 @@ pub(crate) fn refuse(
 
 /// The longest stable step of the cloth flat and at rest \[s\].
 fn stable_step(scene: &Scene, options: &SolverOptions, clock: &dyn Fn() -> f64) -> f64 {
-    let particles = Particles::apart(scene.start.len());
+    let dof_map = DofMap::identity(scene.start.len());
     let stitches = scene.mesh.stitches.iter().map(|s| (s.a, s.b));
     let stay = options.seam_close == SeamClose::Spring && stitches.len() > 0;
     let stage = Stage {
-        particles: &particles,
+        dof_map: &dof_map,
         stitches: stay.then(|| {
             (
                 stitches.collect(),

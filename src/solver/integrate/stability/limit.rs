@@ -50,7 +50,7 @@ pub(crate) fn max_eigenvalue(system: &mut System<'_>, x: &[Vector3<f64>]) -> f64
 /// Takes cloth as taut where it yields to pressure, or no longer does.
 fn set_taut(system: &mut System<'_>, taut: bool) {
     for term in &mut system.terms {
-        term.force.set_taut(taut);
+        term.potential.set_taut(taut);
     }
 }
 
@@ -86,7 +86,7 @@ fn contact_eigenvalue(system: &System<'_>) -> f64 {
         return 0.0;
     };
     let mut stiffness = vec![0.0; system.mass.len()];
-    crate::solver::forces::Force::add_stiffness(contact, &mut stiffness);
+    crate::solver::forces::Potential::add_stiffness_bound(contact, &mut stiffness);
     let squares = stiffness.iter().zip(&system.mass).map(|(k, m)| k / m);
     squares.fold(0.0, f64::max)
 }
@@ -124,12 +124,12 @@ impl<'s, 'a, 'x> HessianProbe<'s, 'a, 'x> {
     fn force_at_moved(&mut self) {
         self.there.fill(Vector3::zeros());
         for term in &mut self.system.terms {
-            term.force.add_force(&self.moved, &mut self.there);
+            term.potential.add_force(&self.moved, &mut self.there);
         }
         if let Some(contact) = self.system.contact.as_mut().filter(|_| self.contact) {
-            crate::solver::forces::Force::add_force(contact, &self.moved, &mut self.there);
+            crate::solver::forces::Potential::add_force(contact, &self.moved, &mut self.there);
         }
-        self.system.hold_still(&mut self.there);
+        self.system.zero_fixed(&mut self.there);
     }
 
     /// Writes M^-½ H M^-½ `z` to `product`.
@@ -159,7 +159,7 @@ impl<'s, 'a, 'x> HessianProbe<'s, 'a, 'x> {
     /// Returns the largest eigenvalue of M^-½ H M^-½.
     fn largest_eigenvalue(&mut self, limits: LanczosLimits) -> RitzValue {
         let mut start = pseudo_random_vectors(self.x.len());
-        self.system.hold_still(&mut start);
+        self.system.zero_fixed(&mut start);
         largest_ritz_value(start, limits, &mut |z, product| self.multiply(z, product))
     }
 }

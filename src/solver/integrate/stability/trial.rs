@@ -6,7 +6,7 @@
 
 use crate::scene::Scene;
 use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
-use crate::solver::forces::contact::Anchors;
+use crate::solver::forces::contact::FrictionAnchors;
 use crate::solver::integrate::damping;
 use crate::solver::integrate::integrator::ParticleState;
 use crate::solver::integrate::select::integrator_for;
@@ -14,7 +14,7 @@ use crate::solver::integrate::settings::IntegratorSettings;
 use crate::solver::integrate::stability::limit;
 use crate::solver::linalg::lanczos::pseudo_random_vectors;
 use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::Particles;
+use crate::solver::model::dof_map::DofMap;
 use crate::solver::options::{Method, SeamClose, SolverOptions};
 use crate::solver::{Context, Drape};
 use nalgebra::Vector3;
@@ -119,7 +119,7 @@ pub fn allowed_step(
         scene,
         options,
         rest: shape,
-        anchors: &Anchors::default(),
+        anchors: &FrictionAnchors::default(),
         began: 0.0,
         context,
     };
@@ -130,7 +130,7 @@ struct StabilityTrial<'a, 'c, 'w> {
     scene: &'a Scene,
     options: &'a SolverOptions,
     rest: &'a [Vector3<f64>],
-    anchors: &'a Anchors,
+    anchors: &'a FrictionAnchors,
     began: f64,
     context: &'c mut Context<'w>,
 }
@@ -270,7 +270,7 @@ impl StabilityTrial<'_, '_, '_> {
             let mut shape = rest.to_vec();
             disturb(&mut shape);
             let mut moved: Vec<_> = shape.iter().zip(rest).map(|(x, r)| x - r).collect();
-            system.hold_still(&mut moved);
+            system.zero_fixed(&mut moved);
             for ((x, r), m) in shape.iter_mut().zip(rest).zip(&moved) {
                 *x = r + m;
             }
@@ -310,22 +310,22 @@ impl StabilityTrial<'_, '_, '_> {
         let scene = self.scene;
         let stitches = scene.mesh.stitches.iter().map(|s| (s.a, s.b));
         let weld = self.options.seam_close == SeamClose::Weld;
-        let particles = if weld {
-            Particles::welded(scene.start.len(), stitches.clone())
+        let dof_map = if weld {
+            DofMap::welded(scene.start.len(), stitches.clone())
         } else {
-            Particles::apart(scene.start.len())
+            DofMap::identity(scene.start.len())
         };
         let stiffness = closed_stiffness(self.options, SEAM_STIFFNESS);
         let springs = (!weld && stitches.len() > 0).then(|| (stitches.collect(), stiffness));
         let stage = Stage {
-            particles: &particles,
+            dof_map: &dof_map,
             stitches: springs,
             gravity: true,
             friction: Some(self.anchors),
             explicit: self.options.method.is_explicit(),
         };
         let mut system = assemble(scene, self.options, &stage, self.context.cpu_s);
-        f(&mut system, &particles.mean(self.rest))
+        f(&mut system, &dof_map.average(self.rest))
     }
 }
 

@@ -16,7 +16,7 @@
 mod pass;
 mod rows;
 
-use crate::solver::forces::{Link, Stencil};
+use crate::solver::forces::{PairForce, PairForces};
 use crate::solver::integrate::explicit::kernel::pass::KernelPass;
 use crate::solver::integrate::explicit::kernel::rows::PairRows;
 use crate::solver::model::system::System;
@@ -79,21 +79,21 @@ pub(crate) struct Kernel {
 }
 
 impl Kernel {
-    /// Lays out `stencil` for particles of these masses \[kg\]; `more_forces` if other forces will be handed in at each step.
-    pub(crate) fn new(system: &System<'_>, stencil: &Stencil, more_forces: bool) -> Self {
-        let (mass, held) = (&system.mass, &system.held);
-        let rows = PairRows::new(&stencil.merged(), mass.len());
+    /// Lays out `pair_forces` for particles of these masses \[kg\]; `more_forces` if other forces will be handed in at each step.
+    pub(crate) fn new(system: &System<'_>, pair_forces: &PairForces, more_forces: bool) -> Self {
+        let (mass, is_fixed) = (&system.mass, &system.is_fixed);
+        let rows = PairRows::new(&pair_forces.merged(), mass.len());
         let particle = rows.order();
         let places = particle.len().next_multiple_of(LANES);
         let mobility = (0..places / LANES)
             .map(|slice| {
                 lanes(|lane| match particle.get(slice * LANES + lane) {
-                    Some(&p) if !held[p] => 1.0 / mass[p],
+                    Some(&p) if !is_fixed[p] => 1.0 / mass[p],
                     _ => 0.0,
                 })
             })
             .collect();
-        let gravity = shared_acceleration(&stencil.push, mass);
+        let gravity = shared_acceleration(&pair_forces.constant, mass);
         let pushed = more_forces || gravity.is_none();
         let mut kernel = Self {
             slices: Vec::with_capacity(places / LANES),
@@ -106,11 +106,11 @@ impl Kernel {
             v: vec![[[0.0; LANES]; 3]; places / LANES],
             mobility,
             gravity: gravity.unwrap_or_default().into(),
-            free_axis: std::array::from_fn(|axis| f64::from(system.held_axis != Some(axis))),
+            free_axis: std::array::from_fn(|axis| f64::from(system.fixed_axis != Some(axis))),
             push: vec![[[0.0; LANES]; 3]; if pushed { places / LANES } else { 0 }],
             constant_push: match gravity {
                 Some(_) => Vec::new(),
-                None => stencil.push.clone(),
+                None => pair_forces.constant.clone(),
             },
             arch: Arch::new(),
             particle,
@@ -139,13 +139,15 @@ impl Kernel {
                             |end| place[end.b],
                         )
                     });
-                    let part = |get: fn(&Link) -> f64| lanes(|l| row(l).get(k).map_or(0.0, get));
+                    let part =
+                        |get: fn(&PairForce) -> f64| lanes(|l| row(l).get(k).map_or(0.0, get));
                     if kind == 0 {
                         self.spring_ends.push(ends);
-                        self.springs.push([part(|e| e.straight), part(|e| e.bent)]);
+                        self.springs
+                            .push([part(|e| e.stiffness), part(|e| e.stiffness_times_rest)]);
                     } else {
                         self.straight_ends.push(ends);
-                        self.straight.push(part(|e| e.straight));
+                        self.straight.push(part(|e| e.stiffness));
                     }
                 }
             }

@@ -1,6 +1,6 @@
 //! The links of each particle in one row, and an order in which particles next to each other have about as many.
 
-use crate::solver::forces::Link;
+use crate::solver::forces::PairForce;
 
 /// Particles among which those of like counts are put together; few enough to stay neighbours in memory.
 const WINDOW: usize = 256;
@@ -8,17 +8,17 @@ const WINDOW: usize = 256;
 /// The links of each particle, from its own end: springs first.
 pub(crate) struct PairRows {
     start: Vec<[usize; 2]>,
-    ends: Vec<Link>,
+    ends: Vec<PairForce>,
 }
 
 impl PairRows {
-    pub(crate) fn new(links: &[Link], particle_count: usize) -> Self {
-        let mut ends: Vec<Link> = links
+    pub(crate) fn new(links: &[PairForce], particle_count: usize) -> Self {
+        let mut ends: Vec<PairForce> = links
             .iter()
             .flat_map(|&link| {
                 [
                     link,
-                    Link {
+                    PairForce {
                         a: link.b,
                         b: link.a,
                         ..link
@@ -26,12 +26,12 @@ impl PairRows {
                 ]
             })
             .collect();
-        ends.sort_by_key(|end| (end.a, end.bent == 0.0, end.b));
+        ends.sort_by_key(|end| (end.a, end.stiffness_times_rest == 0.0, end.b));
         let mut start = Vec::with_capacity(particle_count + 1);
         let mut k = 0;
         for p in 0..particle_count {
             let first = k;
-            while k < ends.len() && ends[k].a == p && ends[k].bent != 0.0 {
+            while k < ends.len() && ends[k].a == p && ends[k].stiffness_times_rest != 0.0 {
                 k += 1;
             }
             start.push([first, k]);
@@ -44,7 +44,7 @@ impl PairRows {
     }
 
     /// The springs (`kind` 0) or the links without a root (1) of particle `p`.
-    pub(crate) fn of(&self, p: usize, kind: usize) -> &[Link] {
+    pub(crate) fn of(&self, p: usize, kind: usize) -> &[PairForce] {
         let [springs, straight] = self.start[p];
         match kind {
             0 => &self.ends[springs..straight],

@@ -1,8 +1,8 @@
 //! The fused step against the terms that it stands for.
 
-use crate::solver::forces::{BendForce, BendPatch, Force, Gravity, Spring, SpringForce};
+use crate::solver::forces::{BendForce, BendPatch, Gravity, Potential, Spring, SpringForce};
 use crate::solver::integrate::explicit::kernel::*;
-use crate::solver::model::system::TimedForce;
+use crate::solver::model::system::TimedTerm;
 
 fn number(seed: &mut u32) -> f64 {
     *seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -41,18 +41,21 @@ fn system(n: usize) -> System<'static> {
         weight: weight.collect(),
         start: vec![Vector3::zeros(); n],
     };
-    let forces: [Box<dyn Force>; 3] = [
+    let forces: [Box<dyn Potential>; 3] = [
         Box::new(SpringForce::new(springs)),
         Box::new(BendForce::new(patches)),
         Box::new(gravity),
     ];
     System {
-        held: (0..n).map(|i| i % 13 == 4).collect(),
+        is_fixed: (0..n).map(|i| i % 13 == 4).collect(),
         mass,
-        held_axis: None,
+        fixed_axis: None,
         terms: forces
             .into_iter()
-            .map(|force| TimedForce { force, cpu_s: 0.0 })
+            .map(|potential| TimedTerm {
+                potential,
+                cpu_s: 0.0,
+            })
             .collect(),
         contact: None,
         contact_cpu_s: 0.0,
@@ -68,10 +71,10 @@ fn scattered(n: usize, size: f64, mut seed: u32) -> Vec<Vector3<f64>> {
 }
 
 fn kernel(system: &System<'_>, more: bool) -> Kernel {
-    let mut stencil = Stencil::new(system.mass.len());
-    let known = |term: &TimedForce| term.force.add_to_stencil(&mut stencil);
+    let mut pair_forces = PairForces::new(system.mass.len());
+    let known = |term: &TimedTerm| term.potential.add_to_pair_forces(&mut pair_forces);
     assert!(system.terms.iter().map(known).fold(true, |a, b| a & b));
-    Kernel::new(system, &stencil, more)
+    Kernel::new(system, &pair_forces, more)
 }
 
 const RULE: StepRule = StepRule {
@@ -86,10 +89,10 @@ const RULE: StepRule = StepRule {
 fn a_step_is_that_of_the_terms_to_rounding() {
     for (n, more, axis) in [(1, false, None), (23, false, None), (300, true, Some(1))] {
         let mut system = system(n);
-        system.held_axis = axis;
+        system.fixed_axis = axis;
         let x = scattered(n, 1.0, 9);
         let mut v = scattered(n, 0.1, 11);
-        system.hold_still(&mut v);
+        system.zero_fixed(&mut v);
         let push = scattered(n, if more { 2.0 } else { 0.0 }, 13);
         let mut force = vec![Vector3::zeros(); n];
         system.net_force(&x, &mut force);
@@ -101,7 +104,7 @@ fn a_step_is_that_of_the_terms_to_rounding() {
         kernel.positions(&mut x1);
         kernel.velocities(&mut v1);
         let mut free = push;
-        system.hold_still(&mut free);
+        system.zero_fixed(&mut free);
         let size = force.iter().map(Vector3::norm).fold(0.0, f64::max);
         for i in 0..n {
             let f = force[i] + free[i];
@@ -109,7 +112,7 @@ fn a_step_is_that_of_the_terms_to_rounding() {
             let rounding = 30.0 * f64::EPSILON * (1.0 + size * RULE.gain / system.mass[i]);
             assert!((v1[i] - expected).norm() < rounding, "{i} of {n}");
             assert!((x1[i] - (x[i] + expected * RULE.h)).norm() < rounding);
-            assert!(!system.held[i] || x1[i] == x[i]);
+            assert!(!system.is_fixed[i] || x1[i] == x[i]);
         }
     }
 }
@@ -149,15 +152,18 @@ fn no_particle_is_faster_than_the_limit() {
 fn a_spring_of_no_length_pulls_nowhere() {
     let mut system = system(1);
     system.mass = vec![1.0; 2];
-    system.held = vec![false; 2];
+    system.is_fixed = vec![false; 2];
     let spring = Spring {
         a: 0,
         b: 1,
         rest_length: 1.0,
         stiffness: 10.0,
     };
-    let force = Box::new(SpringForce::new(vec![spring]));
-    system.terms = vec![TimedForce { force, cpu_s: 0.0 }];
+    let potential = Box::new(SpringForce::new(vec![spring]));
+    system.terms = vec![TimedTerm {
+        potential,
+        cpu_s: 0.0,
+    }];
     let mut kernel = kernel(&system, false);
     let mut x = vec![Vector3::repeat(0.5); 2];
     kernel.load(&x, &[Vector3::zeros(); 2]);
