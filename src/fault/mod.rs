@@ -3,6 +3,7 @@
 mod codes;
 mod line;
 mod nearest;
+mod pointer;
 
 pub use codes::{
     AvatarCode, FabricCode, FaultCode, FileCode, FitCode, GarmentCode, MeshCode, PatternCode,
@@ -10,6 +11,7 @@ pub use codes::{
 };
 pub use line::without_controls;
 pub(crate) use nearest::nearest;
+pub(crate) use pointer::pointer_token;
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;

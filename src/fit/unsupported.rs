@@ -1,7 +1,7 @@
 //! Settings that the garment file can state and this version cannot follow: refused, never ignored.
 
 use super::garment::{Garment, PanelSpec, SelfContact};
-use crate::fault::{Fault, GarmentCode};
+use crate::fault::{Fault, GarmentCode, pointer_token};
 use crate::solver::{Analysis, SolverOptions};
 
 /// A setting: whether it is at fault, its field, what it asks for, and what to give instead.
@@ -103,5 +103,5 @@ fn panel_settings(panel: &PanelSpec) -> [StatedSetting; 3] {
 
 /// Returns `id` as one step of a JSON Pointer (RFC 6901).
 pub(super) fn escape(id: &str) -> String {
-    id.replace('~', "~0").replace('/', "~1")
+    pointer_token(id)
 }

@@ -3,7 +3,7 @@
 use super::divide::{Division, Divisions};
 use super::{geometry, lattice};
 use crate::config::Limits;
-use crate::fault::{Fault, Faults};
+use crate::fault::{Fault, Faults, FitCode, MeshCode};
 use crate::pattern::{Panel, Pattern};
 
 /// What keeps one panel from being meshed.
@@ -24,25 +24,25 @@ impl Flaw {
         let at = format!("/panels/{}", panel.id);
         let (code, what) = match self {
             Self::Crossing([x, y]) => (
-                "mesh/crossing",
+                MeshCode::Crossing,
                 format!(
                     "the outline of panel \"{}\" crosses or touches itself near ({x:.4}, {y:.4}) m once it is divided into mesh edges",
                     panel.name
                 ),
             ),
             Self::StrayHole(hole) => (
-                "mesh/stray_hole",
+                MeshCode::StrayHole,
                 format!("hole {hole} of panel \"{}\" is not inside it", panel.name),
             ),
             Self::LineOutside(line, [x, y]) => (
-                "mesh/line_outside",
+                MeshCode::LineOutside,
                 format!(
                     "internal line {line} of panel \"{}\" leaves the cloth near ({x:.4}, {y:.4}) m, and a seam names it",
                     panel.name
                 ),
             ),
             Self::LineCrossing(line, [x, y]) => (
-                "mesh/line_crossing",
+                MeshCode::LineCrossing,
                 format!(
                     "internal line {line} of panel \"{}\", which a seam names, crosses or touches the outline, a hole, another such line or itself near ({x:.4}, {y:.4}) m",
                     panel.name
@@ -70,7 +70,7 @@ impl Flaw {
 
 /// What a raised token comes to.
 pub(super) fn canceled() -> Fault {
-    Fault::new("fit/canceled", "", "meshing was stopped on request")
+    Fault::new(FitCode::Canceled, "", "meshing was stopped on request")
 }
 
 /// Refuses a mesh edge length outside the limits.
@@ -80,7 +80,7 @@ pub(super) fn edge_length(edge_length: f64, limits: &Limits) -> Result<(), Fault
         return Ok(());
     }
     Err(Fault::new(
-        "mesh/edge_length",
+        MeshCode::EdgeLength,
         "/simulate/edge_length_m",
         format!("a mesh edge length of {edge_length} m is outside the limits"),
     )
@@ -101,7 +101,7 @@ pub(super) fn outlines(pattern: &Pattern) -> Result<(), Faults> {
         if !sound {
             let what = format!("the outline of panel \"{}\" is not closed", panel.name);
             faults.0.push(
-                Fault::new("mesh/outline", format!("/panels/{}", panel.id), what)
+                Fault::new(MeshCode::Outline, format!("/panels/{}", panel.id), what)
                     .fix("give every edge a length and finite points, one edge per corner"),
             );
         }
@@ -133,7 +133,7 @@ pub(super) fn size(
         let most = limits.mesh_vertices as f64;
         if count > most {
             return Err(Fault::new(
-                "mesh/too_fine",
+                MeshCode::TooFine,
                 format!("/panels/{}", panel.id),
                 format!(
                     "with mesh edges of {edge_length} m the garment needs more than {most} vertices, reached at panel \"{}\"",

@@ -3,7 +3,7 @@
 use super::geometry::{self, Point};
 use super::joint::{self, Joint};
 use super::slots::{self, Slots};
-use crate::fault::Fault;
+use crate::fault::{Fault, MeshCode};
 use crate::pattern::{Panel, Pattern};
 use crate::seam::{Seam, Stretch, Track, division_count};
 use std::ops::Range;
@@ -294,7 +294,7 @@ fn pairs(seams: &[Seam]) -> impl Iterator<Item = &[Stretch; 2]> {
 
 fn endless(panel: &Panel) -> Fault {
     Fault::new(
-        "mesh/endless_breaks",
+        MeshCode::EndlessBreaks,
         format!("/panels/{}", panel.id),
         format!("seams at panel \"{}\" share stretches in a way that divides them without end", panel.name),
     )

@@ -2,7 +2,7 @@
 
 use super::mirror::{MIRROR, mirrored};
 use super::{Panel, Pattern};
-use crate::fault::Warning;
+use crate::fault::{PatternCode, Warning};
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
@@ -54,7 +54,7 @@ pub(super) fn add_stated(panels: &mut Vec<Panel>) -> Vec<Warning> {
             "{count} of {id:?} are cut, and the file does not say whether they are a mirrored pair; \
              {id}{MIRROR} in a seam is the mirrored one"
         );
-        Warning::new("pattern/quantity", format!("/panels/{i}/quantity"), detail)
+        Warning::new(PatternCode::Quantity, format!("/panels/{i}/quantity"), detail)
     });
     let warnings = warnings.collect();
     panels.extend(copies);

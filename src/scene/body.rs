@@ -1,7 +1,7 @@
 //! What cloth is draped on: a garment's avatar, or a body that a formula describes.
 
 use super::avatar::{Avatar, BodySample};
-use crate::fault::Fault;
+use crate::fault::{Fault, SceneCode};
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -115,7 +115,7 @@ impl Analytic {
         let mut tell = |wrong: bool, field: &str, detail: &str| {
             if wrong {
                 let pointer = format!("{pointer}/{field}");
-                faults.push(Fault::new("scene/body", pointer, detail));
+                faults.push(Fault::new(SceneCode::Body, pointer, detail));
             }
         };
         let infinite = |p: &[f64; 3]| !p.iter().all(|c| c.is_finite());

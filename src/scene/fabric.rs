@@ -1,6 +1,6 @@
 //! Fabrics: coefficients of one cloth, with their sources.
 
-use crate::fault::Fault;
+use crate::fault::{FabricCode, Fault};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use utoipa::ToSchema;
@@ -59,8 +59,12 @@ impl Fabric {
                 // so written that a NaN is a fault
                 (!(least..=most).contains(&&value)).then(|| {
                     let detail = format!("{field} of {value} is not that of a cloth");
-                    Fault::new("fabric/coefficient", format!("{pointer}/{field}"), detail)
-                        .fix(format!("give {least} to {most}; mind the unit in the name"))
+                    Fault::new(
+                        FabricCode::Coefficient,
+                        format!("{pointer}/{field}"),
+                        detail,
+                    )
+                    .fix(format!("give {least} to {most}; mind the unit in the name"))
                 })
             })
             .collect()

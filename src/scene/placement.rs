@@ -1,7 +1,7 @@
 //! Where each panel starts: its key point is put at a key point of the body, in front of it, behind it or round it (P7).
 
 use super::Avatar;
-use crate::fault::{Fault, Faults};
+use crate::fault::{Fault, Faults, PlacementCode, pointer_token};
 use crate::pattern::{Panel, Placement, PlacementAnchor, Wrap};
 use crate::seam::Face;
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
@@ -288,11 +288,8 @@ fn guess(panel: &Panel) -> Option<PlacementAnchor> {
 }
 
 fn unknown(panel: &Panel) -> Faults {
-    let pointer = format!(
-        "/panels/{}/placement",
-        panel.id.replace('~', "~0").replace('/', "~1")
-    );
-    Fault::new("placement/unknown", pointer, format!("the name of panel {} does not say where on the body it goes", panel.id))
+    let pointer = format!("/panels/{}/placement", pointer_token(&panel.id));
+    Fault::new(PlacementCode::Unknown, pointer, format!("the name of panel {} does not say where on the body it goes", panel.id))
         .fix("give \"at\": torso_front, torso_back, skirt_front, skirt_back, waist, waist_front, waist_back, neck, arm_left, arm_right or origin, or take suggested placements")
         .into()
 }

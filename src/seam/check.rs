@@ -10,7 +10,7 @@ use super::{
     StartPositions, Stretch, division_count, ease, overlap, twist,
 };
 use crate::config::Limits;
-use crate::fault::{Fault, Faults, Warning};
+use crate::fault::{Fault, Faults, SeamCode, Warning};
 use crate::pattern::{Pattern, SeamPair};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -141,7 +141,7 @@ fn color(
 
 fn too_many(count: usize, most: usize) -> Fault {
     Fault::new(
-        "seam/too_many",
+        SeamCode::TooMany,
         "/seams",
         format!("{count} seams are more than the {most} that one garment may have"),
     )
@@ -155,7 +155,7 @@ fn find_duplicate_ids(pairs: &[SeamPair], findings: &mut [SeamFinding]) {
         if earlier != i {
             findings[i].errors.push(
                 Fault::new(
-                    "seam/duplicate_id",
+                    SeamCode::DuplicateId,
                     format!("/seams/{i}/id"),
                     format!("seam {i} is named `{}` like seam {earlier}", pair.id),
                 )
@@ -230,7 +230,7 @@ fn record_coloring(
             };
             let detail = format!("side b of seam `{id}` is sewn in the other order: {reason}");
             finding.warnings.push(Warning::new(
-                "seam/reversed",
+                SeamCode::Reversed,
                 format!("/seams/{seam}/b"),
                 detail,
             ));
@@ -239,7 +239,7 @@ fn record_coloring(
             let detail =
                 format!("seam `{id}` makes the surface one-sided, as `allow_twist` allows");
             finding.warnings.push(Warning::new(
-                "seam/twist_allowed",
+                SeamCode::TwistAllowed,
                 format!("/seams/{seam}"),
                 detail,
             ));
@@ -334,7 +334,7 @@ fn loose_panels(pattern: &Pattern, pairs: &[SeamPair]) -> Vec<Warning> {
     loose
         .map(|panel| {
             let detail = format!("panel `{}` is sewn to nothing", panel.id);
-            Warning::new("seam/loose_panel", "/seams", detail)
+            Warning::new(SeamCode::LoosePanel, "/seams", detail)
         })
         .collect()
 }

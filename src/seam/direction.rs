@@ -1,7 +1,7 @@
 //! Direction of a run: its places tell it where only one is possible, else the client must.
 
 use super::place::{self, TrackPosition, TrackTopology};
-use crate::fault::Fault;
+use crate::fault::{Fault, SeamCode};
 use crate::pattern::{Direction, OutlineRun, Panel};
 
 /// Returns the direction of `run` between places that lie on one track.
@@ -30,7 +30,7 @@ pub(super) fn direction(
 
 fn direction_contradicts(panel: &Panel, [only, given]: [Direction; 2], pointer: &str) -> Fault {
     Fault::new(
-        "seam/direction_contradicts",
+        SeamCode::DirectionContradicts,
         format!("{pointer}/direction"),
         format!(
             "picked in this order the edge of `{}` runs {}, not {}",
@@ -68,7 +68,7 @@ fn direction_needed(
         )
     };
     Fault::new(
-        "seam/direction_needed",
+        SeamCode::DirectionNeeded,
         format!("{pointer}/direction"),
         format!(
             "the run on `{}` {why}, so it is not plain which way it goes",

@@ -1,7 +1,7 @@
 //! The ease that two sides of different length leave.
 
 use super::SeamFinding;
-use crate::fault::{Fault, Warning};
+use crate::fault::{Fault, SeamCode, Warning};
 use crate::pattern::SeamPair;
 
 /// Differences above this are noted \[m\].
@@ -30,18 +30,18 @@ pub(super) fn record_ease(finding: &mut SeamFinding, pair: &SeamPair, pointer: &
     );
     if finding.ease > EASE_MOST && !pair.gather {
         finding.errors.push(
-            Fault::new("seam/ease_too_large", pointer, detail)
+            Fault::new(SeamCode::EaseTooLarge, pointer, detail)
                 .fix("check that the right edges are picked; set `gather` if the longer side is to be gathered"),
         );
     } else if finding.ease > EASE_MUCH && !pair.gather {
         let detail = format!("{detail}, which is much for a seam that is not gathered");
         finding
             .warnings
-            .push(Warning::new("seam/ease", pointer, detail));
+            .push(Warning::new(SeamCode::Ease, pointer, detail));
     } else if finding.ease_m > EASE_NOTED_M {
         let detail = format!("{detail}, which is eased in");
         finding
             .warnings
-            .push(Warning::new("seam/ease", pointer, detail));
+            .push(Warning::new(SeamCode::Ease, pointer, detail));
     }
 }

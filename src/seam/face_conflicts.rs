@@ -6,7 +6,7 @@ use super::cycle::{FaceConstraint, contradictions_without};
 use super::faces;
 use super::parity::ParityUnionFind;
 use super::twist_fault::{TwistFault, quoted_list};
-use crate::fault::Fault;
+use crate::fault::{Fault, SeamCode, pointer_token};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Panels with stated faces in one connected part of a garment, in two groups: within each the seams agree with what was stated.
@@ -146,12 +146,9 @@ fn fault(context: &SeamCheckContext<'_>, stated: &[Option<Face>], turned: &[usiz
         .collect::<Vec<_>>()
         .join(", and ");
     let first = turned.first().map_or("", |panel| id(panel));
-    let pointer = format!(
-        "/panels/{}/face",
-        first.replace('~', "~0").replace('/', "~1")
-    );
+    let pointer = format!("/panels/{}/face", pointer_token(first));
     let detail = format!(
         "the faces stated for {names} contradict the seams, which would sew the outer side of the cloth to the inner one there; the seams agree with each other and with the other faces"
     );
-    Fault::new("seam/twisted", pointer, detail).fix(format!("{set}, or to `auto`"))
+    Fault::new(SeamCode::Twisted, pointer, detail).fix(format!("{set}, or to `auto`"))
 }

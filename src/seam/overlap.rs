@@ -2,7 +2,7 @@
 
 use super::place::snap_distance;
 use super::{RoutedSeam, Stretch, Track};
-use crate::fault::Fault;
+use crate::fault::{Fault, SeamCode};
 use crate::pattern::{Pattern, SeamPair};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -118,7 +118,7 @@ fn self_overlap_fault(
     let name = |coverage: Coverage<'_>| if coverage.side == 0 { "a" } else { "b" };
     if one.side == other.side {
         return Fault::new(
-            "seam/overlap",
+            SeamCode::Overlap,
             other.pointer,
             format!(
                 "side {} of seam `{}` goes twice over the same stretch",
@@ -131,7 +131,7 @@ fn self_overlap_fault(
     let later = if one.side > other.side { one } else { other };
     let panel = pair_panel(pattern, pair);
     Fault::new(
-        "seam/sewn_to_itself",
+        SeamCode::SewnToItself,
         later.pointer,
         format!("seam `{}` sews a stretch of {panel} to itself", pair.id),
     )
@@ -150,7 +150,7 @@ fn pair_panel(pattern: &Pattern, pair: &SeamPair) -> String {
 fn overlap_fault(pairs: &[SeamPair], earlier: Coverage<'_>, later: Coverage<'_>) -> Fault {
     let (first, second) = (&pairs[earlier.seam].id, &pairs[later.seam].id);
     Fault::new(
-        "seam/overlap",
+        SeamCode::Overlap,
         later.pointer,
         format!("seam `{second}` lies over seam `{first}`: the same stretch of edge is sewn twice"),
     )

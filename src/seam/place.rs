@@ -1,7 +1,7 @@
 //! From a requested [`Place`] to a [`TrackPoint`] on an outline, a hole or an internal line.
 
 use super::Track;
-use crate::fault::Fault;
+use crate::fault::{Fault, SeamCode};
 use crate::pattern::{Direction, Panel, Place};
 
 /// Places nearer than this to a corner are that corner \[m\]: the gap up to which a seam counts as closed,
@@ -189,7 +189,7 @@ impl PlaceResolver<'_> {
             };
             let detail = format!("{at} is not a fraction of {of} of `{}`", self.panel.id);
             let fix = "give `at` as a number from 0 (start, in the order of corners) to 1 (end)";
-            return Err(Fault::new("seam/bad_fraction", self.pointer, detail).fix(fix));
+            return Err(Fault::new(SeamCode::BadFraction, self.pointer, detail).fix(fix));
         }
         Ok(self.snapped(track, edge, at))
     }
@@ -221,12 +221,14 @@ impl PlaceResolver<'_> {
             _ => format!("`{id}` has {plural} 0 to {}{of}", count - 1),
         };
         let detail = format!("panel `{id}` has no {what} {index}{of}");
-        Fault::new(
-            format!("seam/unknown_{what}").as_str(),
-            self.pointer,
-            detail,
-        )
-        .fix(fix)
+        let code = match what {
+            "corner" => SeamCode::UnknownCorner,
+            "edge" => SeamCode::UnknownEdge,
+            "hole" => SeamCode::UnknownHole,
+            "line" => SeamCode::UnknownLine,
+            _ => SeamCode::UnknownNotch,
+        };
+        Fault::new(code, self.pointer, detail).fix(fix)
     }
 }
 

@@ -8,7 +8,7 @@ use super::correction::reversed_side;
 use super::faces::{self, FaceColoring, SeamRelations};
 use super::parity::ParityUnionFind;
 use super::{Face, RoutedSeam, SeamFinding, StartPositions};
-use crate::fault::Warning;
+use crate::fault::{SeamCode, Warning};
 use crate::pattern::{Match, Pattern, SeamPair};
 
 /// Finds likely reversed seams by the start positions of their panels.
@@ -46,7 +46,7 @@ impl ReversalDetector<'_> {
                 reversal.other.rms * 1e3
             );
             findings[reversal.seam].warnings.push(Warning::new(
-                "seam/likely_reversed",
+                SeamCode::LikelyReversed,
                 format!("/seams/{}/b", reversal.seam),
                 detail,
             ));

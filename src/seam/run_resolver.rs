@@ -4,7 +4,7 @@ use super::direction::direction;
 use super::path::TrackPath;
 use super::place::{self, TrackPoint, TrackPosition, TrackTopology};
 use super::{Stretch, Track};
-use crate::fault::{Fault, nearest};
+use crate::fault::{Fault, SeamCode, nearest};
 use crate::pattern::{Direction, OutlineRun, Panel, Pattern, Side};
 use std::collections::BTreeMap;
 
@@ -102,7 +102,7 @@ impl<'a> RunResolver<'a> {
         }
         if side.runs().is_empty() {
             let fault = Fault::new(
-                "seam/empty_side",
+                SeamCode::EmptySide,
                 pointer,
                 "this side of the seam has no run",
             );
@@ -203,7 +203,7 @@ impl<'a> RunResolver<'a> {
 
     fn unknown_panel(&mut self, name: &str, pointer: &str) -> Fault {
         let fault = Fault::new(
-            "seam/unknown_panel",
+            SeamCode::UnknownPanel,
             format!("{pointer}/panel"),
             format!("the pattern has no panel `{name}`"),
         );
@@ -238,13 +238,13 @@ fn places_apart(panel: &Panel, [from, to]: [Track; 2], pointer: &str) -> Fault {
         track_name(from),
         track_name(to)
     );
-    Fault::new("seam/places_apart", pointer, detail)
+    Fault::new(SeamCode::PlacesApart, pointer, detail)
         .fix("pick both places on the outline, on the same hole or on the same internal line")
 }
 
 fn too_long(pointer: &str) -> Fault {
     Fault::new(
-        "seam/too_long",
+        SeamCode::TooLong,
         pointer,
         format!("the seams go over more than {STRETCHES} edges in all"),
     )
@@ -253,7 +253,7 @@ fn too_long(pointer: &str) -> Fault {
 
 fn zero_length(panel: &Panel, pointer: &str) -> Fault {
     Fault::new(
-        "seam/zero_length",
+        SeamCode::ZeroLength,
         pointer,
         format!("the run on `{}` has no length", panel.id),
     )

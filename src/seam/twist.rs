@@ -7,7 +7,7 @@ use super::face_conflicts;
 use super::faces::{self, FaceColoring, SeamRelations};
 use super::reversal;
 use super::twist_fault::{TwistFault, quoted_list};
-use crate::fault::Fault;
+use crate::fault::{Fault, SeamCode};
 
 /// Contradictory cycles that are reported at once: finding each costs a search over all panels.
 const REPORTED: usize = 50;
@@ -104,7 +104,7 @@ impl ContradictoryCycle<'_> {
 
     fn describe(&self, blamed: &SeamRelations<'_>) -> TwistFault {
         let fault = Fault::new(
-            "seam/twisted",
+            SeamCode::Twisted,
             format!("/seams/{}", blamed.seam),
             self.detail(blamed),
         );

@@ -24,13 +24,6 @@ impl FaultCode {
     }
 }
 
-/// A bridge for the modules whose codes are still literals.
-impl From<&str> for FaultCode {
-    fn from(code: &str) -> Self {
-        Self(Cow::Owned(code.to_owned()))
-    }
-}
-
 impl fmt::Display for FaultCode {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0)

@@ -1,11 +1,11 @@
 //! Faults of a seam allowance that cannot be cut away.
 
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::Panel;
 
 /// Returns a fault; its pointer is empty.
 pub(super) fn refuse(detail: String, fix: &str) -> Fault {
-    Fault::new("pattern/allowance", "", detail).fix(fix)
+    Fault::new(PatternCode::Allowance, "", detail).fix(fix)
 }
 
 /// Returns the fault for a panel of which nothing is left.

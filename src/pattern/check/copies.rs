@@ -1,6 +1,6 @@
 //! The mirrored copies of a pattern that came as JSON.
 
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::mirror::{MIRROR, mirrored};
 use crate::pattern::{Edge, Panel, Pattern, Point2};
 
@@ -28,23 +28,23 @@ pub(super) fn check_copies(pattern: &mut Pattern, tolerance: f64) -> Vec<Fault> 
 fn exact_image(pattern: &Pattern, copy: &Panel, tolerance: f64) -> Result<Panel, Fault> {
     let Some(of) = &copy.copy_of else {
         let detail = format!("ids that end in {MIRROR} are those of mirrored copies");
-        return Err(Fault::new("pattern/id", "id", detail).fix("give copy_of, or another id"));
+        return Err(Fault::new(PatternCode::Id, "id", detail).fix("give copy_of, or another id"));
     };
     let source = pattern.panels.iter().find(|panel| panel.id == *of);
     let Some(source) = source.filter(|source| source.copy_of.is_none()) else {
         let detail = format!("there is no panel {of:?} to be a copy of");
-        let fault = Fault::new("pattern/unknown_panel", "copy_of", detail);
+        let fault = Fault::new(PatternCode::UnknownPanel, "copy_of", detail);
         return Err(fault.fix("name a panel of this pattern that is no copy"));
     };
     let image = mirrored(source);
     if copy.id != image.id {
         let detail = format!("the mirrored copy of {of:?} has the id {:?}", image.id);
-        return Err(Fault::new("pattern/id", "id", detail).fix("use it"));
+        return Err(Fault::new(PatternCode::Id, "id", detail).fix("use it"));
     }
     if let Some(field) = difference(copy, &image, tolerance) {
         let detail = format!("it is not that of {of:?} reflected x -> -x");
         let fix = format!("leave the panel out: naming {:?} makes it", image.id);
-        return Err(Fault::new("pattern/not_mirrored", field, detail).fix(fix));
+        return Err(Fault::new(PatternCode::NotMirrored, field, detail).fix(fix));
     }
     let name = copy.name.clone();
     Ok(Panel { name, ..image })

@@ -7,7 +7,7 @@ use self::panel::{AT_CORNER, PanelChecker};
 use super::Pattern;
 use super::point::FARTHEST;
 use crate::config::Limits;
-use crate::fault::{Fault, Faults};
+use crate::fault::{Fault, Faults, PatternCode, pointer_token};
 use std::collections::BTreeSet;
 
 /// Checks `pattern` and recomputes lengths, perimeters and areas.
@@ -15,7 +15,7 @@ pub(super) fn checked(mut pattern: Pattern, limits: &Limits) -> Result<Pattern, 
     let mut faults = Faults(Vec::new());
     if pattern.panels.is_empty() {
         let detail = "the pattern has no panels";
-        let fault = Fault::new("pattern/no_panels", "/panels", detail);
+        let fault = Fault::new(PatternCode::NoPanels, "/panels", detail);
         faults.0.push(fault.fix("give at least one"));
     }
     check_counts(&pattern, limits)?;
@@ -40,7 +40,7 @@ fn check_counts(pattern: &Pattern, limits: &Limits) -> Result<(), Fault> {
             "the pattern has {count} panels; at most {} are read",
             limits.panels
         );
-        let fault = Fault::new("pattern/too_many_panels", "/panels", detail);
+        let fault = Fault::new(PatternCode::TooManyPanels, "/panels", detail);
         return Err(fault.fix("leave some out"));
     }
     if pattern.seams.len() > limits.seams {
@@ -49,7 +49,7 @@ fn check_counts(pattern: &Pattern, limits: &Limits) -> Result<(), Fault> {
             pattern.seams.len(),
             limits.seams
         );
-        let fault = Fault::new("pattern/too_many_seams", "/seams", detail);
+        let fault = Fault::new(PatternCode::TooManySeams, "/seams", detail);
         return Err(fault.fix("leave some out"));
     }
     Ok(())
@@ -59,16 +59,16 @@ fn check_counts(pattern: &Pattern, limits: &Limits) -> Result<(), Fault> {
 fn check_placements(pattern: &Pattern) -> Vec<Fault> {
     let mut faults = Vec::new();
     for (id, placement) in &pattern.placements {
-        let at = format!("/placements/{}", id.replace('~', "~0").replace('/', "~1"));
+        let at = format!("/placements/{}", pointer_token(id));
         if pattern.panel_index(id).is_none() {
             let detail = format!("there is no panel {id:?}");
-            let fault = Fault::new("pattern/unknown_panel", at.clone(), detail);
+            let fault = Fault::new(PatternCode::UnknownPanel, at.clone(), detail);
             faults.push(fault.fix("name a panel of this pattern"));
         }
         let mut numbers = placement.offset_m.iter().chain(&placement.rotate_deg);
         if numbers.any(|c| c.is_nan() || c.abs() > FARTHEST) {
             let detail = "a number is not finite or is beyond 10 km";
-            faults.push(Fault::new("pattern/not_finite", at, detail).fix("correct it"));
+            faults.push(Fault::new(PatternCode::NotFinite, at, detail).fix("correct it"));
         }
     }
     faults
@@ -82,11 +82,11 @@ fn check_ids(pattern: &Pattern, limits: &Limits) -> Vec<Fault> {
         let at = format!("/panels/{i}/id");
         if panel.id.is_empty() || panel.id.chars().count() > limits.name_chars {
             let detail = format!("an id has 1 to {} characters", limits.name_chars);
-            faults.push(Fault::new("pattern/id", at.clone(), detail).fix("give it another id"));
+            faults.push(Fault::new(PatternCode::Id, at.clone(), detail).fix("give it another id"));
         }
         if !seen.insert(&panel.id) {
             let detail = format!("{:?} is the id of an earlier panel", panel.id);
-            let fault = Fault::new("pattern/duplicate_id", at, detail);
+            let fault = Fault::new(PatternCode::DuplicateId, at, detail);
             faults.push(fault.fix("give every panel its own id"));
         }
     }

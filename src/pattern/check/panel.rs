@@ -1,7 +1,7 @@
 //! A panel that came as JSON: its numbers, outlines, holes and notches.
 
 use crate::config::Limits;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::crossing::crossing;
 use crate::pattern::outline::ring_of;
 use crate::pattern::point::{Point2, distance, is_readable};
@@ -33,7 +33,7 @@ impl<'a> PanelChecker<'a> {
     pub(super) fn check(mut self, panel: &mut Panel) -> Vec<Fault> {
         if panel.name.chars().count() > self.limits.name_chars {
             let detail = format!("a name has at most {} characters", self.limits.name_chars);
-            self.fault("pattern/name_too_long", "/name", detail, "shorten it");
+            self.fault(PatternCode::NameTooLong, "/name", detail, "shorten it");
         }
         // The outline of a mirrored copy runs the other way in its coordinates.
         let sense = if panel.copy_of.is_some() { -1.0 } else { 1.0 };
@@ -52,7 +52,7 @@ impl<'a> PanelChecker<'a> {
         self.faults
     }
 
-    fn fault(&mut self, code: &str, place: &str, detail: impl Into<String>, fix: &str) {
+    fn fault(&mut self, code: PatternCode, place: &str, detail: impl Into<String>, fix: &str) {
         let pointer = format!("{}{place}", self.pointer);
         self.faults.push(Fault::new(code, pointer, detail).fix(fix));
     }
@@ -70,7 +70,7 @@ impl<'a> PanelChecker<'a> {
         marks.retain(|(_, p)| !is_readable(*p));
         for (place, _) in &marks {
             let detail = "a number is not finite or is beyond 10 km";
-            self.fault("pattern/not_finite", place, detail, "correct it");
+            self.fault(PatternCode::NotFinite, place, detail, "correct it");
         }
         marks.is_empty()
     }
@@ -93,7 +93,7 @@ impl<'a> PanelChecker<'a> {
             );
             let place = format!("{place}/edges");
             let fix = "give one edge from each corner to the next";
-            self.fault("pattern/outline", &place, detail, fix);
+            self.fault(PatternCode::Outline, &place, detail, fix);
             return false;
         }
         for (i, corner) in corners.iter().enumerate() {
@@ -101,7 +101,7 @@ impl<'a> PanelChecker<'a> {
                 let detail = format!("corner {i} must have index {i} and finite coordinates");
                 let place = format!("{place}/corners/{i}");
                 let fix = "number corners from 0 and give meters";
-                self.fault("pattern/corner", &place, detail, fix);
+                self.fault(PatternCode::Corner, &place, detail, fix);
             }
         }
         for (i, edge) in edges.iter_mut().enumerate() {
@@ -127,12 +127,12 @@ impl<'a> PanelChecker<'a> {
             let detail =
                 format!("edge {i} must have index {i} and run from corner {i} to corner {k}");
             let fix = "number edges like the corners that they leave";
-            self.fault("pattern/edge", place, detail, fix);
+            self.fault(PatternCode::Edge, place, detail, fix);
         }
         if let Some(at) = edge.points.iter().position(|p| !is_readable(*p)) {
             let place = format!("{place}/points/{at}");
             let detail = "a coordinate is not finite or is beyond 10 km";
-            self.fault("pattern/not_finite", &place, detail, "correct it");
+            self.fault(PatternCode::NotFinite, &place, detail, "correct it");
             return;
         }
         let is_at = |p: Point2, corner: Corner| distance(p, [corner.x, corner.y]) <= AT_CORNER;
@@ -148,7 +148,7 @@ impl<'a> PanelChecker<'a> {
         if let Some(at) = edge.points.windows(2).position(|w| w[0] == w[1]) {
             let place = format!("{place}/points/{}", at + 1);
             let detail = "a point repeats the one before it";
-            self.fault("pattern/duplicate_point", &place, detail, "leave it out");
+            self.fault(PatternCode::DuplicatePoint, &place, detail, "leave it out");
         }
     }
 
@@ -157,7 +157,7 @@ impl<'a> PanelChecker<'a> {
         let detail =
             format!("the points must run from corner {from} to corner {to}, both included");
         let fix = "begin and end an edge at its corners";
-        self.fault("pattern/open_outline", &place, detail, fix);
+        self.fault(PatternCode::OpenOutline, &place, detail, fix);
     }
 
     /// Checks that a closed polyline is simple and has the given sign of area.
@@ -169,13 +169,13 @@ impl<'a> PanelChecker<'a> {
                 self.limits.panel_vertices
             );
             let fix = "draw curves with fewer points";
-            self.fault("pattern/too_large", place, detail, fix);
+            self.fault(PatternCode::TooLarge, place, detail, fix);
         } else if ring.len() < 3 {
             let detail = "the outline has fewer than 3 points";
-            self.fault("pattern/no_area", place, detail, "draw it anew");
+            self.fault(PatternCode::NoArea, place, detail, "draw it anew");
         } else if let Some([x, y]) = crossing(ring) {
             let detail = format!("the outline crosses or touches itself at ({x:.4}, {y:.4})");
-            let code = "pattern/self_intersecting";
+            let code = PatternCode::SelfIntersecting;
             self.fault(code, place, detail, "mend the outline");
         } else if signed_area(ring) * sign <= 0.0 {
             let way = if sign < 0.0 {
@@ -185,7 +185,7 @@ impl<'a> PanelChecker<'a> {
             };
             let detail = format!("the outline does not run {way} (y up)");
             let fix = "reverse corners and edges";
-            self.fault("pattern/orientation", place, detail, fix);
+            self.fault(PatternCode::Orientation, place, detail, fix);
         }
     }
 
@@ -196,7 +196,7 @@ impl<'a> PanelChecker<'a> {
             let detail =
                 format!("the panel is {side} m long; sizes from {least} to {most} m are read");
             let fix = "give coordinates in meters";
-            self.fault("pattern/implausible_size", "/edges", detail, fix);
+            self.fault(PatternCode::ImplausibleSize, "/edges", detail, fix);
         }
     }
 
@@ -209,7 +209,7 @@ impl<'a> PanelChecker<'a> {
                     panel.edges.len()
                 );
                 let place = format!("/notches/{i}");
-                self.fault("pattern/notch", &place, detail, "correct it");
+                self.fault(PatternCode::Notch, &place, detail, "correct it");
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Findings of an import: faults, warnings, and counts of the entities that are not read.
 
-use crate::fault::{Fault, Faults, Warning};
+use crate::fault::{Fault, Faults, PatternCode, Warning};
 use std::collections::BTreeMap;
 
 /// At most this many faults, and as many warnings, are told of one file.
@@ -33,7 +33,7 @@ pub(super) struct DxfFindings {
 
 impl DxfFindings {
     /// Adds a warning.
-    pub(super) fn warn(&mut self, code: &str, line: usize, detail: impl Into<String>) {
+    pub(super) fn warn(&mut self, code: PatternCode, line: usize, detail: impl Into<String>) {
         if self.warnings.len() < MOST {
             self.warnings
                 .push(Warning::new(code, at_line(line), detail));
@@ -74,7 +74,7 @@ impl DxfFindings {
         for (kind, (count, line)) in std::mem::take(&mut self.skipped) {
             let detail = format!("{count} of {kind} left out, the first here");
             warnings.push(Warning::new(
-                "pattern/entity_ignored",
+                PatternCode::EntityIgnored,
                 at_line(line),
                 detail,
             ));
@@ -83,11 +83,11 @@ impl DxfFindings {
             let detail = format!(
                 "{count} entities with z other than 0 were taken as seen from above, the first here"
             );
-            warnings.push(Warning::new("pattern/not_flat", at_line(line), detail));
+            warnings.push(Warning::new(PatternCode::NotFlat, at_line(line), detail));
         }
         if self.more > 0 {
             let detail = format!("and {} more warnings", self.more);
-            warnings.push(Warning::new("pattern/more", "line 1", detail));
+            warnings.push(Warning::new(PatternCode::More, "line 1", detail));
         }
         warnings
     }
@@ -113,7 +113,7 @@ impl DxfFindings {
             format!(" (it has {kind}, which is not read)")
         });
         let detail = format!("the file holds no closed outline{hint}");
-        Fault::new("pattern/no_outline", "line 1", detail)
+        Fault::new(PatternCode::NoOutline, "line 1", detail)
             .fix("export the pieces as closed polylines, in blocks on layer 1 (AAMA or ASTM)")
     }
 }
@@ -123,7 +123,7 @@ fn capped(mut faults: Vec<Fault>) -> Vec<Fault> {
     faults.truncate(MOST);
     if more > 0 {
         let detail = format!("and {more} more faults");
-        faults.push(Fault::new("pattern/more", "line 1", detail));
+        faults.push(Fault::new(PatternCode::More, "line 1", detail));
     }
     faults
 }

@@ -26,7 +26,7 @@ use self::piece::dxf_piece::DxfPiece;
 use self::piece::{classify, panel, select};
 use super::{Allowance, ImportOptions, Panel, Pattern, Source, copies, ids};
 use crate::config::Limits;
-use crate::fault::{Fault, Faults};
+use crate::fault::{Fault, Faults, PatternCode};
 use std::collections::BTreeMap;
 
 /// Reads a pattern from the bytes of a DXF file.
@@ -118,7 +118,7 @@ fn allowance(pieces: &[DxfPiece], panels: &[Panel], findings: &mut DxfFindings) 
                 "{count} of {} panels have a sew line; the outlines of the others may include seam allowance",
                 panels.len()
             );
-            findings.warn("pattern/allowance_mixed", pieces[0].line, detail);
+            findings.warn(PatternCode::AllowanceMixed, pieces[0].line, detail);
             Allowance::Unknown
         }
     }

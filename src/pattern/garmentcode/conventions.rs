@@ -3,6 +3,7 @@
 use super::findings::SpecFindings;
 use super::node::JsonNode;
 use crate::config::Limits;
+use crate::fault::PatternCode;
 use crate::pattern::point::is_readable;
 use crate::pattern::{ImportOptions, Point2, RotationOrder, Units};
 
@@ -36,7 +37,7 @@ impl Conventions<'_> {
             return Some(point);
         }
         let detail = "a coordinate is beyond 10 km";
-        findings.fault(node.fault("pattern/not_finite", detail, "correct it"));
+        findings.fault(node.fault(PatternCode::NotFinite, detail, "correct it"));
         None
     }
 }
@@ -65,7 +66,7 @@ pub(super) fn read<'a>(
         None => {
             if options.units.is_none() {
                 let detail = "the file does not say its units; cm was taken (units= overrides)";
-                findings.warn("pattern/units_assumed", "/properties", detail);
+                findings.warn(PatternCode::UnitsAssumed, "/properties", detail);
             }
             USUAL
         }
@@ -111,7 +112,7 @@ fn units_in_meter(node: &JsonNode<'_>, findings: &mut SpecFindings) -> f64 {
     let found = given.filter(|n| (1e-3..=1e6).contains(n));
     if found.is_none() && given.is_some() {
         let detail = "units_in_meter is how many units make a meter";
-        findings.fault(node.fault("pattern/field", detail, "give 100 for centimeters"));
+        findings.fault(node.fault(PatternCode::Field, detail, "give 100 for centimeters"));
     }
     found.unwrap_or(USUAL)
 }
@@ -123,7 +124,7 @@ fn curvature_coords(node: &JsonNode<'_>, findings: &mut SpecFindings) -> bool {
         Some("relative") | None => true,
         Some(_) => {
             let detail = "curvature_coords is \"relative\" or \"absolute\"";
-            findings.fault(node.fault("pattern/field", detail, "correct it"));
+            findings.fault(node.fault(PatternCode::Field, detail, "correct it"));
             true
         }
     }

@@ -9,6 +9,7 @@ use super::super::curve;
 use super::super::point::{Point2, distance, sub};
 use super::findings::SpecFindings;
 use super::node::JsonNode;
+use crate::fault::PatternCode;
 
 /// A chord may be longer than the diameter of its arc by this share: writers round.
 const ROUNDING: f64 = 1e-6;
@@ -54,7 +55,7 @@ impl EdgeCurve {
             _ => {
                 let detail = format!("{} is not a kind of curve", kind.value);
                 let fix = "the kinds are quadratic, cubic and circle";
-                findings.fault(kind.fault("pattern/field", detail, fix));
+                findings.fault(kind.fault(PatternCode::Field, detail, fix));
                 None
             }
         }
@@ -71,7 +72,7 @@ impl EdgeCurve {
         if items.len() != count {
             let detail = format!("{} control points where {count} are needed", items.len());
             findings.fault(params.fault(
-                "pattern/field",
+                PatternCode::Field,
                 detail,
                 "one for quadratic, two for cubic",
             ));
@@ -89,7 +90,7 @@ impl EdgeCurve {
         let [radius, large, right] = items.as_slice() else {
             let detail = format!("{} parameters where 3 are needed", items.len());
             let fix = "give [radius, large arc, right]";
-            findings.fault(params.fault("pattern/field", detail, fix));
+            findings.fault(params.fault(PatternCode::Field, detail, fix));
             return None;
         };
         let given = radius.number(findings);
@@ -97,7 +98,7 @@ impl EdgeCurve {
         let size = given.filter(|r| *r > 0.0);
         if size.is_none() && given.is_some() {
             let detail = "the radius of an arc is above 0";
-            findings.fault(radius.fault("pattern/field", detail, "correct it"));
+            findings.fault(radius.fault(PatternCode::Field, detail, "correct it"));
         }
         Some(Self::Arc {
             radius: size?,

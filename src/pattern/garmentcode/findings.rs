@@ -1,6 +1,6 @@
 //! SpecFindings of an import: faults and warnings, each at its JSON Pointer.
 
-use crate::fault::{Fault, Warning};
+use crate::fault::{Fault, PatternCode, Warning};
 
 /// JsonNode most this many faults, and as many warnings, are told of one file.
 const MOST: usize = 100;
@@ -28,7 +28,7 @@ impl SpecFindings {
     }
 
     /// Adds a warning.
-    pub(super) fn warn(&mut self, code: &str, pointer: &str, detail: impl Into<String>) {
+    pub(super) fn warn(&mut self, code: PatternCode, pointer: &str, detail: impl Into<String>) {
         if self.warnings.len() < MOST {
             self.warnings.push(Warning::new(code, pointer, detail));
         }
@@ -38,7 +38,7 @@ impl SpecFindings {
     pub(super) fn into_faults(mut self) -> Vec<Fault> {
         if self.left_out > 0 {
             let detail = format!("and {} more faults", self.left_out);
-            self.faults.push(Fault::new("pattern/more", "", detail));
+            self.faults.push(Fault::new(PatternCode::More, "", detail));
         }
         self.faults
     }

@@ -20,7 +20,7 @@ use self::findings::SpecFindings;
 use self::node::JsonNode;
 use super::{Allowance, ImportOptions, Panel, Pattern, PatternFormat, Source, ids};
 use crate::config::Limits;
-use crate::fault::{Fault, Faults};
+use crate::fault::{Fault, Faults, PatternCode};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
@@ -47,7 +47,7 @@ pub(super) fn import(
             bytes.len(),
             limits.json_bytes
         );
-        let fault = Fault::new("pattern/too_large", "", detail);
+        let fault = Fault::new(PatternCode::TooLarge, "", detail);
         return Err(fault.fix("split the garment").into());
     }
     let document = parse::parse(without_mark(bytes))?;
@@ -71,7 +71,7 @@ fn not_garmentcode(document: &Value) -> Fault {
         "upload a DXF, or a GarmentCode specification: {\"pattern\": {\"panels\": {...}, \"stitches\": [...]}}"
     };
     let detail = "the JSON is no GarmentCode specification: it has no /pattern/panels";
-    Fault::new("pattern/not_garmentcode", "", detail).fix(fix)
+    Fault::new(PatternCode::NotGarmentcode, "", detail).fix(fix)
 }
 
 fn read(
@@ -97,12 +97,12 @@ fn read(
         };
         if !is_empty(node.value) {
             let detail = format!("{name} are not kept: panels are read as they are drawn");
-            findings.warn("pattern/parameters_ignored", &node.pointer, detail);
+            findings.warn(PatternCode::ParametersIgnored, &node.pointer, detail);
         }
     }
     if let Some(size) = &options.size {
         let fault = Fault::new(
-            "pattern/unknown_size",
+            PatternCode::UnknownSize,
             "",
             format!("the file has no size {size:?}"),
         );
@@ -157,9 +157,9 @@ fn fill(
     if too_many || entries.is_empty() {
         let detail = format!("{} panels; 1 to {} are read", entries.len(), limits.panels);
         let code = if too_many {
-            "pattern/too_many_panels"
+            PatternCode::TooManyPanels
         } else {
-            "pattern/no_panels"
+            PatternCode::NoPanels
         };
         findings.fault(Fault::new(code, "/pattern/panels", detail).fix("split the garment"));
         return;
@@ -181,7 +181,7 @@ fn fill(
                 "the outlines up to here have more than {} points",
                 limits.dxf_vertices
             );
-            findings.fault(node.fault("pattern/too_large", detail, "split the garment"));
+            findings.fault(node.fault(PatternCode::TooLarge, detail, "split the garment"));
             return;
         }
     }

@@ -2,7 +2,7 @@
 //! goes on.
 
 use super::findings::SpecFindings;
-use crate::fault::{Fault, nearest};
+use crate::fault::{Fault, PatternCode, nearest, pointer_token};
 use serde_json::{Map, Value};
 
 /// A value with its place in the document.
@@ -22,7 +22,7 @@ impl<'a> JsonNode<'a> {
     }
 
     /// Returns a fault at this place.
-    pub(super) fn fault(&self, code: &str, detail: impl Into<String>, fix: &str) -> Fault {
+    pub(super) fn fault(&self, code: PatternCode, detail: impl Into<String>, fix: &str) -> Fault {
         Fault::new(code, self.pointer.clone(), detail).fix(fix)
     }
 
@@ -31,7 +31,7 @@ impl<'a> JsonNode<'a> {
         let shown: String = self.value.to_string().chars().take(40).collect();
         let fix = format!("give {what}");
         findings.fault(self.fault(
-            "pattern/field",
+            PatternCode::Field,
             format!("{shown} is not {what}"),
             fix.as_str(),
         ));
@@ -39,7 +39,7 @@ impl<'a> JsonNode<'a> {
 
     /// Returns the value of a field.
     fn child(&self, name: &str, value: &'a Value) -> Self {
-        let step = name.replace('~', "~0").replace('/', "~1");
+        let step = pointer_token(name);
         let pointer = format!("{}/{step}", self.pointer);
         Self { value, pointer }
     }
@@ -63,7 +63,7 @@ impl<'a> JsonNode<'a> {
                 let shown: String = name.chars().take(60).collect();
                 let detail = format!("{shown:?} is not a field here");
                 let child = self.child(name, value);
-                findings.fault(child.fault("pattern/unknown_field", detail, &fix));
+                findings.fault(child.fault(PatternCode::UnknownField, detail, &fix));
             }
         }
         Some(fields)
@@ -90,7 +90,7 @@ impl<'a> JsonNode<'a> {
         let found = self.get(name);
         if found.is_none() && self.value.is_object() {
             let detail = format!("{name:?} is missing");
-            findings.fault(self.fault("pattern/missing_field", detail, "add it"));
+            findings.fault(self.fault(PatternCode::MissingField, detail, "add it"));
         }
         found
     }
@@ -103,7 +103,7 @@ impl<'a> JsonNode<'a> {
         };
         if items.len() > most {
             let detail = format!("{} entries; at most {most} are read", items.len());
-            findings.fault(self.fault("pattern/too_large", detail, "leave some out"));
+            findings.fault(self.fault(PatternCode::TooLarge, detail, "leave some out"));
             return None;
         }
         let item = |(i, value): (usize, &'a Value)| Self {

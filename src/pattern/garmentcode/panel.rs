@@ -7,6 +7,7 @@ use super::conventions::Conventions;
 use super::edge::EdgeCurve;
 use super::findings::SpecFindings;
 use super::node::JsonNode;
+use crate::fault::PatternCode;
 use crate::pattern::crossing::crossing;
 use crate::pattern::point::Point2;
 use crate::pattern::polyline::{length, longest_side, signed_area};
@@ -143,7 +144,7 @@ fn read_edges(
     let items = listed.items(conventions.limits.panel_vertices, findings)?;
     if items.is_empty() {
         let detail = "the panel has no edges";
-        findings.fault(listed.fault("pattern/no_outline", detail, "give its outline"));
+        findings.fault(listed.fault(PatternCode::NoOutline, detail, "give its outline"));
         return None;
     }
     let read: Vec<Option<DrawnEdge>> = items
@@ -162,12 +163,12 @@ fn read_edges(
                 next.ends[0]
             );
             let fix = "list the edges of one closed loop in order";
-            findings.fault(item.fault("pattern/open_outline", detail, fix));
+            findings.fault(item.fault(PatternCode::OpenOutline, detail, fix));
         }
     }
     if let Some(unused) = used.iter().position(|used| !used) {
         let detail = format!("vertex {unused} is on no edge and is left out");
-        findings.warn("pattern/vertex_ignored", &listed.pointer, detail);
+        findings.warn(PatternCode::VertexIgnored, &listed.pointer, detail);
     }
     Some(edges)
 }
@@ -195,19 +196,19 @@ fn read_edge(
         [Some(a), Some(b)] if *a < vertices.len() && *b < vertices.len() => [*a, *b],
         _ => {
             let detail = format!("two vertices from 0 to {} are needed", vertices.len() - 1);
-            findings.fault(ends.fault("pattern/edge", detail, "name the vertices of the edge"));
+            findings.fault(ends.fault(PatternCode::Edge, detail, "name the vertices of the edge"));
             return None;
         }
     };
     let [a, b] = ends_at.map(|i| vertices[i]);
     if a == b {
         let detail = "both ends of the edge are at the same place";
-        findings.fault(ends.fault("pattern/edge", detail, "leave the edge out"));
+        findings.fault(ends.fault(PatternCode::Edge, detail, "leave the edge out"));
         return None;
     }
     let Some(points) = curve?.points(a, b) else {
         let detail = "the ends of the edge are farther apart than the diameter of its arc";
-        findings.fault(node.fault("pattern/edge", detail, "give a larger radius"));
+        findings.fault(node.fault(PatternCode::Edge, detail, "give a larger radius"));
         return None;
     };
     let ends = ends_at;
@@ -233,7 +234,7 @@ fn check_outline(
             "the outline has {} points; at most {most} are read",
             ring.len()
         );
-        findings.fault(node.fault("pattern/too_large", detail, "draw it with fewer edges"));
+        findings.fault(node.fault(PatternCode::TooLarge, detail, "draw it with fewer edges"));
         return;
     }
     let side = longest_side(ring);
@@ -242,13 +243,13 @@ fn check_outline(
         let detail =
             format!("the panel is {side:.3e} m long; sizes from {least} to {most} m are read");
         let fix = "correct units_in_meter, or say the units with units=mm|cm|m|inch";
-        findings.fault(node.fault("pattern/implausible_size", detail, fix));
+        findings.fault(node.fault(PatternCode::ImplausibleSize, detail, fix));
     } else if ring.len() < 3 || signed_area(ring).abs() < 1e-6 * side * side {
-        findings.fault(node.fault("pattern/no_area", "the panel has no area", "draw it anew"));
+        findings.fault(node.fault(PatternCode::NoArea, "the panel has no area", "draw it anew"));
     } else if let Some([x, y]) = crossing(ring) {
         let [x, y] = [x, y].map(|c| c / conventions.scale);
         let detail = format!("the outline crosses or touches itself at ({x:.4}, {y:.4})");
-        findings.fault(node.fault("pattern/self_intersecting", detail, "mend the outline"));
+        findings.fault(node.fault(PatternCode::SelfIntersecting, detail, "mend the outline"));
     }
 }
 

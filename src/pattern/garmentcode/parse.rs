@@ -1,6 +1,6 @@
 //! Bytes to JSON. A name that comes twice in an object is a fault: one of the two would be lost.
 
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -14,7 +14,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Value, Fault> {
 
 fn not_json(error: serde_json::Error) -> Fault {
     let place = format!("line {}", error.line());
-    Fault::new("pattern/not_json", place, format!("not JSON: {error}"))
+    Fault::new(PatternCode::NotJson, place, format!("not JSON: {error}"))
         .fix("upload a GarmentCode specification as it was written")
 }
 

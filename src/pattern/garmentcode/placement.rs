@@ -5,6 +5,7 @@ use super::findings::SpecFindings;
 use super::node::JsonNode;
 use super::panel::DrawnPanel;
 use super::rotation::{angles_xyz, matrix};
+use crate::fault::PatternCode;
 use crate::pattern::point::FARTHEST;
 use crate::pattern::polyline::bounds;
 use crate::pattern::{Placement, PlacementAnchor, RotationOrder, Wrap};
@@ -43,7 +44,7 @@ pub(super) fn read(
     }
     if offset.iter().any(|c| c.abs() > FARTHEST) {
         let detail = "the panel is placed beyond 10 km";
-        findings.fault(node.fault("pattern/not_finite", detail, "correct its translation"));
+        findings.fault(node.fault(PatternCode::NotFinite, detail, "correct its translation"));
         return None;
     }
     let rotate_deg = match order {
@@ -66,6 +67,6 @@ fn read_numbers(node: &JsonNode<'_>, scale: f64, findings: &mut SpecFindings) ->
         return Some(numbers);
     }
     let detail = "a number is beyond 10 km or 10000 degrees";
-    findings.fault(node.fault("pattern/not_finite", detail, "correct it"));
+    findings.fault(node.fault(PatternCode::NotFinite, detail, "correct it"));
     None
 }

@@ -6,6 +6,7 @@ use super::findings::SpecFindings;
 use super::node::JsonNode;
 use super::panel::DrawnPanel;
 use crate::config::Limits;
+use crate::fault::PatternCode;
 use crate::pattern::{Match, OutlineRun, Place, SeamPair, Side};
 use std::collections::BTreeMap;
 
@@ -40,7 +41,7 @@ fn read_stitch(
     let items = node.items(3, findings)?;
     let [a, b, rest @ ..] = items.as_slice() else {
         let detail = "a stitch has two sides";
-        findings.fault(node.fault("pattern/stitch", detail, "give two edges"));
+        findings.fault(node.fault(PatternCode::Stitch, detail, "give two edges"));
         return None;
     };
     let word = rest.first().map(|word| read_right_wrong(word, findings));
@@ -73,7 +74,7 @@ fn read_right_wrong(node: &JsonNode<'_>, findings: &mut SpecFindings) -> Option<
         return Some(true);
     }
     let detail = "the third entry of a stitch is \"right_wrong\"";
-    findings.fault(node.fault("pattern/stitch", detail, "leave it out or correct it"));
+    findings.fault(node.fault(PatternCode::Stitch, detail, "leave it out or correct it"));
     None
 }
 
@@ -100,7 +101,7 @@ fn read_side(
     let Some(found) = panels.get(panel) else {
         let fix = "name a panel of the specification";
         let detail = format!("there is no panel {panel:?}");
-        findings.fault(name.fault("pattern/unknown_panel", detail, fix));
+        findings.fault(name.fault(PatternCode::UnknownPanel, detail, fix));
         return None;
     };
     // A panel that could not be read has told its own faults.
@@ -108,7 +109,7 @@ fn read_side(
     let Some((from, to, direction)) = drawn.corners_of(index) else {
         let fix = format!("its edges are 0 to {}", drawn.panel.edges.len() - 1);
         let detail = format!("panel {panel:?} has no edge {index}");
-        findings.fault(edge.fault("pattern/edge", detail, &fix));
+        findings.fault(edge.fault(PatternCode::Edge, detail, &fix));
         return None;
     };
     Some(StitchSide {

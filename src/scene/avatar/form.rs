@@ -2,7 +2,7 @@
 
 use super::torso::{BUST_ANGLE, Scale, Torso, share};
 use super::{Avatar, TriangleMesh, rings, slice};
-use crate::fault::{Fault, Faults};
+use crate::fault::{AvatarCode, Fault, Faults};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -91,7 +91,7 @@ impl DressForm {
             if !(least..=most).contains(&value) {
                 let detail = format!("{value} m is not the measurement of a person");
                 let fix = format!("give metres, {least} to {most} here");
-                faults.push(Fault::new("avatar/measurement", pointer, detail).fix(fix));
+                faults.push(Fault::new(AvatarCode::Measurement, pointer, detail).fix(fix));
             }
         };
         within("/height_m", self.height_m, [1.30, 2.10]);
@@ -120,7 +120,7 @@ impl DressForm {
                     least * of,
                     most * of
                 );
-                faults.push(Fault::new("avatar/measurement", pointer, detail).fix(fix));
+                faults.push(Fault::new(AvatarCode::Measurement, pointer, detail).fix(fix));
             }
         };
         ratio(

@@ -1,6 +1,6 @@
 //! A closed surface of triangles, and whether it is one.
 
-use crate::fault::Fault;
+use crate::fault::{AvatarCode, Fault};
 use nalgebra::Vector3;
 
 /// Most triangles of a body; far beyond what a body needs at millimetre detail.
@@ -46,12 +46,12 @@ impl TriangleMesh {
 
     fn check_parts(&self) -> Vec<Fault> {
         let mut faults = Vec::new();
-        let mut fault = |code: &str, pointer: String, detail: String| {
+        let mut fault = |code: AvatarCode, pointer: String, detail: String| {
             faults.push(Fault::new(code, pointer, detail));
         };
         if self.triangles.is_empty() {
             fault(
-                "avatar/empty",
+                AvatarCode::Empty,
                 "/surface".into(),
                 "the surface has no triangle".into(),
             );
@@ -61,18 +61,18 @@ impl TriangleMesh {
                 "{} triangles; at most {TRIANGLES} are taken",
                 self.triangles.len()
             );
-            fault("avatar/too_large", "/surface/triangles".into(), detail);
+            fault(AvatarCode::TooLarge, "/surface/triangles".into(), detail);
         }
         let outside = |v: &Vector3<f64>| !v.iter().all(|x| x.abs() <= EXTENT);
         if let Some(v) = self.vertices.iter().position(outside) {
             let detail =
                 format!("vertex {v} is not a finite point within {EXTENT} m of the origin");
-            fault("avatar/vertex", format!("/surface/vertices/{v}"), detail);
+            fault(AvatarCode::Vertex, format!("/surface/vertices/{v}"), detail);
         }
         let dangling = |t: &[usize; 3]| t.iter().any(|&v| v >= self.vertices.len());
         if let Some(t) = self.triangles.iter().position(dangling) {
             let detail = format!("triangle {t} names a vertex that is not there");
-            fault("avatar/index", format!("/surface/triangles/{t}"), detail);
+            fault(AvatarCode::Index, format!("/surface/triangles/{t}"), detail);
         }
         faults
     }
@@ -88,7 +88,7 @@ impl TriangleMesh {
             let fix = "merge its corners or leave the triangle out, keeping the surface closed";
             faults.push(
                 Fault::new(
-                    "avatar/degenerate",
+                    AvatarCode::Degenerate,
                     format!("/surface/triangles/{t}"),
                     detail,
                 )
@@ -99,7 +99,7 @@ impl TriangleMesh {
         if faults.is_empty() && self.volume() <= 0.0 {
             let detail = "the surface is inside out: its triangles run clockwise seen from outside";
             faults.push(
-                Fault::new("avatar/inside_out", "/surface", detail)
+                Fault::new(AvatarCode::InsideOut, "/surface", detail)
                     .fix("turn every triangle round: [a, b, c] to [a, c, b]"),
             );
         }
@@ -121,7 +121,7 @@ impl TriangleMesh {
                 "{doubled} edges are run along in the same direction by more than one triangle"
             );
             let fix = "give all triangles the same sense and let two meet at each edge";
-            faults.push(Fault::new("avatar/not_manifold", "/surface", detail).fix(fix));
+            faults.push(Fault::new(AvatarCode::NotManifold, "/surface", detail).fix(fix));
         }
         let open = directed
             .iter()
@@ -130,7 +130,7 @@ impl TriangleMesh {
         if open > 0 {
             let detail =
                 format!("the surface is open: {open} edges have a triangle on one side only");
-            faults.push(Fault::new("avatar/open", "/surface", detail).fix("close its holes"));
+            faults.push(Fault::new(AvatarCode::Open, "/surface", detail).fix("close its holes"));
         }
         faults
     }

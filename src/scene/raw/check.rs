@@ -2,7 +2,7 @@
 
 use super::RawScene;
 use crate::config::Limits;
-use crate::fault::{Fault, Faults};
+use crate::fault::{Fault, Faults, SceneCode};
 use std::collections::BTreeMap;
 
 /// Coordinates up to this are read \[m\]; beyond, rounding would be felt in the forces.
@@ -34,7 +34,7 @@ pub(super) fn check(scene: &RawScene, limits: &Limits) -> Result<(), Faults> {
 }
 
 /// A kind of fault with what is wrong.
-type Flaw = (&'static str, String);
+type Flaw = (SceneCode, String);
 
 struct Found {
     vertex_count: usize,
@@ -76,12 +76,12 @@ impl Found {
         for (pointer, length, most) in longest {
             if length > most {
                 let detail = format!("{length} entries; at most {most} are read");
-                self.add(("scene/too_large", detail), pointer.to_owned());
+                self.add((SceneCode::TooLarge, detail), pointer.to_owned());
             }
         }
         if count == 0 {
             let detail = "the scene has no vertices".to_owned();
-            self.add(("scene/no_vertices", detail), "/start_m".to_owned());
+            self.add((SceneCode::NoVertices, detail), "/start_m".to_owned());
         }
         let mut lists = vec![("/mass_kg", scene.mass_kg.len())];
         if !(scene.uv_m.is_empty() && scene.triangles.is_empty()) {
@@ -89,7 +89,7 @@ impl Found {
         }
         for (pointer, length) in lists.into_iter().filter(|list| list.1 != count) {
             let detail = format!("{length} entries for {count} vertices");
-            self.add(("scene/length", detail), pointer.to_owned());
+            self.add((SceneCode::Length, detail), pointer.to_owned());
         }
         self.faults.is_empty()
     }
@@ -114,7 +114,7 @@ impl Found {
                 let detail = format!(
                     "triangle {triangle:?} has no area or runs clockwise in uv_m: give its vertices counter-clockwise"
                 );
-                ("scene/triangle", detail)
+                (SceneCode::Triangle, detail)
             })
         });
     }
@@ -140,7 +140,7 @@ impl Found {
                 (before < i).then(|| {
                     let detail =
                         format!("vertices {a} and {b} are sewn by stitch {before} already");
-                    ("scene/stitch_twice", detail)
+                    (SceneCode::StitchTwice, detail)
                 })
             })
         });
@@ -153,20 +153,20 @@ impl Found {
         }
         let friction = (!(0.0..=ROUGHEST).contains(&scene.friction)).then(|| {
             (
-                "scene/friction",
+                SceneCode::Friction,
                 format!("friction of {} is not 0 to {ROUGHEST}", scene.friction),
             )
         });
         let drag = scene.drag_1_s.filter(|drag| !(0.0..=FAR).contains(drag));
         let drag = drag.map(|drag| {
             (
-                "scene/drag",
+                SceneCode::Drag,
                 format!("drag of {drag} 1/s is not 0 to {FAR}"),
             )
         });
         let axis = scene.fixed_axis.filter(|&axis| axis > 2).map(|axis| {
             (
-                "scene/held_axis",
+                SceneCode::HeldAxis,
                 format!("there is no axis {axis}: 0 is x, 1 y, 2 z"),
             )
         });
@@ -188,23 +188,23 @@ impl Found {
         (v >= self.vertex_count).then(|| {
             let last = self.vertex_count - 1;
             (
-                "scene/no_vertex",
+                SceneCode::NoVertex,
                 format!("there is no vertex {v}: the last is {last}"),
             )
         })
     }
 
     fn pair(&self, [a, b]: [usize; 2]) -> Option<Flaw> {
-        self.no_vertex(a)
-            .or_else(|| self.no_vertex(b))
-            .or_else(|| (a == b).then(|| ("scene/itself", format!("vertex {a} is tied to itself"))))
+        self.no_vertex(a).or_else(|| self.no_vertex(b)).or_else(|| {
+            (a == b).then(|| (SceneCode::Itself, format!("vertex {a} is tied to itself")))
+        })
     }
 }
 
 fn far(numbers: &[f64]) -> Option<Flaw> {
     let wrong = numbers.iter().find(|c| c.is_nan() || c.abs() > FAR)?;
     Some((
-        "scene/number",
+        SceneCode::Number,
         format!("{wrong} is not a number from -{FAR} to {FAR}"),
     ))
 }
@@ -212,7 +212,7 @@ fn far(numbers: &[f64]) -> Option<Flaw> {
 fn not_positive(what: &str, value: f64, unit: &str) -> Option<Flaw> {
     (!(value > 0.0 && value.is_finite())).then(|| {
         (
-            "scene/not_positive",
+            SceneCode::NotPositive,
             format!("{what} of {value} {unit} is not above 0"),
         )
     })

@@ -37,7 +37,7 @@ mod words;
 pub use suggestion::{SuggestedPanel, SuggestedSeam, Suggestion};
 
 use crate::config::Limits;
-use crate::fault::Warning;
+use crate::fault::{SeamCode, Warning};
 use crate::pattern::Pattern;
 use garment_model::GarmentModel;
 use seam_pairs::SeamPairWriter;
@@ -85,7 +85,7 @@ pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
     let warnings = loose
         .map(|panel| {
             let detail = format!("no seam is suggested for panel `{}`: what it is was not recognised, or it is not needed", panel.id);
-            Warning::new("seam/not_suggested", "/seams", detail)
+            Warning::new(SeamCode::NotSuggested, "/seams", detail)
         })
         .collect();
     Suggestion {
@@ -100,7 +100,7 @@ fn too_many(count: usize, most: usize) -> Suggestion {
         "the pattern has {count} panels; seams are suggested for one garment of at most {most}"
     );
     Suggestion {
-        warnings: vec![Warning::new("seam/not_suggested", "/seams", detail)],
+        warnings: vec![Warning::new(SeamCode::NotSuggested, "/seams", detail)],
         ..Suggestion::default()
     }
 }

@@ -7,7 +7,7 @@
 
 use super::counted_renewals::CountedRenewals;
 use seamster::config::Limits;
-use seamster::fault::{Fault, Faults};
+use seamster::fault::{Fault, Faults, SeamCode};
 use seamster::fit::{FitOutcome, Garment};
 use seamster::job::{
     FileBlobs, IdempotencyKey, JobEvent, JobEventKind, JobEvents, JobKind, JobOutcome, JobRecord,
@@ -52,7 +52,7 @@ impl Runner for Script {
             JobRequest::Study(asked) => asked.garment,
         };
         match garment.default_fabric.as_str() {
-            "refuse" => return Err(Fault::new("seam/twisted", "/seams/0", "it is").into()),
+            "refuse" => return Err(Fault::new(SeamCode::Twisted, "/seams/0", "it is").into()),
             "panic" => panic!("as told"),
             "diverge" => good = false,
             "count" => (1..=1_000).for_each(|step| progress(at(f64::from(step) / 1_000.0, 0.0))),

@@ -9,7 +9,7 @@ use super::contents::{DxfBlock, DxfDrawing};
 use super::layers::{LayerRole, role};
 use super::sheet::DxfSheet;
 use crate::config::Limits;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::Units;
 use crate::pattern::dxf::entity::affine::AffineMap;
 use crate::pattern::dxf::entity::geometry::{BlockInsert, DxfEntity, EntityShape};
@@ -131,7 +131,7 @@ impl<'a> BlockPlacer<'a> {
                     "block {:?} is a piece but is not inserted; it was taken all the same",
                     block.name
                 );
-                let code = "pattern/block_not_inserted";
+                let code = PatternCode::BlockNotInserted;
                 self.findings.warn(code, block.line, detail);
                 let map = self.to_meters;
                 sheets.push(self.sheet(index, &map)?);
@@ -151,7 +151,7 @@ impl<'a> BlockPlacer<'a> {
         if found.is_none() {
             let name = &insert.name;
             let detail = format!("the block {name:?} that is inserted here is not in the file");
-            self.findings.warn("pattern/missing_block", line, detail);
+            self.findings.warn(PatternCode::MissingBlock, line, detail);
         }
         found
     }
@@ -222,7 +222,7 @@ impl<'a> BlockPlacer<'a> {
             "blocks are nested more than {} deep, or a block inserts itself",
             self.limits.dxf_nesting
         );
-        Fault::new("pattern/nesting", at_line(line), detail)
+        Fault::new(PatternCode::Nesting, at_line(line), detail)
             .fix("explode the blocks in the CAD program")
     }
 
@@ -233,7 +233,7 @@ impl<'a> BlockPlacer<'a> {
                 "with all blocks put in, the drawing has more than {} entities and points",
                 self.limits.dxf_entities + self.limits.dxf_vertices
             );
-            return Err(Fault::new("pattern/too_large", at_line(line), detail)
+            return Err(Fault::new(PatternCode::TooLarge, at_line(line), detail)
                 .fix("explode the blocks, or delete the ones that are not pieces"));
         };
         self.budget = left;

@@ -1,5 +1,6 @@
 //! A sheet: entities that belong together, in meters and near the origin.
 
+use crate::fault::PatternCode;
 use crate::pattern::Point2;
 use crate::pattern::dxf::entity::affine::AffineMap;
 use crate::pattern::dxf::entity::geometry::{DxfEntity, EntityShape};
@@ -36,7 +37,7 @@ impl DxfSheet {
             "the drawing lies at ({:.4e}, {:.4e}) m and was moved to the origin",
             low[0], low[1]
         );
-        findings.warn("pattern/moved", self.line, detail);
+        findings.warn(PatternCode::Moved, self.line, detail);
     }
 
     /// Leaves out entities that lie farther away than any pattern: a slip of a digit. Where all

@@ -1,7 +1,7 @@
 //! Sizes of graded files, where every size of a piece is a block of its own; one size is imported.
 
 use super::labels::DxfLabels;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::dxf::findings::DxfFindings;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -50,7 +50,7 @@ pub(crate) fn choose(
             all.join(", "),
             all[0]
         );
-        findings.warn("pattern/sample_size", line, detail);
+        findings.warn(PatternCode::SampleSize, line, detail);
     }
     let chosen = chosen
         .or_else(|| all.first().cloned())
@@ -65,7 +65,7 @@ fn unknown_size(wanted: &str, all: &[String]) -> Fault {
         format!("choose one of {}", all.join(", "))
     };
     let detail = format!("the file has no size {wanted:?}");
-    Fault::new("pattern/unknown_size", "line 1", detail).fix(fix)
+    Fault::new(PatternCode::UnknownSize, "line 1", detail).fix(fix)
 }
 
 /// Returns piece by piece true if it is imported: those of the chosen size, those without a size, and

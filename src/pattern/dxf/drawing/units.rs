@@ -2,7 +2,7 @@
 //! millimeters.
 
 use super::labels::DxfLabels;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::Units;
 use crate::pattern::dxf::findings::DxfFindings;
 
@@ -24,13 +24,13 @@ pub(crate) fn determine(
             let detail = format!(
                 "the text says {name} and $INSUNITS says {other_name}; {name} was taken (units= overrides)"
             );
-            findings.warn("pattern/units_conflict", line, detail);
+            findings.warn(PatternCode::UnitsConflict, line, detail);
             unit
         }
         (Some((unit, _)), _) | (None, Some(unit)) => unit,
         (None, None) => {
             let detail = "the file does not say its units; mm was taken (units= overrides)";
-            findings.warn("pattern/units_assumed", 1, detail);
+            findings.warn(PatternCode::UnitsAssumed, 1, detail);
             Units::Mm
         }
     }
@@ -42,7 +42,7 @@ fn unit_of_label(labels: &DxfLabels, findings: &mut DxfFindings) -> Option<(Unit
     let unit = from_text(value);
     if unit.is_none() {
         let detail = format!("the text says \"Units: {value}\", which is not known");
-        findings.warn("pattern/units_unknown", line, detail);
+        findings.warn(PatternCode::UnitsUnknown, line, detail);
     }
     Some((unit?, line))
 }
@@ -53,7 +53,7 @@ fn unit_of_header(insunits: Option<i32>, findings: &mut DxfFindings) -> Option<U
     let unit = from_insunits(code);
     if unit.is_none() {
         let detail = format!("$INSUNITS is {code}, which is not a unit of patterns");
-        findings.warn("pattern/units_unknown", 1, detail);
+        findings.warn(PatternCode::UnitsUnknown, 1, detail);
     }
     unit
 }
@@ -106,10 +106,10 @@ pub(crate) fn check(
     );
     let fix = fix(drawn);
     if (hard[0]..=hard[1]).contains(&longest_m) {
-        findings.warn("pattern/units_implausible", 1, format!("{detail}; {fix}"));
+        findings.warn(PatternCode::UnitsImplausible, 1, format!("{detail}; {fix}"));
         return Ok(());
     }
-    Err(Fault::new("pattern/units_implausible", "line 1", detail).fix(fix))
+    Err(Fault::new(PatternCode::UnitsImplausible, "line 1", detail).fix(fix))
 }
 
 fn is_plausible(size_m: f64) -> bool {

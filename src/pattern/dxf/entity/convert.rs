@@ -4,7 +4,7 @@ use super::geometry::{BlockInsert, EntityPath, EntityShape};
 use super::plane::{is_seen_from_behind, note_projected, xy};
 use super::polyline::with_bulges;
 use super::spline;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::Point2;
 use crate::pattern::curve;
 use crate::pattern::dxf::findings::{DxfFindings, at_line};
@@ -144,12 +144,13 @@ fn positive_radius(
     if radius < 0.0 {
         let detail = format!("the radius is {radius}");
         return Err(
-            Fault::new("pattern/negative_radius", at_line(line), detail).fix("draw this arc anew")
+            Fault::new(PatternCode::NegativeRadius, at_line(line), detail)
+                .fix("draw this arc anew"),
         );
     }
     if radius == 0.0 {
         let detail = "an arc of radius 0 is left out";
-        findings.warn("pattern/zero_radius", line, detail);
+        findings.warn(PatternCode::ZeroRadius, line, detail);
         return Ok(None);
     }
     Ok(Some(radius))

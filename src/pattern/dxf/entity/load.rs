@@ -5,7 +5,7 @@ use super::geometry::DxfEntity;
 use super::polyline::too_many_points;
 use super::sanitize::{self, ExpectedEntity, SanitizedEntities};
 use crate::config::Limits;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::dxf::findings::{DxfFindings, at_line};
 use crate::pattern::dxf::read::records::EntityRecord;
 use dxf::Drawing;
@@ -49,7 +49,7 @@ impl<'f> EntityLoader<'f> {
             Ok(drawing) => drawing,
             Err(error) => {
                 let detail = format!("the entities from here on cannot be read: {error}");
-                let fault = Fault::new("pattern/unreadable", at_line(first.line), detail);
+                let fault = Fault::new(PatternCode::Unreadable, at_line(first.line), detail);
                 self.findings.faults.push(fault);
                 return Vec::new();
             }
@@ -113,6 +113,6 @@ fn came_back(expected: &ExpectedEntity, found: &EntityType) -> bool {
 fn lost(expected: &ExpectedEntity) -> Fault {
     let kind = expected.kind;
     let detail = format!("the {kind} that begins here could not be read whole");
-    Fault::new("pattern/lost_entity", at_line(expected.line), detail)
+    Fault::new(PatternCode::LostEntity, at_line(expected.line), detail)
         .fix("export the file again, or report this file")
 }

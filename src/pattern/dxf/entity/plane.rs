@@ -1,6 +1,6 @@
 //! The drawing plane: entities that lie in it, and those that are seen from above or behind.
 
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::Point2;
 use crate::pattern::dxf::findings::{DxfFindings, at_line};
 use dxf::{Point, Vector};
@@ -24,7 +24,7 @@ pub(super) fn note_projected(points: &[&Point], line: usize, findings: &mut DxfF
 pub(super) fn is_seen_from_behind(normal: &Vector, line: usize) -> Result<bool, Fault> {
     if normal.x.abs() > 1e-6 || normal.y.abs() > 1e-6 || normal.z == 0.0 {
         let detail = "an entity does not lie in the drawing plane";
-        return Err(Fault::new("pattern/not_flat", at_line(line), detail)
+        return Err(Fault::new(PatternCode::NotFlat, at_line(line), detail)
             .fix("flatten the drawing in the CAD program"));
     }
     Ok(normal.z < 0.0)

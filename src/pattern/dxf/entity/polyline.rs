@@ -1,7 +1,7 @@
 //! Polylines with bulges as plain polylines.
 
 use super::geometry::EntityPath;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::Point2;
 use crate::pattern::curve;
 use crate::pattern::dxf::findings::at_line;
@@ -22,7 +22,7 @@ pub(super) fn with_bulges(
     let mut bulges = vertices.iter().map(|(_, bulge)| bulge);
     if let Some(bulge) = bulges.find(|bulge| bulge.abs() > LARGEST_BULGE) {
         let detail = format!("a vertex has the bulge {bulge}");
-        return Err(Fault::new("pattern/bulge", at_line(line), detail).fix("draw this arc anew"));
+        return Err(Fault::new(PatternCode::Bulge, at_line(line), detail).fix("draw this arc anew"));
     }
     let mut points = Vec::with_capacity(vertices.len());
     let mut sampled = Vec::new();
@@ -50,7 +50,7 @@ pub(super) fn with_bulges(
 /// Returns the fault for an entity at which the drawing has more points than are read.
 pub(super) fn too_many_points(line: usize) -> Fault {
     Fault::new(
-        "pattern/too_large",
+        PatternCode::TooLarge,
         at_line(line),
         "up to here the drawing has more points, with those that its curves are drawn with, than are read",
     )

@@ -3,7 +3,7 @@
 //! that the entities that must come back are counted here.
 
 use super::validate::{check_lwpolyline, check_place, check_spline, check_value, count};
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::dxf::findings::DxfFindings;
 use crate::pattern::dxf::read::records::EntityRecord;
 use std::fmt::Write;
@@ -91,7 +91,11 @@ pub(super) fn sanitize(
             out.text.push_str("0\nSEQEND\n");
             polyline = false;
             if kind != "SEQEND" {
-                findings.warn("pattern/no_seqend", record.line, "a POLYLINE has no SEQEND");
+                findings.warn(
+                    PatternCode::NoSeqend,
+                    record.line,
+                    "a POLYLINE has no SEQEND",
+                );
             }
         }
         let Some((kind, codes)) = kept(&kind) else {

@@ -3,7 +3,7 @@
 use super::fit_spline;
 use super::geometry::EntityPath;
 use super::plane::xy;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::Point2;
 use crate::pattern::bspline::BSpline;
 use crate::pattern::dxf::findings::at_line;
@@ -61,6 +61,6 @@ pub(super) fn path(
 }
 
 fn refuse(line: usize, what: &str) -> Fault {
-    Fault::new("pattern/spline", at_line(line), what.to_owned())
+    Fault::new(PatternCode::Spline, at_line(line), what.to_owned())
         .fix("export curves as polylines, or draw this one anew")
 }

@@ -1,6 +1,6 @@
 //! Checks of records before the `dxf` crate reads them: numbers, and group codes that belong together.
 
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::dxf::findings::{DxfFindings, at_line, excerpt};
 use crate::pattern::dxf::read::records::EntityRecord;
 use crate::pattern::dxf::read::tags::DxfTag;
@@ -22,7 +22,7 @@ pub(super) fn check_value(tag: &DxfTag<'_>) -> Result<(), Fault> {
         _ => match tag.value.parse::<f64>() {
             Ok(number) if number.is_finite() => Ok(()),
             Ok(_) => Err(Fault::new(
-                "pattern/not_finite",
+                PatternCode::NotFinite,
                 at_line(line),
                 format!("{:?} is not a finite number", excerpt(tag.value)),
             )
@@ -39,7 +39,7 @@ fn bad_number(line: usize, value: &str, wanted: &str) -> Fault {
         "export the file again; this line is damaged"
     };
     Fault::new(
-        "pattern/bad_number",
+        PatternCode::BadNumber,
         at_line(line),
         format!("{:?} stands where {wanted} must", excerpt(value)),
     )
@@ -92,7 +92,7 @@ pub(super) fn check_lwpolyline(
     }
     if let Some(claimed) = record.value(90).filter(|v| v.parse() != Ok(x_count)) {
         findings.warn(
-            "pattern/vertex_count",
+            PatternCode::VertexCount,
             record.line,
             format!(
                 "a LWPOLYLINE says that it has {} vertices and has {x_count}",
@@ -137,7 +137,7 @@ pub(super) fn check_spline(record: &EntityRecord<'_, '_>) -> Result<(), Fault> {
 
 fn malformed(line: usize, kind: &str, what: &str) -> Fault {
     Fault::new(
-        "pattern/malformed_entity",
+        PatternCode::MalformedEntity,
         at_line(line),
         format!("{kind}: {what}"),
     )

@@ -4,6 +4,7 @@ use super::chain::{ChainKey, PathChain};
 use super::dxf_piece::{DxfPiece, InnerLine, outlines, owner};
 use super::lines::SheetLines;
 use super::measured::MeasuredChain;
+use crate::fault::PatternCode;
 use crate::pattern::dxf::findings::DxfFindings;
 use std::collections::BTreeSet;
 
@@ -90,7 +91,8 @@ impl LineAssigner<'_> {
     fn warn_of_gap(&mut self, chain: &PathChain) {
         if let Some(gap) = chain.closed_gap {
             let detail = format!("a gap of {:.3} mm in a line was closed", 1000.0 * gap);
-            self.findings.warn("pattern/gap_closed", chain.line, detail);
+            self.findings
+                .warn(PatternCode::GapClosed, chain.line, detail);
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::chain::PathChain;
 use super::join::join_paths;
 use super::measured::MeasuredChain;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::dxf::drawing::labels::DxfLabels;
 use crate::pattern::dxf::drawing::layers::{LayerRole, is_named, role};
 use crate::pattern::dxf::drawing::sheet::DxfSheet;
@@ -117,6 +117,6 @@ fn open_outline(sheet: &DxfSheet, chain: &PathChain) -> Fault {
     };
     let gap_mm = 1000.0 * chain.gap();
     let detail = format!("an outline{of} is open by {gap_mm:.2} mm{ends}");
-    Fault::new("pattern/open_outline", at_line(chain.line), detail)
+    Fault::new(PatternCode::OpenOutline, at_line(chain.line), detail)
         .fix("close the outline in the CAD program; gaps up to 0.5 mm are closed for you")
 }

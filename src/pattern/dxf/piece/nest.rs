@@ -1,7 +1,7 @@
 //! Outlines inside outlines: each is owned by the largest that holds it.
 
 use super::measured::MeasuredChain;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::dxf::findings::{DxfFindings, at_line};
 
 /// Removes outlines that are drawn twice in the same place.
@@ -13,7 +13,7 @@ pub(super) fn drop_duplicates(
     for outline in outlines {
         if kept.iter().any(|other| other.is_drawn_over(&outline)) {
             findings.warn(
-                "pattern/duplicate_outline",
+                PatternCode::DuplicateOutline,
                 outline.chain.line,
                 "an outline is drawn twice in the same place; it was taken once",
             );
@@ -57,7 +57,7 @@ pub(super) fn nest(
 /// Returns the fault for more panels than the limit.
 pub(super) fn too_many(count: usize, limit: usize, line: usize) -> Fault {
     Fault::new(
-        "pattern/too_many_panels",
+        PatternCode::TooManyPanels,
         at_line(line),
         format!("the file has {count} pieces; at most {limit} are read"),
     )

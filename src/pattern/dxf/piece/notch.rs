@@ -3,6 +3,7 @@
 
 use super::dxf_piece::{DxfPiece, NotchMark};
 use super::fold::FoldLine;
+use crate::fault::PatternCode;
 use crate::pattern::Notch;
 use crate::pattern::dxf::findings::DxfFindings;
 use crate::pattern::outline::{Outline, notch_at, ring_of};
@@ -61,7 +62,7 @@ pub(super) fn notches(
                 "a notch of {:?} lies on no edge and is left out",
                 piece.name
             );
-            findings.warn("pattern/notch_ignored", mark.line, detail);
+            findings.warn(PatternCode::NotchIgnored, mark.line, detail);
             continue;
         };
         let image = fold.and_then(|fold| fold.image(&mark.points));

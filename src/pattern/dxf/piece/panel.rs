@@ -5,6 +5,7 @@ use super::dxf_piece::DxfPiece;
 use super::fold::FoldLine;
 use super::{holes, notch, rings};
 use crate::config::Limits;
+use crate::fault::PatternCode;
 use crate::pattern::dxf::findings::DxfFindings;
 use crate::pattern::outline::{Outline, ring_of};
 use crate::pattern::point::{Point2, cross, distance, sub};
@@ -82,7 +83,7 @@ fn fold(piece: &DxfPiece, drawn: &CorneredRing, findings: &mut DxfFindings) -> O
             "the fold line of {:?} is not an edge of it; the piece was not unfolded",
             piece.name
         );
-        findings.warn("pattern/fold_ignored", piece.line, detail);
+        findings.warn(PatternCode::FoldIgnored, piece.line, detail);
     }
     found
 }
@@ -132,7 +133,7 @@ fn grain(piece: &DxfPiece, findings: &mut DxfFindings) -> Option<Grain> {
             "{:?} has grain lines in several directions; the longest was taken",
             piece.name
         );
-        findings.warn("pattern/grain_ignored", piece.line, detail);
+        findings.warn(PatternCode::GrainIgnored, piece.line, detail);
     }
     let angle = (b[1] - a[1]).atan2(b[0] - a[0]);
     let angle_deg = angle.to_degrees().rem_euclid(180.0);

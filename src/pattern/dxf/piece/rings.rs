@@ -5,7 +5,7 @@ use super::corners::CorneredRing;
 use super::dxf_piece::DxfPiece;
 use super::fold::FoldLine;
 use crate::config::Limits;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::crossing::crossing;
 use crate::pattern::dxf::findings::{DxfFindings, at_line};
 use crate::pattern::point::{Point2, cross, distance, sub};
@@ -30,7 +30,7 @@ pub(super) fn checked(
             1000.0 * gap,
             piece.name
         );
-        findings.warn("pattern/gap_closed", chain.line, detail);
+        findings.warn(PatternCode::GapClosed, chain.line, detail);
     }
     match ring(piece, chain, limits) {
         Ok(ring) => Some(ring),
@@ -62,7 +62,7 @@ pub(super) fn of_sew_line(
         "the sew line of {:?} does not close; its outline is the cut line",
         piece.name
     );
-    findings.warn("pattern/open_sew_line", sew.line, detail);
+    findings.warn(PatternCode::OpenSewLine, sew.line, detail);
     None
 }
 
@@ -75,7 +75,7 @@ pub(super) fn is_simple(piece: &DxfPiece, ring: &CorneredRing, findings: &mut Dx
     let fix = "mend the outline in the CAD program";
     findings
         .faults
-        .push(refuse(piece, "pattern/self_intersecting", &detail, fix));
+        .push(refuse(piece, PatternCode::SelfIntersecting, &detail, fix));
     false
 }
 
@@ -87,7 +87,7 @@ fn ring(piece: &DxfPiece, chain: &PathChain, limits: &Limits) -> Result<Cornered
             limits.panel_vertices
         );
         let fix = "export curves with fewer points";
-        return Err(refuse(piece, "pattern/too_large", &detail, fix));
+        return Err(refuse(piece, PatternCode::TooLarge, &detail, fix));
     }
     if count < 3 {
         return Err(no_area(piece));
@@ -97,7 +97,7 @@ fn ring(piece: &DxfPiece, chain: &PathChain, limits: &Limits) -> Result<Cornered
     if !(least..=most).contains(&side) {
         let detail = format!("is {side:.3e} m long; sizes from {least} to {most} m are read");
         let fix = "say the units of the file with units=mm|cm|m|inch, or mend the drawing";
-        return Err(refuse(piece, "pattern/implausible_size", &detail, fix));
+        return Err(refuse(piece, PatternCode::ImplausibleSize, &detail, fix));
     }
     let ring = CorneredRing::new(chain, &piece.marks.turns);
     if swept_area(&ring.points) < LEAST_SWEPT * side * side {
@@ -108,10 +108,10 @@ fn ring(piece: &DxfPiece, chain: &PathChain, limits: &Limits) -> Result<Cornered
 
 fn no_area(piece: &DxfPiece) -> Fault {
     let fix = "delete it, or draw its outline anew";
-    refuse(piece, "pattern/no_area", "has no area", fix)
+    refuse(piece, PatternCode::NoArea, "has no area", fix)
 }
 
-fn refuse(piece: &DxfPiece, code: &str, detail: &str, fix: &str) -> Fault {
+fn refuse(piece: &DxfPiece, code: PatternCode, detail: &str, fix: &str) -> Fault {
     let detail = format!("the piece {:?} {detail}", piece.name);
     Fault::new(code, at_line(piece.line), detail).fix(fix)
 }

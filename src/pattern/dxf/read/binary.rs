@@ -1,6 +1,6 @@
 //! Binary DXF as text DXF, so that one tag pass checks both.
 
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 
 /// Converts a binary DXF, given without its sentinel, to text. Lines then count tags: tag `n` stands in
 /// lines `2n - 1` and `2n`.
@@ -115,7 +115,7 @@ impl BinaryReader<'_> {
 
     fn fault(&self, what: &str) -> Fault {
         Fault::new(
-            "pattern/binary",
+            PatternCode::Binary,
             format!("line {}", 2 * self.tag),
             format!("tag {} of this binary DXF {what}", self.tag),
         )

@@ -1,6 +1,6 @@
 //! Files that are no DXF, told by their first bytes: the user learns what the file is and what to send.
 
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 
 /// First bytes of files that people upload by mistake, their kind, and the fix.
 const OTHERS: [(&[u8], &str, &str); 8] = [
@@ -67,5 +67,5 @@ pub(crate) fn reject_other(bytes: &[u8]) -> Result<(), Fault> {
 
 /// Returns the fault for a file that is no DXF.
 pub(crate) fn not_dxf(detail: &str, fix: &str) -> Fault {
-    Fault::new("pattern/not_dxf", "line 1", detail).fix(fix)
+    Fault::new(PatternCode::NotDxf, "line 1", detail).fix(fix)
 }

@@ -8,7 +8,7 @@ pub(super) mod records;
 pub(super) mod tags;
 
 use crate::config::Limits;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use std::borrow::Cow;
 
 /// Decodes a DXF file, text or binary, to text.
@@ -23,7 +23,7 @@ pub(super) fn text<'a>(bytes: &'a [u8], limits: &Limits) -> Result<Cow<'a, str>,
             limits.dxf_bytes
         );
         return Err(
-            Fault::new("pattern/too_large", "line 1", detail).fix("export fewer pieces or sizes")
+            Fault::new(PatternCode::TooLarge, "line 1", detail).fix("export fewer pieces or sizes")
         );
     }
     file_type::reject_other(bytes)?;

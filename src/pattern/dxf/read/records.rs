@@ -2,7 +2,7 @@
 
 use super::tags::{DxfTag, DxfTags};
 use crate::config::Limits;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::dxf::findings::{DxfFindings, excerpt};
 
 /// Sections without anything to draw.
@@ -107,7 +107,7 @@ pub(crate) fn read<'a, 't>(
 
 fn too_many(what: &str, count: usize, limit: usize) -> Fault {
     Fault::new(
-        "pattern/too_large",
+        PatternCode::TooLarge,
         "line 1",
         format!("the file has {count} {what}; at most {limit} are read"),
     )
@@ -121,7 +121,7 @@ fn check_end(file: &DxfTags<'_>, findings: &mut DxfFindings) -> Result<(), Fault
     if file.tags.iter().any(|tag| tag.opens("EOF")) {
         if let Some(line) = file.dangling {
             findings.warn(
-                "pattern/dangling_line",
+                PatternCode::DanglingLine,
                 line,
                 "a group code stands at the end without its value",
             );
@@ -134,13 +134,13 @@ fn check_end(file: &DxfTags<'_>, findings: &mut DxfFindings) -> Result<(), Fault
         .rfind(|tag| tag.opens("SECTION") || tag.opens("ENDSEC"));
     if open.is_some_and(|tag| tag.opens("SECTION")) || file.dangling.is_some() {
         return Err(Fault::new(
-            "pattern/truncated",
+            PatternCode::Truncated,
             format!("line {last_line}"),
             "the file ends inside a section: it was cut off",
         )
         .fix("export or upload it again"));
     }
-    findings.warn("pattern/no_eof", last_line, "the file ends without EOF");
+    findings.warn(PatternCode::NoEof, last_line, "the file ends without EOF");
     Ok(())
 }
 
@@ -204,7 +204,7 @@ impl<'a, 't> RecordSorter<'a, 't> {
         if !self.is_without_entities() && !matches!(self.section.as_str(), "BLOCKS" | "ENTITIES") {
             let name = excerpt(&self.section);
             let detail = format!("what section {name:?} holds is not read");
-            findings.warn("pattern/unknown_section", record.line, detail);
+            findings.warn(PatternCode::UnknownSection, record.line, detail);
         }
         if self.section == "HEADER" {
             self.found.insunits = header_number(record.tags, "$INSUNITS");
@@ -214,7 +214,7 @@ impl<'a, 't> RecordSorter<'a, 't> {
     fn warn_if_open(&self, line: usize, findings: &mut DxfFindings) {
         if !self.section.is_empty() {
             let detail = format!("section {} has no ENDSEC", self.section);
-            findings.warn("pattern/no_endsec", line, detail);
+            findings.warn(PatternCode::NoEndsec, line, detail);
         }
     }
 

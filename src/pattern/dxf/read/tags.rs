@@ -1,7 +1,7 @@
 //! The tag pass: text to tags (a group code and a value, two lines), within the limits on lines.
 
 use crate::config::Limits;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::dxf::findings::excerpt;
 
 /// A group code with its value.
@@ -72,7 +72,7 @@ pub(crate) fn read<'a>(text: &'a str, limits: &Limits) -> Result<DxfTags<'a>, Fa
 fn check_line(line: usize, text: &str, limits: &Limits) -> Result<(), Fault> {
     if text.len() > limits.dxf_line_bytes {
         return Err(Fault::new(
-            "pattern/line_too_long",
+            PatternCode::LineTooLong,
             format!("line {line}"),
             format!(
                 "the line has {} bytes; at most {} are read",
@@ -84,7 +84,7 @@ fn check_line(line: usize, text: &str, limits: &Limits) -> Result<(), Fault> {
     }
     if text.contains('\0') {
         return Err(Fault::new(
-            "pattern/nul_byte",
+            PatternCode::NulByte,
             format!("line {line}"),
             "the line holds a NUL byte, which no text DXF has",
         )
@@ -97,7 +97,7 @@ fn group_code(line: usize, text: &str) -> Result<i32, Fault> {
     match text.trim().parse::<i32>() {
         Ok(code) if (-5..=1071).contains(&code) => Ok(code),
         _ => Err(Fault::new(
-            "pattern/group_code",
+            PatternCode::GroupCode,
             format!("line {line}"),
             format!(
                 "{:?} stands where a group code (a whole number up to 1071) must",
