@@ -6,7 +6,7 @@ NPM_CI = npm ci --ignore-scripts --no-audit --no-fund
 
 # Set LISTEN or BIN on the command line: make run LISTEN=127.0.0.1:9000
 
-.PHONY: help run test check bench stability instructions table fuzz smoke audit build page browser chromium valgrind
+.PHONY: help run test check soak bench stability instructions table fuzz smoke audit build page browser chromium valgrind
 .DEFAULT_GOAL := help
 
 help:
@@ -18,6 +18,7 @@ help:
 	@echo "make stability  stiff and extreme cases, all of them: a JSON line a case in target/stability.jsonl (CASES: some only)"
 	@echo "make table   what the project makes of the real patterns in SEAMSTER_TEST_DATA, against the truth"
 	@echo "make fuzz    searches for inputs that break the importer and the seam check (T seconds each)"
+	@echo "make soak    hours: every stability case, 10 000 damaged files, fuzzing, ten runs of the queue and service tests"
 	@echo "make smoke   a fresh service sews both samples, a validator reads the result"
 	@echo "make audit   known faults of dependencies (needs the internet)"
 
@@ -77,6 +78,15 @@ fuzz: page
 	  mkdir -p fuzz/corpus/$$target; \
 	  cargo fuzz run -s none $$target fuzz/corpus/$$target tests/corpus/$$target -- \
 	    -max_total_time=$(or $(T),300) -timeout=10 || exit 1; \
+	done
+
+# What takes too long for every change.
+soak: page stability fuzz
+	SEAMSTER_MUTATIONS=10000 cargo test --release --locked --test it pattern::loss
+	@for run in $$(seq 10); do \
+	  echo "run $$run of 10"; \
+	  cargo test --locked --test it -- job:: http:: && \
+	  cargo test --locked --test process -- --test-threads=1 || exit 1; \
 	done
 
 smoke: build browser
