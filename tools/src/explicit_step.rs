@@ -1,4 +1,4 @@
-//! What one explicit step costs, against the memory's bandwidth: `cargo run --release -p seamster-tools explicit-step`.
+//! Cost of one explicit step against the memory's bandwidth: `cargo run --release -p seamster-tools explicit-step`.
 //!
 //! One JSON line a run: nanoseconds a vertex and step (CPU of this thread: what a motion twice as long takes more, so that setting
 //! up is left out and all else is in), the bytes of the kernel's arrays a vertex, each counted once, and what share of the

@@ -1,4 +1,4 @@
-//! What a scene lacks costs nothing, and a report little, in instructions: `cargo run --release -p seamster-tools instructions`.
+//! Instructions that terms and reports take: `cargo run --release -p seamster-tools instructions`.
 //!
 //! Needs valgrind. The first table is that of the tests of `solver::left_out`: drapes of a scene that lacks a body, wind, bending
 //! and seams, against programs that put its two terms together by hand. The second is of whole fits of a shipped sample: how
@@ -31,7 +31,7 @@ const OF_FITS: &str = "
 |---|---:|---:|---:|---:|
 ";
 
-/// What is counted, and where the tables go.
+/// Options of the count.
 #[derive(Args)]
 pub(crate) struct InstructionsOptions {
     /// Writes the tables into this file instead of printing them.
@@ -97,7 +97,7 @@ fn tables() -> Result<String, String> {
     Ok(out)
 }
 
-/// Whether a function is one of the matrix library, whose innermost ones have addresses for names.
+/// Returns true if a function is one of the matrix library, whose innermost ones have addresses for names.
 fn of_matrices(function: &str) -> bool {
     let crates = ["0x", "faer::", "pulp::", "nano_gemm", "private_gemm"];
     crates.iter().any(|name| function.contains(name))

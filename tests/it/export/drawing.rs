@@ -1,12 +1,10 @@
 //! The pattern drawn: true proportion, panels apart, numbers and marks where they belong, nothing that an upload could run.
 
 use seamster::export::drawing_svg;
-use seamster::pattern::{Grain, Notch, NotchKind, Panel};
+use seamster::pattern::{Grain, Notch, NotchKind, Panel, Point2};
 use seamster_fixtures::panels::{panel_of, pattern};
 
-type Point = [f64; 2];
-
-fn polygon(id: &str, outline: &[Point]) -> Panel {
+fn polygon(id: &str, outline: &[Point2]) -> Panel {
     let next = |i: usize| outline[(i + 1) % outline.len()];
     let edges: Vec<_> = (0..outline.len())
         .map(|i| vec![outline[i], next(i)])
@@ -28,7 +26,7 @@ fn values<'a>(svg: &'a str, attribute: &str) -> Vec<&'a str> {
 }
 
 /// The points of path data that has only straight lines.
-fn points(data: &str) -> Vec<Point> {
+fn points(data: &str) -> Vec<Point2> {
     let parts = data.split(['M', 'L']).filter(|part| !part.is_empty());
     parts
         .map(|part| {
@@ -41,7 +39,7 @@ fn points(data: &str) -> Vec<Point> {
         .collect()
 }
 
-fn box_of(points: &[Point]) -> [Point; 2] {
+fn box_of(points: &[Point2]) -> [Point2; 2] {
     let fold = |k: usize, least: bool| {
         let all = points.iter().map(|p| p[k]);
         if least {
@@ -57,7 +55,7 @@ fn box_of(points: &[Point]) -> [Point; 2] {
 }
 
 /// The cloth of each panel on the sheet, in the pattern's order.
-fn cloths(svg: &str) -> Vec<Vec<Point>> {
+fn cloths(svg: &str) -> Vec<Vec<Point2>> {
     let groups = svg.split("<g transform=\"translate(").skip(1);
     let cloth = |group: &str| {
         let at: Vec<f64> = group
@@ -117,8 +115,8 @@ fn panels_lie_apart_with_their_copies() {
         }
     }
     // The copy is the image of its source: their boxes are alike, their first corners on opposite sides.
-    let left = |panel: &[Point]| panel[0][0] - box_of(panel)[0][0];
-    let right = |panel: &[Point]| box_of(panel)[1][0] - panel[0][0];
+    let left = |panel: &[Point2]| panel[0][0] - box_of(panel)[0][0];
+    let right = |panel: &[Point2]| box_of(panel)[1][0] - panel[0][0];
     assert!((left(&found[1]) - right(&found[4])).abs() < 0.011);
 }
 
@@ -173,9 +171,9 @@ fn what_a_panel_has_is_drawn_and_nothing_else() {
         assert!(svg.contains(&format!(">{word}</text>")), "{word}");
     }
     let group = svg.split("<g ").nth(1).expect("a panel");
-    let paths: Vec<Vec<Point>> = values(group, "d").into_iter().map(points).collect();
-    let line = |a: Point, b: Point| {
-        let near = |p: Point, q: Point| (p[0] - q[0]).abs() < 0.02 && (p[1] - q[1]).abs() < 0.02;
+    let paths: Vec<Vec<Point2>> = values(group, "d").into_iter().map(points).collect();
+    let line = |a: Point2, b: Point2| {
+        let near = |p: Point2, q: Point2| (p[0] - q[0]).abs() < 0.02 && (p[1] - q[1]).abs() < 0.02;
         paths.iter().any(|p| {
             p.len() == 2 && (near(p[0], a) && near(p[1], b) || near(p[0], b) && near(p[1], a))
         })

@@ -1,4 +1,4 @@
-//! What is exported, read back by readers that are not ours.
+//! Exported meshes, read back by readers that are not ours.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 

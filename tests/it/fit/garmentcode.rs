@@ -18,7 +18,7 @@ const MEAN_FEMALE: DressForm = DressForm {
     neck_m: None,
     shoulder_m: None,
 };
-/// What is promised of a sewn garment \[m\].
+/// Promised bounds of a sewn garment \[m\].
 const SEAM_GAP: f64 = 1e-3;
 const PENETRATION: f64 = 1e-3;
 

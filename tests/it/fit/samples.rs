@@ -5,16 +5,14 @@
 use dxf::entities::EntityType;
 use seamster::config::Limits;
 use seamster::fit::{Garment, SeamsSpec};
-use seamster::pattern::{ImportOptions, OutlineRun, Pattern, Place, SeamPair};
+use seamster::pattern::{ImportOptions, OutlineRun, Pattern, Place, Point2, SeamPair};
 use seamster::seam::{self, Face};
 use seamster_fixtures::drafting::Sample;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-type Point = [f64; 2];
-
 /// Runs of an outline by their order, each a polyline [mm]: run `i` leaves corner `i`.
-type Runs = Vec<Vec<Point>>;
+type Runs = Vec<Vec<Point2>>;
 
 fn shipped(file: &str) -> String {
     let path = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("static/samples");
@@ -59,7 +57,7 @@ fn pattern(sample: &Sample) -> Pattern {
     seamster::pattern::import(sample.dxf.as_bytes(), &options, &Limits::default()).unwrap()
 }
 
-fn length(run: &[Point]) -> f64 {
+fn length(run: &[Point2]) -> f64 {
     let steps = run.windows(2);
     steps
         .map(|w| (w[0][0] - w[1][0]).hypot(w[0][1] - w[1][1]))
@@ -127,8 +125,8 @@ fn samples_import_with_the_corners_that_are_drawn() {
         assert_eq!(pattern.warnings, []);
         for panel in &pattern.panels {
             let runs = &outlines[&panel.id];
-            let corners: Vec<Point> = panel.corners.iter().map(|c| [c.x, c.y]).collect();
-            let drawn: Vec<Point> = runs.iter().map(|r| r[0].map(|mm| mm / 1000.0)).collect();
+            let corners: Vec<Point2> = panel.corners.iter().map(|c| [c.x, c.y]).collect();
+            let drawn: Vec<Point2> = runs.iter().map(|r| r[0].map(|mm| mm / 1000.0)).collect();
             assert_eq!(corners.len(), drawn.len(), "{}", panel.id);
             for (corner, drawn) in corners.iter().zip(drawn) {
                 let apart = (corner[0] - drawn[0]).hypot(corner[1] - drawn[1]);

@@ -24,7 +24,7 @@ const EDGE_LENGTH: f64 = 0.025;
 const X: usize = 0;
 const Y: usize = 1;
 const Z: usize = 2;
-/// What is promised of a sewn garment \[m\].
+/// Promised bounds of a sewn garment \[m\].
 const SEAM_GAP: f64 = 1e-3;
 const PENETRATION: f64 = 1e-3;
 

@@ -2,25 +2,23 @@
 
 use seamster::config::Limits;
 use seamster::mesh::{ClothMesh, Stitch, triangulate};
-use seamster::pattern::{Allowance, Corner, Edge, Hole, Panel, Pattern, PatternFormat, Source};
+use seamster::pattern::{Allowance, Corner, Edge, Hole, Panel, Pattern, PatternFormat, Point2, Source};
 use seamster::progress::CancelToken;
 use seamster::seam::{Face, Seam, SeamSet, Stretch, Track};
 use std::collections::BTreeSet;
 
-type Point = [f64; 2];
-
 /// The mesh edge length of most tests \[m\].
 const H: f64 = 0.012;
 
-fn ring(edges: Vec<Vec<Point>>) -> (Vec<Corner>, Vec<Edge>) {
+fn ring(edges: Vec<Vec<Point2>>) -> (Vec<Corner>, Vec<Edge>) {
     let count = edges.len();
-    let corner = |(index, edge): (usize, &Vec<Point>)| Corner {
+    let corner = |(index, edge): (usize, &Vec<Point2>)| Corner {
         index,
         x: edge[0][0],
         y: edge[0][1],
     };
     let corners = edges.iter().enumerate().map(corner).collect();
-    let edge = |(index, points): (usize, Vec<Point>)| Edge {
+    let edge = |(index, points): (usize, Vec<Point2>)| Edge {
         index,
         from: index,
         to: (index + 1) % count,
@@ -31,7 +29,7 @@ fn ring(edges: Vec<Vec<Point>>) -> (Vec<Corner>, Vec<Edge>) {
     (corners, edges.into_iter().enumerate().map(edge).collect())
 }
 
-fn panel(id: &str, edges: Vec<Vec<Point>>) -> Panel {
+fn panel(id: &str, edges: Vec<Vec<Point2>>) -> Panel {
     let (corners, edges) = ring(edges);
     Panel {
         id: id.into(),
@@ -56,7 +54,7 @@ fn panel(id: &str, edges: Vec<Vec<Point>>) -> Panel {
 }
 
 /// A panel with straight edges between clockwise corners.
-fn polygon(id: &str, corners: &[Point]) -> Panel {
+fn polygon(id: &str, corners: &[Point2]) -> Panel {
     let next = |i: usize| corners[(i + 1) % corners.len()];
     panel(
         id,
@@ -75,7 +73,7 @@ fn rectangle(id: &str, width: f64, height: f64) -> Panel {
 }
 
 /// Points of an arc about `centre`, angles in degrees.
-fn arc(centre: Point, radius: f64, from: f64, to: f64) -> Vec<Point> {
+fn arc(centre: Point2, radius: f64, from: f64, to: f64) -> Vec<Point2> {
     let point = |i: i32| {
         let angle = (from + (to - from) * f64::from(i) / 40.0).to_radians();
         [
@@ -146,7 +144,7 @@ fn top() -> Panel {
     )
 }
 
-fn join(a: &[Point], b: &[Point], c: &[Point]) -> Vec<Point> {
+fn join(a: &[Point2], b: &[Point2], c: &[Point2]) -> Vec<Point2> {
     [a, b, c].concat()
 }
 
@@ -217,19 +215,19 @@ fn fault_codes(panels: Vec<Panel>, edge_length: f64, limits: &Limits) -> Vec<Str
         .collect()
 }
 
-fn distance(a: Point, b: Point) -> f64 {
+fn distance(a: Point2, b: Point2) -> f64 {
     (a[0] - b[0]).hypot(a[1] - b[1])
 }
 
-fn length(points: &[Point]) -> f64 {
+fn length(points: &[Point2]) -> f64 {
     points.windows(2).map(|w| distance(w[0], w[1])).sum()
 }
 
-fn area([a, b, c]: [Point; 3]) -> f64 {
+fn area([a, b, c]: [Point2; 3]) -> f64 {
     0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]))
 }
 
-fn corners(mesh: &ClothMesh, triangle: [usize; 3]) -> [Point; 3] {
+fn corners(mesh: &ClothMesh, triangle: [usize; 3]) -> [Point2; 3] {
     triangle.map(|v| mesh.uv[v])
 }
 
@@ -396,7 +394,7 @@ fn no_angle_is_smaller_than_20_degrees_or_the_outlines_own() {
             let radius = 0.03 + 0.2 * random();
             [radius * c, radius * s]
         };
-        let outline: Vec<Point> = (0..count).map(corner).collect();
+        let outline: Vec<Point2> = (0..count).map(corner).collect();
         let at = |i: usize| outline[i % count];
         let own = (0..count)
             .map(|i| angle(at(i), at(i + 1), at(i + 2)))
@@ -413,7 +411,7 @@ fn no_angle_is_smaller_than_20_degrees_or_the_outlines_own() {
 }
 
 /// Angle at `b` from `a` to `c` in degrees, 0 to 180.
-fn angle(a: Point, b: Point, c: Point) -> f64 {
+fn angle(a: Point2, b: Point2, c: Point2) -> f64 {
     let (u, v) = ([a[0] - b[0], a[1] - b[1]], [c[0] - b[0], c[1] - b[1]]);
     let cosine = (u[0] * v[0] + u[1] * v[1]) / (u[0].hypot(u[1]) * v[0].hypot(v[1]));
     cosine.acos().to_degrees()
@@ -605,7 +603,7 @@ fn same_input_gives_the_same_mesh() {
 fn a_moved_and_turned_panel_gets_as_many_vertices() {
     let turned = |panel: &Panel, degrees: f64| {
         let (s, c) = degrees.to_radians().sin_cos();
-        let turn = |[x, y]: Point| [c * x - s * y + 3.0, s * x + c * y - 1.0];
+        let turn = |[x, y]: Point2| [c * x - s * y + 3.0, s * x + c * y - 1.0];
         let edges = panel.edges.iter();
         let edges = edges.map(|e| e.points.iter().map(|p| turn(*p)).collect());
         self::panel(&panel.id, edges.collect())

@@ -1,12 +1,10 @@
 //! Seam allowance cut away: against closed forms, with numbers and notches kept, refused where nothing would be left.
 
-use seamster::pattern::{Edge, Notch, NotchKind, Panel, Pattern};
+use seamster::pattern::{Edge, Notch, NotchKind, Panel, Pattern, Point2};
 use seamster_fixtures::panels::panel_of;
 use std::f64::consts::{PI, TAU};
 
-type Point = [f64; 2];
-
-fn polygon(outline: &[Point]) -> Panel {
+fn polygon(outline: &[Point2]) -> Panel {
     let next = |i: usize| outline[(i + 1) % outline.len()];
     let edges: Vec<_> = (0..outline.len())
         .map(|i| vec![outline[i], next(i)])
@@ -15,7 +13,7 @@ fn polygon(outline: &[Point]) -> Panel {
 }
 
 /// `count` points on a circle, clockwise.
-fn circle(count: usize, radius: f64) -> Vec<Point> {
+fn circle(count: usize, radius: f64) -> Vec<Point2> {
     let at = |i: usize| -TAU * i as f64 / count as f64;
     (0..count)
         .map(|i| [radius * at(i).cos(), radius * at(i).sin()])
@@ -37,7 +35,7 @@ fn refused(panel: &Panel, width: f64) -> String {
     fault.detail
 }
 
-fn corners(panel: &Panel) -> Vec<Point> {
+fn corners(panel: &Panel) -> Vec<Point2> {
     panel.corners.iter().map(|c| [c.x, c.y]).collect()
 }
 
@@ -47,7 +45,7 @@ fn assert_near(found: f64, wanted: f64) {
 }
 
 #[track_caller]
-fn assert_points(found: &[Point], wanted: &[Point]) {
+fn assert_points(found: &[Point2], wanted: &[Point2]) {
     assert_eq!(found.len(), wanted.len());
     for (a, b) in found.iter().flatten().zip(wanted.iter().flatten()) {
         assert!((a - b).abs() < 1e-12, "{found:?} {wanted:?}");
@@ -100,7 +98,7 @@ fn smooth_convex_outlines_follow_steiner() {
         [a * t.cos(), b * t.sin()]
     };
     let edge = |k: usize| (90 * k..=90 * (k + 1)).map(|i| at(i % count)).collect();
-    let panel = panel_of("ellipse", &(0..4).map(edge).collect::<Vec<Vec<Point>>>());
+    let panel = panel_of("ellipse", &(0..4).map(edge).collect::<Vec<Vec<Point2>>>());
     // The smallest radius of curvature is b²/a = 0.133.
     for width in [0.005, 0.02, 0.1] {
         let found = net(&panel, width);
@@ -147,7 +145,7 @@ fn lines_meet_in_a_mitre_at_a_corner_that_juts_in() {
 #[test]
 fn hollow_curves_grow_by_the_width() {
     // A rectangle whose top is scooped out by a half circle of radius 0.1.
-    let scoop: Vec<Point> = (0..=180)
+    let scoop: Vec<Point2> = (0..=180)
         .map(|i| {
             let angle = PI - PI * f64::from(i) / 180.0;
             [0.2 + 0.1 * angle.cos(), 0.4 - 0.1 * angle.sin()]
@@ -185,7 +183,7 @@ fn curves_tighter_than_the_width_lose_what_does_not_fit() {
         [0.4 - radius, radius],
         [radius, radius],
     ];
-    let edges: Vec<Vec<Point>> = (0..4)
+    let edges: Vec<Vec<Point2>> = (0..4)
         .map(|k| {
             let rounding = |i: i32| {
                 let angle = PI - 0.5 * PI * k as f64 - 0.5 * PI * f64::from(i) / 45.0;
@@ -196,7 +194,7 @@ fn curves_tighter_than_the_width_lose_what_does_not_fit() {
             };
             let next = PI - 0.5 * PI * (k + 1) as f64;
             let start = centres[(k + 1) % 4];
-            let mut points: Vec<Point> = (0..=45).map(rounding).collect();
+            let mut points: Vec<Point2> = (0..=45).map(rounding).collect();
             points.push([
                 start[0] + radius * next.cos(),
                 start[1] + radius * next.sin(),
@@ -267,10 +265,10 @@ fn a_copy_is_cut_as_its_source_is() {
         (copy.id.as_str(), copy.copy_of.as_deref()),
         ("panel~mirror", Some("panel"))
     );
-    let image: Vec<Point> = corners(&source).iter().map(|p| [-p[0], p[1]]).collect();
+    let image: Vec<Point2> = corners(&source).iter().map(|p| [-p[0], p[1]]).collect();
     assert_eq!(corners(&copy), image);
     assert_eq!(copy.area_m2, source.area_m2);
-    let image: Vec<Point> = source.cut_line.iter().map(|p| [-p[0], p[1]]).collect();
+    let image: Vec<Point2> = source.cut_line.iter().map(|p| [-p[0], p[1]]).collect();
     assert_eq!(copy.cut_line, image);
 }
 

@@ -2,16 +2,11 @@
 
 use seamster::config::Limits;
 use seamster::fault::Warning;
-use seamster::pattern::{
-    Corner, Edge, Grain, Hole, ImportOptions, Notch, NotchKind, Panel, Pattern, Placement,
-    PlacementAnchor, Quantity, Wrap, checked, import,
-};
+use seamster::pattern::{Corner, Edge, Grain, Hole, ImportOptions, Notch, NotchKind, Panel, Pattern, Placement, PlacementAnchor, Point2, Quantity, Wrap, checked, import};
 use seamster_fixtures::panels::{panel_of, pattern};
 use std::borrow::Cow;
 
-type Point = [f64; 2];
-
-fn edges(outline: &[Point]) -> Vec<Vec<Point>> {
+fn edges(outline: &[Point2]) -> Vec<Vec<Point2>> {
     let next = |i: usize| outline[(i + 1) % outline.len()];
     (0..outline.len())
         .map(|i| vec![outline[i], next(i)])
@@ -24,7 +19,7 @@ fn sleeve() -> Panel {
         "sleeve",
         &edges(&[[0.0, 0.0], [0.1, 0.5], [0.4, 0.4], [0.6, 0.0]]),
     );
-    let hole: [Point; 3] = [[0.2, 0.1], [0.3, 0.1], [0.2, 0.2]];
+    let hole: [Point2; 3] = [[0.2, 0.1], [0.3, 0.1], [0.2, 0.2]];
     panel.holes = vec![Hole {
         corners: (0..3)
             .map(|index| Corner {
@@ -97,7 +92,7 @@ fn a_copy_has_the_numbers_of_its_source_and_its_image() {
             (b.index, b.from, b.to, b.length_m),
             (a.index, a.from, a.to, a.length_m)
         );
-        let image: Vec<Point> = a.points.iter().map(|p| [-p[0], p[1]]).collect();
+        let image: Vec<Point2> = a.points.iter().map(|p| [-p[0], p[1]]).collect();
         assert_eq!(b.points, image);
     }
     assert!(area(&source.edges) < 0.0 && area(&copy.edges) > 0.0);
@@ -147,7 +142,7 @@ fn a_copy_is_placed_as_the_mirror_image_of_its_source() {
     let image = &found.placements["sleeve~mirror"];
     assert_eq!(image, &placement.mirrored());
     // Points about the centre: R' (-x, y, 0) must be R (x, y, 0) reflected, and so must the offsets.
-    let at = |p: &Placement, [x, y]: Point| {
+    let at = |p: &Placement, [x, y]: Point2| {
         let mut v = [x, y, 0.0];
         for axis in [2, 1, 0] {
             let (sin, cos) = p.rotate_deg[axis].to_radians().sin_cos();

@@ -552,7 +552,7 @@ fn truth(entry: &Value) -> (usize, Vec<f64>) {
     (usize::try_from(count).expect("a small count"), areas)
 }
 
-/// What differs between a pattern and the truth; empty where nothing does.
+/// Differences between a pattern and the truth; empty where there are none.
 fn difference(pattern: &Pattern, entry: &Value) -> String {
     let (count, areas) = truth(entry);
     // The truth counts pieces before their mirrored copies.
@@ -709,7 +709,7 @@ fn signed_area(edges: &[Edge]) -> f64 {
 
 // ---- Hostile files ----
 
-/// What a hostile file must give.
+/// Outcome that a hostile file must have.
 enum Expected {
     /// A refusal with this code.
     Refused(&'static str),
@@ -791,7 +791,7 @@ fn expected(file: &str) -> Expected {
     }
 }
 
-/// What differs from what a hostile file must give; empty where nothing does.
+/// Difference from the outcome that a hostile file must have; empty where there is none.
 fn misbehaviour(found: &Result<Pattern, Faults>, expected: &Expected) -> String {
     match (found, expected) {
         (Err(faults), Expected::Refused(code)) => {

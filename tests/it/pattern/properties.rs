@@ -1,12 +1,10 @@
-//! What import must not depend on: where and how a piece lies, the unit, the order of entities, the direction of runs.
+//! Import does not depend on where and how a piece lies, the unit, the order of entities, the direction of runs.
 //! Pieces are drawn by chance, the same for the same seed.
 
 use seamster::config::Limits;
-use seamster::pattern::{ImportOptions, Panel, Pattern, import};
+use seamster::pattern::{ImportOptions, Panel, Pattern, import, Point2};
 use seamster_fixtures::damage::Dice;
 use seamster_fixtures::dxf::DxfBuilder;
-
-type P = [f64; 2];
 
 /// Lengths and places of one file written twice agree to this: coordinates are written in full \[m\].
 const SAME: f64 = 1e-9;
@@ -15,19 +13,19 @@ const SAME: f64 = 1e-9;
 #[derive(Clone)]
 struct Drawn {
     /// Open runs, head to tail.
-    runs: Vec<Vec<P>>,
-    grain: [P; 2],
-    internal: Vec<P>,
-    notch: P,
-    drill: P,
+    runs: Vec<Vec<Point2>>,
+    grain: [Point2; 2],
+    internal: Vec<Point2>,
+    notch: Point2,
+    drill: Point2,
 }
 
-/// How a file is written.
+/// Choices in writing a file.
 #[derive(Clone, Copy, Debug)]
 struct Manner {
     /// Counter-clockwise \[radians\].
     turn: f64,
-    shift: P,
+    shift: Point2,
     mm_per_unit: f64,
     units: &'static str,
     shuffle: Option<u64>,
@@ -45,15 +43,15 @@ const PLAIN: Manner = Manner {
 };
 
 /// A piece: 4 to 7 sides about a middle, straight or bent.
-fn drawn(dice: &mut Dice, middle: P) -> Drawn {
+fn drawn(dice: &mut Dice, middle: Point2) -> Drawn {
     let count = 4 + dice.below(4);
     let corner = |i: usize, dice: &mut Dice| {
         let angle = std::f64::consts::TAU * (i as f64 + 0.5 * dice.part()) / count as f64;
         let radius = 150.0 + 120.0 * dice.part();
         [0, 1].map(|k| middle[k] + radius * [angle.cos(), angle.sin()][k])
     };
-    let corners: Vec<P> = (0..count).map(|i| corner(i, dice)).collect();
-    let runs: Vec<Vec<P>> = (0..count)
+    let corners: Vec<Point2> = (0..count).map(|i| corner(i, dice)).collect();
+    let runs: Vec<Vec<Point2>> = (0..count)
         .map(|i| {
             let (a, b) = (corners[i], corners[(i + 1) % count]);
             let bent = 0.15 * (dice.part() - 0.5);
@@ -67,13 +65,13 @@ fn drawn(dice: &mut Dice, middle: P) -> Drawn {
                 let across = [a[1] - b[1], b[0] - a[0]];
                 [0, 1].map(|k| a[k] + t * (b[k] - a[k]) + off * across[k])
             };
-            let mut run: Vec<P> = (0..=steps).map(|k| at(k as f64 / steps as f64)).collect();
+            let mut run: Vec<Point2> = (0..=steps).map(|k| at(k as f64 / steps as f64)).collect();
             run[0] = a;
             run[steps] = b;
             run
         })
         .collect();
-    let beside = |d: P| [middle[0] + d[0], middle[1] + d[1]];
+    let beside = |d: Point2| [middle[0] + d[0], middle[1] + d[1]];
     let (a, b) = (runs[0][0], runs[0][1]);
     let part = 0.2 + 0.6 * dice.part();
     Drawn {
@@ -90,7 +88,7 @@ fn drawn(dice: &mut Dice, middle: P) -> Drawn {
 }
 
 /// One thing to write: layer, points (one: a POINT).
-type Item = (&'static str, Vec<P>);
+type Item = (&'static str, Vec<Point2>);
 
 fn items(piece: &Drawn, blocks: bool) -> Vec<Item> {
     let layer = |number: &'static str, name: &'static str| if blocks { number } else { name };
@@ -112,7 +110,7 @@ fn items(piece: &Drawn, blocks: bool) -> Vec<Item> {
 
 fn written(pieces: &[Drawn], manner: Manner) -> Vec<u8> {
     let (sin, cos) = manner.turn.sin_cos();
-    let put = |p: &P| {
+    let put = |p: &Point2| {
         let turned = [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]];
         [0, 1].map(|k| (turned[k] + manner.shift[k]) / manner.mm_per_unit)
     };
@@ -125,7 +123,7 @@ fn written(pieces: &[Drawn], manner: Manner) -> Vec<u8> {
             shuffle(&mut own, &mut dice);
         }
         if manner.blocks {
-            file = file.block(&format!("P{i}"));
+            file = file.block(&format!("Point2{i}"));
             file = own.iter().fold(file, |file, item| add(file, item, &put));
         } else {
             all.extend(own);
@@ -151,11 +149,11 @@ fn shuffle(items: &mut [Item], dice: &mut Dice) {
     }
 }
 
-fn add(file: DxfBuilder, (layer, points): &Item, put: &impl Fn(&P) -> P) -> DxfBuilder {
+fn add(file: DxfBuilder, (layer, points): &Item, put: &impl Fn(&Point2) -> Point2) -> DxfBuilder {
     match points.as_slice() {
         [point] => file.point(layer, put(point)),
         [a, b] => file.line(layer, put(a), put(b)),
-        run => file.run(layer, false, &run.iter().map(put).collect::<Vec<P>>()),
+        run => file.run(layer, false, &run.iter().map(put).collect::<Vec<Point2>>()),
     }
 }
 
@@ -168,26 +166,26 @@ fn read(pieces: &[Drawn], manner: Manner) -> Pattern {
     pattern
 }
 
-/// What of a panel does not depend on where it begins: its measures, and each corner with the length of the edge after it.
-fn course(panel: &Panel, back: impl Fn(P) -> P) -> Vec<(P, f64)> {
+/// Measures of a panel that do not depend on where it begins: each corner goes with the length of the edge after it.
+fn course(panel: &Panel, back: impl Fn(Point2) -> Point2) -> Vec<(Point2, f64)> {
     let corners = panel.corners.iter().zip(&panel.edges);
     corners
         .map(|(c, e)| (back([c.x, c.y]), e.length_m))
         .collect()
 }
 
-fn near(a: P, b: P) -> bool {
+fn near(a: Point2, b: Point2) -> bool {
     (a[0] - b[0]).hypot(a[1] - b[1]) < SAME
 }
 
 /// The panels are those of `plain`, moved as `manner` says.
 fn assert_same(plain: &Pattern, found: &Pattern, manner: Manner) {
     let (sin, cos) = (-manner.turn).sin_cos();
-    let back = |p: P| {
+    let back = |p: Point2| {
         let p = [0, 1].map(|k| p[k] - manner.shift[k] / 1000.0);
         [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]]
     };
-    let at = |panel: &Panel, i: usize, back: &dyn Fn(P) -> P| back(panel.drill_holes[i]);
+    let at = |panel: &Panel, i: usize, back: &dyn Fn(Point2) -> Point2| back(panel.drill_holes[i]);
     for wanted in &plain.panels {
         let is_it = |p: &&Panel| near(at(p, 0, &back), at(wanted, 0, &|p| p));
         let panel = found.panels.iter().find(is_it);

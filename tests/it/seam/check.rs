@@ -1101,7 +1101,7 @@ fn random_seams(random: &mut Random) -> Vec<SeamPair> {
     pairs
 }
 
-/// Whether each seam runs as the faces found demand: the definition of a two-sided surface, apart from how it is computed.
+/// Returns true if each seam runs as the faces found demand: the definition of a two-sided surface, apart from how it is computed.
 fn is_two_sided(seams: &[Seam], faces: &[Face], allowed: &[bool]) -> bool {
     seams.iter().zip(allowed).all(|(seam, allowed)| {
         *allowed

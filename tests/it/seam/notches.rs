@@ -25,7 +25,7 @@ fn left_edges() -> SeamPair {
     seam("s", run("a", 0, 1), run("b", 0, 1))
 }
 
-/// Where each stretch but the last ends on A and on B.
+/// Ends of each stretch but the last on A and on B.
 fn cuts(set: &SeamSet) -> Vec<[f64; 2]> {
     let ends = |pair: &[Stretch; 2]| pair.map(|stretch| stretch.to);
     let matched = &set.seams[0].matched;

@@ -48,7 +48,7 @@ fn a_pushed_strip_arches_as_the_elastica() {
     }
 }
 
-/// How far the tip of an upright strip of Γ = w L³ / B ends from the upright, over its length; it starts a little bent.
+/// Distance of the tip of an upright strip of Γ = w L³ / B from the upright, over its length; it starts a little bent.
 fn tip_of_upright(gamma: f64, grid: Grid) -> f64 {
     let (length, cells) = (0.1_f64, 30);
     let rigidity = DENSITY * G * length.powi(3) / gamma;
@@ -89,7 +89,7 @@ fn torsional_stiffness(sheet: &Sheet) -> f64 {
     2.0 * bend / (twist * twist * area) / sheet.fabric.bending_warp_n_m
 }
 
-/// How far the tip of a strip on edge, clamped at one end, goes aside; it starts a little bent.
+/// Distance by which the tip of a strip on edge, clamped at one end, goes aside; it starts a little bent.
 fn tip_of_edgewise(load: f64, grid: Grid) -> (f64, f64) {
     let (length, cells) = (0.2_f64, 40);
     let rigidity = DENSITY * G * length.powi(3) / load;

@@ -123,7 +123,7 @@ fn a_roller_carries_the_weight_of_the_towel_on_it() {
     assert_eq!(shape.report.penetration_max_m, 0.0);
 }
 
-/// Whether a square of cloth stays on a slope of 30 degrees, from which gravity is tilted.
+/// Returns true if a square of cloth stays on a slope of 30 degrees, from which gravity is tilted.
 fn holds_on_slope(mu: f64) -> bool {
     let slope = PI / 6.0;
     let sheet = Sheet {
@@ -158,7 +158,7 @@ fn cloth_stays_on_a_slope_up_to_the_angle_of_friction() {
     assert!(!holds_on_slope(tangent - 0.005));
 }
 
-/// Whether a strip over half a cylinder holds with a load `ratio` times as heavy on one side as on the other.
+/// Returns true if a strip over half a cylinder holds with a load `ratio` times as heavy on one side as on the other.
 fn holds_round(ratio: f64, mu: f64) -> bool {
     let (r, width, load) = (0.1, 0.03, 0.6);
     let (turn, hang) = (48, 6);

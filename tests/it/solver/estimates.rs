@@ -1,4 +1,4 @@
-//! What a report says of its own errors: true within what it promises, also where the time was up.
+//! Error estimates of reports: true within what they promise, also where the time was up.
 
 use seamster::config::Limits;
 use seamster::fit::{self, ResolvedGarment};
@@ -8,7 +8,7 @@ use seamster::solver::{self, Context, Drape, DrapeReport, SolverOptions, rms_dis
 use seamster_fixtures::samples::sample;
 use serde_json::{Value, json};
 
-/// How far a stated error may be from the true one: the promise of the reports.
+/// Largest ratio of a stated error to the true one: the promise of the reports.
 const PROMISE: std::ops::RangeInclusive<f64> = 0.3..=3.0;
 /// Residual below any floor: rounding stops it.
 const TO_THE_FLOOR: f64 = 1e-300;

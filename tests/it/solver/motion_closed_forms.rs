@@ -237,7 +237,7 @@ fn step_on_incline(method: Method) -> f64 {
     }
 }
 
-/// How far the patch slid down in 1 s \[m\].
+/// Distance that the patch slid down in 1 s \[m\].
 fn slide(method: Method, friction: f64, drag: f64) -> f64 {
     let mut scene = Scene {
         drag: Some(drag),

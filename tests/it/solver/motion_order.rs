@@ -233,7 +233,7 @@ fn each_step_of_implicit_euler_lowers_its_incremental_potential() {
     }
 }
 
-/// What may become of the energy of a linear oscillator, over what it was.
+/// Bounds on the energy of a linear oscillator, over that at the start.
 ///
 /// Symplectic Euler keeps v² + ω²x² - h ω² x v, Verlet (1 - h²ω²/4) ω²x² + v²: with h ω = 1.8 the energy goes up to
 /// (1 + 0.9) / (1 - 0.9) and 1 / (1 - 0.81) times what it was. Implicit Euler never gains. BDF2 keeps its G-norm from rising

@@ -3,7 +3,7 @@
 use seamster_fixtures::stability::{Case, cases};
 use std::collections::BTreeSet;
 
-/// How much longer a case may take than in a release build on a core of its own: own code is not optimised as far, and other tests
+/// Factor of time over a release build on a core of its own: own code is not optimized as far, and other tests
 /// run beside it.
 const SLOWER: f64 = 20.0;
 
@@ -13,7 +13,7 @@ fn every_case_has_a_name_of_its_own() {
     assert_eq!(names.len(), cases().len());
 }
 
-/// What every case must be, and what this one is expected to come to: see `stability::check`.
+/// Asserts that the cases of a group meet the conditions of `stability::check` and their own.
 fn come_to_what_is_expected(group: &str) {
     let is_ours = |case: &Case| case.small && case.name.starts_with(group);
     let ours: Vec<Case> = cases().into_iter().filter(is_ours).collect();

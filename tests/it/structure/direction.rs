@@ -123,7 +123,7 @@ struct Source {
     path: PathBuf,
     /// The top-level module it belongs to.
     module: String,
-    /// How many `super` lead from it to the crate.
+    /// Number of `super` that lead from it to the crate.
     depth: usize,
     /// Its text less comments and strings, blanks only where words would run together.
     code: String,
@@ -187,7 +187,7 @@ fn uses(file: &Source) -> BTreeSet<String> {
     after_root.flat_map(first_names).collect()
 }
 
-/// Whether what begins at `at` is not the end of a longer name or path.
+/// Returns true if what begins at `at` is not the end of a longer name or path.
 fn is_free(code: &str, at: usize) -> bool {
     !code[..at].ends_with(|c: char| c.is_alphanumeric() || c == '_' || c == ':')
 }
@@ -220,7 +220,7 @@ fn first_names(rest: &str) -> Vec<String> {
     names
 }
 
-/// Whether a name or path occurs whole.
+/// Returns true if a name or path occurs whole.
 fn names(code: &str, name: &str) -> bool {
     code.match_indices(name).any(|(at, _)| {
         let after = code[at + name.len()..].chars().next();

@@ -138,7 +138,7 @@ fn observed_orders_are_those_of_theory() {
     }
 }
 
-/// What the issue asks for: within 20 % of theory, on a net and on a sewn garment that a body carries.
+/// Stability limits are within 20 % of theory, on a net and on a sewn garment that a body carries.
 #[test]
 fn stability_limits_are_near_those_of_theory() {
     let plan = StudyPlan {

@@ -12,7 +12,7 @@ pub(crate) struct Kind {
     pub(crate) name: &'static str,
     /// In the folder, or `None` for a sample of the same name.
     file: Option<&'static str>,
-    /// Whether it is run with a fine mesh and a time limit, too.
+    /// True if it is run with a fine mesh and a time limit, too.
     pub(crate) fine: bool,
 }
 

@@ -14,7 +14,7 @@ const TO_THE_FLOOR: f64 = 1e-300;
 /// A distance between coordinates of about 1 m that is rounding \[m\].
 const ROUNDING: f64 = 1e-15;
 
-/// What a run came to.
+/// Outcome of a run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Line {
     pub(crate) garment: String,
@@ -29,11 +29,11 @@ pub(crate) struct Line {
     pub(crate) estimate_m: Option<f64>,
     pub(crate) valid: bool,
     pub(crate) mesh_error_m: Option<f64>,
-    /// How far it moved on to rest.
+    /// Distance that it moved on to rest.
     pub(crate) error_m: f64,
     /// Residual of the reference over the round-off floor.
     pub(crate) reference_floors: f64,
-    /// Whether the reference came to rest.
+    /// True if the reference came to rest.
     pub(crate) referred: bool,
 }
 

@@ -1,4 +1,4 @@
-//! How true the error estimates are, and how well a time limit is kept: `cargo run --release -p seamster-tools accuracy`.
+//! Error estimates against true errors, and time limits against times: `cargo run --release -p seamster-tools accuracy`.
 //!
 //! Garments from real files are sewn and draped, stopped by their tolerance (`garments`) or by a time limit (`budget`). Each is
 //! then draped on from where it stopped to three times the round-off floor: how far it moves is the true error. One JSON line a

@@ -1,4 +1,4 @@
-//! What one run gave: a line of `target/bench.jsonl`.
+//! Outcome of one run: a line of `target/bench.jsonl`.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -9,7 +9,7 @@ pub(crate) struct Line {
     pub(crate) scene: String,
     pub(crate) method: String,
     pub(crate) membrane: String,
-    /// What was asked of the solver beyond its defaults.
+    /// Options of the solver beyond its defaults.
     pub(crate) setting: Value,
     pub(crate) vertices: usize,
     /// CPU time from the scene to the report, all threads; the median where a short run was repeated \[s\].
@@ -21,7 +21,7 @@ pub(crate) struct Line {
     pub(crate) error_m: Option<f64>,
     pub(crate) residual: f64,
     pub(crate) estimate_m: Option<f64>,
-    /// Whether the solver calls its estimate valid.
+    /// True if the solver calls its estimate valid.
     pub(crate) estimate_valid: bool,
     pub(crate) gap_m: f64,
     pub(crate) penetration_m: f64,
@@ -32,9 +32,9 @@ pub(crate) struct Line {
     /// On all levels; 0 for explicit steps.
     pub(crate) newton_iterations: usize,
     pub(crate) converged: bool,
-    /// Why it stopped.
+    /// Reason for stopping.
     pub(crate) why: String,
-    /// How far the reference went on from the stopped shape \[m\].
+    /// Distance of the reference from the stopped shape \[m\].
     pub(crate) reference_moved_m: Option<f64>,
     /// Residual of the reference over the round-off floor.
     pub(crate) reference_floors: Option<f64>,
@@ -43,7 +43,7 @@ pub(crate) struct Line {
 }
 
 impl Line {
-    /// Whether it is the result of the same run.
+    /// Returns true if it is the result of the same run.
     pub(crate) fn same_run(&self, other: &Self) -> bool {
         self.scene == other.scene
             && self.method == other.method

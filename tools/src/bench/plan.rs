@@ -1,4 +1,4 @@
-//! What is run: every scene with every method that makes sense on it, over tolerances or times.
+//! Plan of the runs: every scene with every method that makes sense on it, over tolerances or times.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -11,7 +11,7 @@ pub(crate) struct Run {
     pub(crate) setting: Value,
     /// CPU time allowed \[s\].
     pub(crate) limit_s: f64,
-    /// Whether a second method is to confirm the reference.
+    /// True if a second method is to confirm the reference.
     pub(crate) confirm: bool,
 }
 
@@ -29,7 +29,7 @@ struct Bench {
 /// A row of residuals for a curve of error against work.
 const ROW: &[f64] = &[1e-2, 1e-3, 1e-5, 1e-8];
 const PAIR: &[f64] = &[1e-3, 1e-5];
-/// What a fit asks for.
+/// Options of the solver for a run.
 const LAST: &[f64] = &[1e-5];
 /// As near to rest as a slow motion comes in the time.
 const ONE: &[f64] = &[1e-3];

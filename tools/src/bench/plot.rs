@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::{fs, io};
 
-/// What others reach on a scene within a second of simulated time: method, CPU time \[s\], RMS error \[mm\]; each measured on one
+/// Results of other simulators after a second of simulated time: method, CPU time \[s\], RMS error \[mm\]; each measured on one
 /// core, against the rest shape of the same net.
 const OTHERS: [(&str, &str, f64, f64); 5] = [
     ("S1P", "Newton (NVIDIA), explicit", 4.2, 3e-4),

@@ -108,7 +108,7 @@ fn refer(scene: &Scene, ask: &SolverOptions, stopped: &Drape, confirm: bool, lin
     }
 }
 
-/// What the run asks of the solver.
+/// Options of the solver for a run.
 fn simulate(run: &Run) -> SolverOptions {
     let mut asked = json!({"time_limit_s": run.limit_s});
     let fields = run

@@ -1,4 +1,4 @@
-//! What the lines come to: how long each method takes to come to rest, and how the time grows with the number of vertices.
+//! Summary of the lines: the time that each method takes to come to rest, and its growth with the number of vertices.
 
 use super::line::Line;
 use super::table::{error, figures};

@@ -76,7 +76,7 @@ fn work(line: &Line) -> [String; 3] {
     ]
 }
 
-/// What was asked besides the method and the membrane, which have a column.
+/// Options besides the method and the membrane, which have a column.
 fn setting(setting: &Value) -> String {
     let fields = setting.as_object().into_iter().flatten();
     let told = fields
@@ -111,7 +111,7 @@ pub(crate) fn figures(x: f64) -> String {
     }
 }
 
-/// What it was measured on.
+/// Machine that it was measured on.
 fn machine() -> String {
     let cpus = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let model = cpus

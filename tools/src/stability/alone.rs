@@ -40,7 +40,7 @@ pub(crate) fn run(number: usize, case: &Case) -> io::Result<Line> {
     }
 }
 
-/// Whether it ended well; nothing if it had to be ended. A line is short enough for the pipe to hold it meanwhile.
+/// Returns true if the process ended well, `None` if it had to be ended. A line is short enough for the pipe to hold it meanwhile.
 fn wait(child: &mut Child, allowed: Duration) -> io::Result<Option<bool>> {
     let began = Instant::now();
     loop {
