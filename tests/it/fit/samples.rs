@@ -7,7 +7,7 @@ use seamster::config::Limits;
 use seamster::fit::{Garment, SeamsSpec};
 use seamster::pattern::{ImportOptions, OutlineRun, Pattern, Place, Point2, SeamPair};
 use seamster::seam::{self, Face};
-use seamster_fixtures::drafting::Sample;
+use seamster_fixtures::drafting::SamplePattern;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
@@ -20,7 +20,7 @@ fn shipped(file: &str) -> String {
 }
 
 /// The boundary runs of each piece by panel id, as a general DXF reader finds them.
-fn outlines(sample: &Sample) -> BTreeMap<String, Runs> {
+fn outlines(sample: &SamplePattern) -> BTreeMap<String, Runs> {
     let drawing = dxf::Drawing::load(&mut sample.dxf.as_bytes()).unwrap();
     let mut pieces = BTreeMap::new();
     for block in drawing.blocks() {
@@ -44,7 +44,7 @@ fn outlines(sample: &Sample) -> BTreeMap<String, Runs> {
     pieces
 }
 
-fn seams(sample: &Sample) -> Vec<SeamPair> {
+fn seams(sample: &SamplePattern) -> Vec<SeamPair> {
     let garment: Garment = serde_json::from_str(&sample.garment).unwrap();
     match garment.seams {
         SeamsSpec::Pairs(pairs) => pairs,
@@ -52,7 +52,7 @@ fn seams(sample: &Sample) -> Vec<SeamPair> {
     }
 }
 
-fn pattern(sample: &Sample) -> Pattern {
+fn pattern(sample: &SamplePattern) -> Pattern {
     let options = ImportOptions::default();
     seamster::pattern::import(sample.dxf.as_bytes(), &options, &Limits::default()).unwrap()
 }

@@ -2,7 +2,9 @@
 
 use seamster::config::Limits;
 use seamster::mesh::{ClothMesh, Stitch, triangulate};
-use seamster::pattern::{Allowance, Corner, Edge, Hole, Panel, Pattern, PatternFormat, Point2, Source};
+use seamster::pattern::{
+    Allowance, Corner, Edge, Hole, Panel, Pattern, PatternFormat, Point2, Source,
+};
 use seamster::progress::CancelToken;
 use seamster::seam::{Face, Seam, SeamSet, Stretch, Track};
 use std::collections::BTreeSet;

@@ -2,7 +2,10 @@
 
 use seamster::config::Limits;
 use seamster::fault::Warning;
-use seamster::pattern::{Corner, Edge, Grain, Hole, ImportOptions, Notch, NotchKind, Panel, Pattern, Placement, PlacementAnchor, Point2, Quantity, Wrap, checked, import};
+use seamster::pattern::{
+    Corner, Edge, Grain, Hole, ImportOptions, Notch, NotchKind, Panel, Pattern, Placement,
+    PlacementAnchor, Point2, Quantity, Wrap, checked, import,
+};
 use seamster_fixtures::panels::{panel_of, pattern};
 use std::borrow::Cow;
 

@@ -2,8 +2,8 @@
 //! Pieces are drawn by chance, the same for the same seed.
 
 use seamster::config::Limits;
-use seamster::pattern::{ImportOptions, Panel, Pattern, import, Point2};
-use seamster_fixtures::damage::Dice;
+use seamster::pattern::{ImportOptions, Panel, Pattern, Point2, import};
+use seamster_fixtures::damage::SplitMix64;
 use seamster_fixtures::dxf::DxfBuilder;
 
 /// Lengths and places of one file written twice agree to this: coordinates are written in full \[m\].
@@ -11,7 +11,7 @@ const SAME: f64 = 1e-9;
 
 /// One piece as drawn \[mm\].
 #[derive(Clone)]
-struct Drawn {
+struct DrawnPiece {
     /// Open runs, head to tail.
     runs: Vec<Vec<Point2>>,
     grain: [Point2; 2],
@@ -43,9 +43,9 @@ const PLAIN: Manner = Manner {
 };
 
 /// A piece: 4 to 7 sides about a middle, straight or bent.
-fn drawn(dice: &mut Dice, middle: Point2) -> Drawn {
+fn drawn(dice: &mut SplitMix64, middle: Point2) -> DrawnPiece {
     let count = 4 + dice.below(4);
-    let corner = |i: usize, dice: &mut Dice| {
+    let corner = |i: usize, dice: &mut SplitMix64| {
         let angle = std::f64::consts::TAU * (i as f64 + 0.5 * dice.part()) / count as f64;
         let radius = 150.0 + 120.0 * dice.part();
         [0, 1].map(|k| middle[k] + radius * [angle.cos(), angle.sin()][k])
@@ -74,7 +74,7 @@ fn drawn(dice: &mut Dice, middle: Point2) -> Drawn {
     let beside = |d: Point2| [middle[0] + d[0], middle[1] + d[1]];
     let (a, b) = (runs[0][0], runs[0][1]);
     let part = 0.2 + 0.6 * dice.part();
-    Drawn {
+    DrawnPiece {
         notch: [0, 1].map(|k| a[k] + part * (b[k] - a[k])),
         grain: [beside([-30.0, -60.0]), beside([20.0, 60.0])],
         internal: vec![
@@ -90,7 +90,7 @@ fn drawn(dice: &mut Dice, middle: Point2) -> Drawn {
 /// One thing to write: layer, points (one: a POINT).
 type Item = (&'static str, Vec<Point2>);
 
-fn items(piece: &Drawn, blocks: bool) -> Vec<Item> {
+fn items(piece: &DrawnPiece, blocks: bool) -> Vec<Item> {
     let layer = |number: &'static str, name: &'static str| if blocks { number } else { name };
     let mut items: Vec<Item> = Vec::new();
     for run in &piece.runs {
@@ -108,13 +108,13 @@ fn items(piece: &Drawn, blocks: bool) -> Vec<Item> {
     items
 }
 
-fn written(pieces: &[Drawn], manner: Manner) -> Vec<u8> {
+fn written(pieces: &[DrawnPiece], manner: Manner) -> Vec<u8> {
     let (sin, cos) = manner.turn.sin_cos();
     let put = |p: &Point2| {
         let turned = [cos * p[0] - sin * p[1], sin * p[0] + cos * p[1]];
         [0, 1].map(|k| (turned[k] + manner.shift[k]) / manner.mm_per_unit)
     };
-    let mut dice = Dice(manner.shuffle.unwrap_or(0));
+    let mut dice = SplitMix64(manner.shuffle.unwrap_or(0));
     let mut file = DxfBuilder::default().text("1", &format!("Units: {}", manner.units));
     let mut all: Vec<Item> = Vec::new();
     for (i, piece) in pieces.iter().enumerate() {
@@ -138,7 +138,7 @@ fn written(pieces: &[Drawn], manner: Manner) -> Vec<u8> {
 }
 
 /// Another order, and every other line the other way round.
-fn shuffle(items: &mut [Item], dice: &mut Dice) {
+fn shuffle(items: &mut [Item], dice: &mut SplitMix64) {
     for i in (1..items.len()).rev() {
         items.swap(i, dice.below(i + 1));
     }
@@ -157,7 +157,7 @@ fn add(file: DxfBuilder, (layer, points): &Item, put: &impl Fn(&Point2) -> Point
     }
 }
 
-fn read(pieces: &[Drawn], manner: Manner) -> Pattern {
+fn read(pieces: &[DrawnPiece], manner: Manner) -> Pattern {
     let bytes = written(pieces, manner);
     let read = import(&bytes, &ImportOptions::default(), &Limits::default());
     let pattern = read.unwrap_or_else(|faults| panic!("{manner:?}: {faults}"));
@@ -227,17 +227,17 @@ fn assert_same(plain: &Pattern, found: &Pattern, manner: Manner) {
     }
 }
 
-fn pieces(seed: u64) -> Vec<Drawn> {
-    let mut dice = Dice(seed);
+fn pieces(seed: u64) -> Vec<DrawnPiece> {
+    let mut dice = SplitMix64(seed);
     (0..3)
         .map(|i| drawn(&mut dice, [700.0 * f64::from(i), 0.0]))
         .collect()
 }
 
-fn each(manners: impl Fn(&mut Dice) -> Vec<Manner>) {
+fn each(manners: impl Fn(&mut SplitMix64) -> Vec<Manner>) {
     for seed in 0..40 {
         let pieces = pieces(seed);
-        let mut dice = Dice(1000 + seed);
+        let mut dice = SplitMix64(1000 + seed);
         for manner in manners(&mut dice) {
             for blocks in [true, false] {
                 let plain = read(&pieces, Manner { blocks, ..PLAIN });

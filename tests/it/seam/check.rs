@@ -1029,7 +1029,7 @@ fn absurd_requests_are_answered_without_a_panic() {
             .map(|i| rectangle(&format!("p{i}"), 0.4, 0.4))
             .collect(),
     );
-    let mut random = Random(3);
+    let mut random = Lcg64(3);
     let pairs: Vec<_> = (0..2_000)
         .map(|i| {
             let mut any = || {
@@ -1057,9 +1057,9 @@ fn absurd_requests_are_answered_without_a_panic() {
 }
 
 /// A small linear congruential generator (Knuth, MMIX), so that each case repeats.
-struct Random(u64);
+struct Lcg64(u64);
 
-impl Random {
+impl Lcg64 {
     fn below(&mut self, bound: usize) -> usize {
         self.0 = self
             .0
@@ -1076,7 +1076,7 @@ impl Random {
 }
 
 /// Up to six seams between edges of four rectangles, each edge used once, some of them `auto`.
-fn random_seams(random: &mut Random) -> Vec<SeamPair> {
+fn random_seams(random: &mut Lcg64) -> Vec<SeamPair> {
     let names = ["front", "back", "left", "right"];
     let mut edges: Vec<(usize, usize)> = (0..16).map(|i| (i / 4, i % 4)).collect();
     random.shuffle(&mut edges);
@@ -1119,7 +1119,7 @@ fn order_of_seams_and_sides_changes_neither_verdict_nor_faces() {
             .map(|id| rectangle(id, 0.4, 0.4))
             .to_vec(),
     );
-    let mut random = Random(7);
+    let mut random = Lcg64(7);
     let mut accepted = 0;
     for case in 0..400 {
         let pairs = random_seams(&mut random);
@@ -1159,7 +1159,7 @@ fn refused_sets_have_no_colouring_at_all() {
             .map(|id| rectangle(id, 0.4, 0.4))
             .to_vec(),
     );
-    let mut random = Random(11);
+    let mut random = Lcg64(11);
     for case in 0..200 {
         let mut pairs = random_seams(&mut random);
         pairs

@@ -3,7 +3,7 @@
 use seamster::config::Limits;
 use seamster::pattern::{Match, Panel, Pattern, SeamPair, Side};
 use seamster::seam::{Face, SeamCheck, check};
-use seamster_fixtures::drafts::{Garment, data, garment, turned};
+use seamster_fixtures::drafts::{DraftedGarment, data, garment, turned};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ const GARMENTS: [(&str, usize); 2] = [
 ];
 
 /// Both garments; nothing where there is no data folder.
-fn garments(left_out: &str) -> Vec<Garment> {
+fn garments(left_out: &str) -> Vec<DraftedGarment> {
     let folder = data(left_out).map(|folder| folder.join("dxf"));
     let garments = folder.iter().flat_map(|folder| {
         GARMENTS.map(|(name, stitches)| {
@@ -65,7 +65,7 @@ fn with_reversed(pairs: &[SeamPair], wrong: usize) -> Vec<SeamPair> {
 
 #[test]
 fn true_seams_are_accepted_with_the_faces_that_were_drawn() {
-    for Garment {
+    for DraftedGarment {
         pattern,
         pairs,
         truth,
@@ -87,7 +87,7 @@ fn true_seams_are_accepted_with_the_faces_that_were_drawn() {
 
 #[test]
 fn each_seam_with_one_side_reversed_is_refused_blamed_and_put_right() {
-    for Garment { pattern, pairs, .. } in garments("reversed seams") {
+    for DraftedGarment { pattern, pairs, .. } in garments("reversed seams") {
         for wrong in 0..pairs.len() {
             let found = checked(&pattern, &with_reversed(&pairs, wrong));
             let faults: Vec<_> = found.seams.iter().flat_map(|seam| &seam.errors).collect();
@@ -101,7 +101,7 @@ fn each_seam_with_one_side_reversed_is_refused_blamed_and_put_right() {
 
 #[test]
 fn auto_puts_every_reversed_seam_right() {
-    for Garment { pattern, pairs, .. } in garments("automatic order") {
+    for DraftedGarment { pattern, pairs, .. } in garments("automatic order") {
         for wrong in 0..pairs.len() {
             let mut reversed = with_reversed(&pairs, wrong);
             reversed[wrong].matching = Match::Auto;

@@ -1,13 +1,13 @@
 //! Seams of garments that others drafted, against the truth that their files state.
 
-use seamster_fixtures::truth::seam_truth::{Row, garments, row, table};
+use seamster_fixtures::truth::seam_truth::{StitchCounts, garments, row, table};
 
 #[test]
 fn true_seams_are_accepted_and_reversed_ones_are_found() {
     let Some(data) = seamster_fixtures::drafts::data("true seams") else {
         return;
     };
-    let rows: Vec<Row> = garments(&data).iter().map(row).collect();
+    let rows: Vec<StitchCounts> = garments(&data).iter().map(row).collect();
     println!("{}", table(&rows));
     assert_eq!(rows.len(), 13, "eight drawings and five specifications");
     for row in &rows {

@@ -3,14 +3,14 @@
 use nalgebra::Vector3;
 use seamster::scene::Scene;
 use seamster::solver::SolverOptions;
-use seamster_fixtures::sheet::{Grid, Sheet, energy_of_start, fabric, mean, settled};
+use seamster_fixtures::sheet::{ClothSheet, SheetGrid, energy_of_start, fabric, mean, settled};
 use std::f64::consts::PI;
 
 const G: f64 = 9.80665;
 const DENSITY: f64 = 0.15;
 
-fn strip(size: [f64; 2], cells: [usize; 2], rigidity: f64, grid: Grid) -> Sheet {
-    Sheet {
+fn strip(size: [f64; 2], cells: [usize; 2], rigidity: f64, grid: SheetGrid) -> ClothSheet {
+    ClothSheet {
         size,
         cells,
         grid,
@@ -28,7 +28,7 @@ fn a_pushed_strip_arches_as_the_elastica() {
         [0.25898, 0.296604],
         [0.543053, 0.38138],
     ] {
-        for grid in [Grid::Rising, Grid::Falling] {
+        for grid in [SheetGrid::Rising, SheetGrid::Falling] {
             let (length, cells) = (0.1, 40);
             let sheet = strip([length, 0.02], [cells, 8], 1e-5, grid);
             let span = 1.0 - shortening;
@@ -49,7 +49,7 @@ fn a_pushed_strip_arches_as_the_elastica() {
 }
 
 /// Distance of the tip of an upright strip of Γ = w L³ / B from the upright, over its length; it starts a little bent.
-fn tip_of_upright(gamma: f64, grid: Grid) -> f64 {
+fn tip_of_upright(gamma: f64, grid: SheetGrid) -> f64 {
     let (length, cells) = (0.1_f64, 30);
     let rigidity = DENSITY * G * length.powi(3) / gamma;
     let whole = length * cells as f64 / (cells as f64 - 0.5);
@@ -68,7 +68,7 @@ fn tip_of_upright(gamma: f64, grid: Grid) -> f64 {
 /// Greenhill 1881: it bends over when Γ > 7.8373. Two per cent of the length are six of Γ.
 #[test]
 fn an_upright_strip_bends_over_at_greenhills_length() {
-    for grid in [Grid::Rising, Grid::Falling] {
+    for grid in [SheetGrid::Rising, SheetGrid::Falling] {
         let [below, above] = [0.98_f64, 1.02].map(|l| tip_of_upright(7.8373 * l.powi(3), grid));
         // Past the critical load the tip goes aside as the square root of the excess: for 6 %, over a third of the length.
         assert!(below < 1e-3 && above > 0.1, "{grid:?}: {below}, {above}");
@@ -77,7 +77,7 @@ fn an_upright_strip_bends_over_at_greenhills_length() {
 
 /// Torsional stiffness C of a strip per its width, over the rigidity B: from the energy C θ'² / 2 of an even twist that stretches
 /// nothing, z = θ' u v.
-fn torsional_stiffness(sheet: &Sheet) -> f64 {
+fn torsional_stiffness(sheet: &ClothSheet) -> f64 {
     let twist = 0.01;
     let scene = sheet.scene(|[u, v]| Vector3::new(u, v, twist * u * v));
     let scene = Scene {
@@ -90,7 +90,7 @@ fn torsional_stiffness(sheet: &Sheet) -> f64 {
 }
 
 /// Distance by which the tip of a strip on edge, clamped at one end, goes aside; it starts a little bent.
-fn tip_of_edgewise(load: f64, grid: Grid) -> (f64, f64) {
+fn tip_of_edgewise(load: f64, grid: SheetGrid) -> (f64, f64) {
     let (length, cells) = (0.2_f64, 40);
     let rigidity = DENSITY * G * length.powi(3) / load;
     let whole = length * cells as f64 / (cells as f64 - 0.5);
@@ -111,7 +111,7 @@ fn tip_of_edgewise(load: f64, grid: Grid) -> (f64, f64) {
 /// coupling has c = 2. Critical lengths within 4 %.
 #[test]
 fn a_strip_on_edge_falls_over_at_the_length_of_lateral_buckling() {
-    for grid in [Grid::Rising, Grid::Falling] {
+    for grid in [SheetGrid::Rising, SheetGrid::Falling] {
         let at = |c: f64, l: f64| tip_of_edgewise(12.8538 * c.sqrt() * l.powi(3), grid);
         let (_, c) = at(2.0, 0.5);
         let [(below, _), (above, _)] = [0.96, 1.04].map(|l| at(c, l));

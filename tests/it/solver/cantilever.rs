@@ -5,7 +5,7 @@
 
 use nalgebra::Vector3;
 use seamster::mesh::Stitch;
-use seamster_fixtures::sheet::{Grid, Sheet, fabric, mean, settled};
+use seamster_fixtures::sheet::{ClothSheet, SheetGrid, fabric, mean, settled};
 
 /// Γ, x/L and drop/L of the tip.
 const ELASTICA: [[f64; 3]; 6] = [
@@ -20,9 +20,9 @@ const DENSITY: f64 = 0.15;
 const LENGTH: f64 = 0.1;
 const WIDTH: f64 = 0.04;
 
-fn strip(gamma: f64, grid: Grid, cells: usize) -> Sheet {
+fn strip(gamma: f64, grid: SheetGrid, cells: usize) -> ClothSheet {
     let rigidity = DENSITY * 9.80665 * LENGTH.powi(3) / gamma;
-    Sheet {
+    ClothSheet {
         // The clamp holds the first two columns, and is in the middle between them.
         size: [LENGTH * (1.0 + 0.5 / (cells as f64 - 0.5)), WIDTH],
         cells: [cells, cells * 2 / 5],
@@ -33,7 +33,7 @@ fn strip(gamma: f64, grid: Grid, cells: usize) -> Sheet {
 }
 
 /// Distance of the tip from the elastica's, over the length, and how much the tip is twisted.
-fn error_of_clamped(row: [f64; 3], grid: Grid, cells: usize) -> [f64; 2] {
+fn error_of_clamped(row: [f64; 3], grid: SheetGrid, cells: usize) -> [f64; 2] {
     let sheet = strip(row[0], grid, cells);
     let clamp = sheet.size[0] - LENGTH;
     let mut scene = sheet.scene(|[u, v]| Vector3::new(u - clamp, 0.0, v));
@@ -49,7 +49,7 @@ fn error_of_clamped(row: [f64; 3], grid: Grid, cells: usize) -> [f64; 2] {
 #[test]
 fn a_clamped_strip_sags_as_the_heavy_elastica() {
     for row in ELASTICA {
-        for grid in [Grid::Rising, Grid::Falling] {
+        for grid in [SheetGrid::Rising, SheetGrid::Falling] {
             let [off, twist] = error_of_clamped(row, grid, 20);
             assert!(
                 off < 0.02 && twist < 0.02,
@@ -63,14 +63,14 @@ fn a_clamped_strip_sags_as_the_heavy_elastica() {
 #[test]
 fn its_error_is_of_second_order_in_the_cell() {
     let row = ELASTICA[4];
-    let [coarse, fine] = [10, 20].map(|cells| error_of_clamped(row, Grid::Rising, cells)[0]);
+    let [coarse, fine] = [10, 20].map(|cells| error_of_clamped(row, SheetGrid::Rising, cells)[0]);
     let order = (coarse / fine).log2();
     assert!((1.7..2.4).contains(&order), "{order}: {coarse}, {fine}");
 }
 
 /// Two strips as the service meshes them, sewn end to end along a line that is held: each hangs as if it were clamped there.
 fn error_of_hung(row: [f64; 3], edge_length: f64, turned: bool) -> f64 {
-    let strip = strip(row[0], Grid::Rising, 20);
+    let strip = strip(row[0], SheetGrid::Rising, 20);
     let mut mesh = if turned {
         // The lattice is laid along the longest edge: a square and more, of which the strip is cut across.
         seamster_fixtures::cut::rectangle_mesh([LENGTH, 1.2 * LENGTH], edge_length)

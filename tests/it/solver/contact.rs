@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use seamster::mesh::Stitch;
 use seamster::scene::{Analytic, Body, Fabric, Scene};
 use seamster::solver::{self, MembraneModel, SolverOptions};
-use seamster_fixtures::sheet::{Grid, Sheet, drape, fabric, settled};
+use seamster_fixtures::sheet::{ClothSheet, SheetGrid, drape, fabric, settled};
 use std::f64::consts::{PI, TAU};
 
 const G: f64 = 9.80665;
@@ -14,9 +14,9 @@ fn analytic(body: Analytic) -> Option<Body> {
 }
 
 /// A band on a cylinder: its scene, and the way round the cylinder over its length.
-fn band(e: f64, grid: Grid) -> (Scene, f64) {
+fn band(e: f64, grid: SheetGrid) -> (Scene, f64) {
     let (r, cells) = (0.12, 96);
-    let mut sheet = Sheet {
+    let mut sheet = ClothSheet {
         size: [1.0, 0.06],
         cells: [cells, 8],
         grid,
@@ -53,9 +53,9 @@ fn band(e: f64, grid: Grid) -> (Scene, f64) {
 #[test]
 fn a_tight_band_presses_with_its_tension_over_the_radius() {
     for (membrane, grid) in [
-        (MembraneModel::Springs, Grid::Rising),
-        (MembraneModel::Continuum, Grid::Rising),
-        (MembraneModel::Continuum, Grid::Jittered),
+        (MembraneModel::Springs, SheetGrid::Rising),
+        (MembraneModel::Continuum, SheetGrid::Rising),
+        (MembraneModel::Continuum, SheetGrid::Jittered),
     ] {
         let (scene, length) = band(0.05, grid);
         let ask = SolverOptions {
@@ -80,7 +80,7 @@ fn a_tight_band_presses_with_its_tension_over_the_radius() {
             "{membrane:?}: {pressure} Pa"
         );
         // and it is the same all over, but for the two rows along each border
-        if grid == Grid::Rising {
+        if grid == SheetGrid::Rising {
             let pressures = solver::contact_pressure(&scene, x);
             let inside = scene
                 .mesh
@@ -102,7 +102,7 @@ fn a_tight_band_presses_with_its_tension_over_the_radius() {
 /// what the cloth weighs, and no vertex lies deeper than the layer gives. (On a ball, a square without friction slides off.)
 #[test]
 fn a_roller_carries_the_weight_of_the_towel_on_it() {
-    let (mut scene, _) = band(-0.5, Grid::Alternate);
+    let (mut scene, _) = band(-0.5, SheetGrid::Alternate);
     scene.gravity = Vector3::new(0.0, 0.0, -G);
     // It starts hung: round above, straight below.
     let radius = scene.start.iter().map(|p| p.z).fold(0.0, f64::max);
@@ -126,10 +126,10 @@ fn a_roller_carries_the_weight_of_the_towel_on_it() {
 /// Returns true if a square of cloth stays on a slope of 30 degrees, from which gravity is tilted.
 fn holds_on_slope(mu: f64) -> bool {
     let slope = PI / 6.0;
-    let sheet = Sheet {
+    let sheet = ClothSheet {
         size: [0.2, 0.2],
         cells: [6, 6],
-        grid: Grid::Alternate,
+        grid: SheetGrid::Alternate,
         fabric: Fabric {
             friction: mu,
             ..fabric(2000.0, 200.0, 1e-5, 0.2)
@@ -163,10 +163,10 @@ fn holds_round(ratio: f64, mu: f64) -> bool {
     let (r, width, load) = (0.1, 0.03, 0.6);
     let (turn, hang) = (48, 6);
     let cells = turn + 2 * hang;
-    let mut sheet = Sheet {
+    let mut sheet = ClothSheet {
         size: [1.0, width],
         cells: [cells, 2],
-        grid: Grid::Rising,
+        grid: SheetGrid::Rising,
         fabric: Fabric {
             friction: mu,
             ..fabric(2e4, 1e3, 1e-8, 1e-3)

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use seamster::solver::{MembraneModel, SolverOptions};
-use seamster_fixtures::sheet::{GRIDS, Grid, Sheet, drape, fabric, mean, settled};
+use seamster_fixtures::sheet::{ClothSheet, GRIDS, SheetGrid, drape, fabric, mean, settled};
 
 const G: f64 = 9.80665;
 
@@ -18,10 +18,10 @@ const CATENARY: [[f64; 3]; 3] = [
 fn hung(row: [f64; 3], cells: usize) -> (f64, [f64; 2]) {
     let (d, stretch, density) = (0.3, 1e4, 0.15);
     let length = row[0] * d;
-    let sheet = Sheet {
+    let sheet = ClothSheet {
         size: [length, 0.03],
         cells: [cells, 2],
-        grid: Grid::Rising,
+        grid: SheetGrid::Rising,
         // With bending of 1e-3 of w d³ the ends would be stiff for a thirtieth of d; this is a millionth.
         fabric: fabric(stretch, 100.0, 4e-8, density),
         warp_angle: 0.0,
@@ -76,7 +76,7 @@ fn a_hanging_strip_stretches_by_its_weight_and_load_over_the_modulus() {
     let (length, width, stretch, density, load) = (1.0, 0.2, 1e4, 0.2, 0.5);
     for membrane in [MembraneModel::Continuum, MembraneModel::Springs] {
         for grid in GRIDS {
-            let sheet = Sheet {
+            let sheet = ClothSheet {
                 size: [length, width],
                 cells: [20, 4],
                 grid,
@@ -101,7 +101,7 @@ fn a_hanging_strip_stretches_by_its_weight_and_load_over_the_modulus() {
             let longer = -mean(&shape.positions, &end).y - length;
             let exact = density * G * length * length / (2.0 * stretch) + load * length / stretch;
             // Springs have the fabric's moduli only where they lie along its threads.
-            if membrane == MembraneModel::Continuum || grid != Grid::Jittered {
+            if membrane == MembraneModel::Continuum || grid != SheetGrid::Jittered {
                 assert!(
                     (longer / exact - 1.0).abs() < 5e-3,
                     "{membrane:?} {grid:?}: {longer}"

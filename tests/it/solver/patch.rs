@@ -3,7 +3,7 @@
 use nalgebra::{Matrix2, Vector3};
 use seamster::scene::{Fabric, Scene};
 use seamster::solver::SolverOptions;
-use seamster_fixtures::sheet::{Grid, Sheet, energy_of_start, fabric, random, settled};
+use seamster_fixtures::sheet::{ClothSheet, SheetGrid, energy_of_start, fabric, random, settled};
 
 const SIDE: f64 = 0.2;
 const CELLS: usize = 8;
@@ -15,18 +15,18 @@ fn cloth() -> Fabric {
     }
 }
 
-fn square(warp_angle: f64) -> Sheet {
-    Sheet {
+fn square(warp_angle: f64) -> ClothSheet {
+    ClothSheet {
         size: [SIDE; 2],
         cells: [CELLS; 2],
-        grid: Grid::Jittered,
+        grid: SheetGrid::Jittered,
         fabric: cloth(),
         warp_angle,
     }
 }
 
 /// The sheet with (u, v) moved to `by` (u, v), without gravity.
-fn strained(sheet: &Sheet, by: Matrix2<f64>) -> Scene {
+fn strained(sheet: &ClothSheet, by: Matrix2<f64>) -> Scene {
     let mut scene = sheet.scene(|[u, v]| {
         let p = by * nalgebra::Vector2::new(u, v);
         Vector3::new(p.x, p.y, 0.0)
@@ -97,7 +97,7 @@ fn a_strip_cut_on_the_bias_has_the_modulus_of_the_orthotropic_cloth() {
     for degrees in [0.0_f64, 30.0, 45.0, 90.0] {
         let (size, cells, load) = ([0.48, 0.04], [72, 6], 0.3);
         let angle = degrees.to_radians();
-        let sheet = Sheet {
+        let sheet = ClothSheet {
             size,
             cells,
             fabric: Fabric {

@@ -1,6 +1,6 @@
 //! Stiff and extreme cases, those that are small; `make stability` runs all of them.
 
-use seamster_fixtures::stability::{Case, cases};
+use seamster_fixtures::stability::{StabilityCase, cases};
 use std::collections::BTreeSet;
 
 /// Factor of time over a release build on a core of its own: own code is not optimized as far, and other tests
@@ -15,8 +15,8 @@ fn every_case_has_a_name_of_its_own() {
 
 /// Asserts that the cases of a group meet the conditions of `stability::check` and their own.
 fn come_to_what_is_expected(group: &str) {
-    let is_ours = |case: &Case| case.small && case.name.starts_with(group);
-    let ours: Vec<Case> = cases().into_iter().filter(is_ours).collect();
+    let is_ours = |case: &StabilityCase| case.small && case.name.starts_with(group);
+    let ours: Vec<StabilityCase> = cases().into_iter().filter(is_ours).collect();
     assert!(!ours.is_empty());
     let wrong: Vec<String> = ours
         .iter()

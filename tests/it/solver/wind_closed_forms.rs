@@ -3,7 +3,7 @@
 use nalgebra::Vector3;
 use seamster::scene::{Scene, Wind};
 use seamster::solver::{MembraneModel, SolverOptions};
-use seamster_fixtures::sheet::{GRIDS, Grid, Sheet, drape, fabric, mean, settled};
+use seamster_fixtures::sheet::{ClothSheet, GRIDS, SheetGrid, drape, fabric, mean, settled};
 
 /// Pressure of wind of `speed` \[m/s\] on cloth across it \[Pa\]: 1.17 (Hoerner, square plate) times half the density of air at 20 °C
 /// times the square.
@@ -25,13 +25,13 @@ fn a_strip_hung_in_a_cross_wind_takes_the_angle_of_balance() {
     let (density, length) = (0.15, 0.4);
     for membrane in [MembraneModel::Continuum, MembraneModel::Springs] {
         for (speed, grid) in [
-            (1.0, Grid::Rising),
-            (2.0, Grid::Alternate),
-            (4.0, Grid::Jittered),
-            (10.0, Grid::Falling),
-            (20.0, Grid::Alternate),
+            (1.0, SheetGrid::Rising),
+            (2.0, SheetGrid::Alternate),
+            (4.0, SheetGrid::Jittered),
+            (10.0, SheetGrid::Falling),
+            (20.0, SheetGrid::Alternate),
         ] {
-            let sheet = Sheet {
+            let sheet = ClothSheet {
                 size: [length, 0.1],
                 cells: [16, 4],
                 grid,
@@ -65,10 +65,10 @@ fn a_sail_held_at_both_ends_is_a_catenary() {
     let (d, speed, stretch, cells) = (0.3, 8.0, 1e5, 48);
     let (sag, tension) = (0.292344, 0.469542);
     let length = 1.2 * d;
-    let sheet = Sheet {
+    let sheet = ClothSheet {
         size: [length, 0.03],
         cells: [cells, 2],
-        grid: Grid::Rising,
+        grid: SheetGrid::Rising,
         fabric: fabric(stretch, 100.0, 4e-8, 0.15),
         warp_angle: 0.0,
     };
@@ -92,7 +92,7 @@ fn a_sail_held_at_both_ends_is_a_catenary() {
 
 #[test]
 fn without_wind_nothing_of_it_is_there() {
-    let sheet = Sheet {
+    let sheet = ClothSheet {
         size: [0.2, 0.2],
         cells: [4, 4],
         grid: GRIDS[0],

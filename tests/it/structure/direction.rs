@@ -87,7 +87,7 @@ fn every_module_has_its_place_in_the_order() {
 
 #[test]
 fn uses_are_found_however_they_are_written() {
-    let file = |path: &str, text: &str| Source::new(PathBuf::from(path), text);
+    let file = |path: &str, text: &str| SourceFile::new(PathBuf::from(path), text);
     let found = |path, text| uses(&file(path, text)).into_iter().collect::<Vec<_>>();
     assert_eq!(found("mesh/a.rs", "use crate::solver::Drape;"), ["solver"]);
     assert_eq!(
@@ -119,7 +119,7 @@ fn uses_are_found_however_they_are_written() {
 }
 
 /// One file of `src/`.
-struct Source {
+struct SourceFile {
     path: PathBuf,
     /// The top-level module it belongs to.
     module: String,
@@ -129,7 +129,7 @@ struct Source {
     code: String,
 }
 
-impl Source {
+impl SourceFile {
     /// `path` is relative to `src/`.
     fn new(path: PathBuf, text: &str) -> Self {
         let parts: Vec<String> = path
@@ -148,7 +148,7 @@ impl Source {
 }
 
 /// Every file of `src/` but `lib.rs`, which only names the modules.
-fn sources() -> Vec<Source> {
+fn sources() -> Vec<SourceFile> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut sources = vec![];
     let mut folders = vec![root.clone()];
@@ -160,7 +160,7 @@ fn sources() -> Vec<Source> {
             } else if path.extension().is_some_and(|e| e == "rs") && !path.ends_with("src/lib.rs") {
                 let text = std::fs::read_to_string(&path).expect("sources are text");
                 let path = path.strip_prefix(&root).expect("found under it");
-                sources.push(Source::new(path.to_owned(), &text));
+                sources.push(SourceFile::new(path.to_owned(), &text));
             }
         }
     }
@@ -177,7 +177,7 @@ fn rank(module: &str) -> usize {
 }
 
 /// The names that a file takes from the crate's root.
-fn uses(file: &Source) -> BTreeSet<String> {
+fn uses(file: &SourceFile) -> BTreeSet<String> {
     let to_root = "super::".repeat(file.depth);
     let after_root = ["crate::", &to_root].into_iter().flat_map(|start| {
         let hits = file.code.match_indices(start);

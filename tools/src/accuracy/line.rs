@@ -16,7 +16,7 @@ const ROUNDING: f64 = 1e-15;
 
 /// Outcome of a run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Line {
+pub(crate) struct AccuracyLine {
     pub(crate) garment: String,
     pub(crate) vertices: usize,
     pub(crate) tolerance: f64,
@@ -37,7 +37,7 @@ pub(crate) struct Line {
     pub(crate) referred: bool,
 }
 
-impl Line {
+impl AccuracyLine {
     pub(crate) fn same_run(&self, other: &Self) -> bool {
         (
             &self.garment,
@@ -68,7 +68,7 @@ pub(crate) fn measured(
     edge_length: f64,
     tolerance: f64,
     time_limit: Option<f64>,
-) -> Line {
+) -> AccuracyLine {
     let prepared = kind.prepared(folder, edge_length);
     let began = thread_cpu_s();
     let (limits, cancel) = (Limits::default(), CancelToken::new());
@@ -94,7 +94,7 @@ pub(crate) fn measured(
     };
     let reference = solver::drape_on(&scene, &on, &drape, &mut context);
     let (report, end) = (drape.report, reference.report);
-    Line {
+    AccuracyLine {
         garment: kind.name.to_owned(),
         vertices: report.vertices,
         tolerance,

@@ -11,7 +11,7 @@ mod table;
 
 use clap::Args;
 use garment::GARMENTS;
-use line::Line;
+use line::AccuracyLine;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::{env, fs};
@@ -62,12 +62,12 @@ pub(crate) fn main(options: &AccuracyOptions) -> io::Result<()> {
 }
 
 /// Writes a line in the place of the one of the same run.
-fn keep(line: Line) -> io::Result<()> {
+fn keep(line: AccuracyLine) -> io::Result<()> {
     eprintln!("{}", table::short(&line));
     let mut lines = known()?;
     lines.retain(|other| !other.same_run(&line));
     lines.push(line);
-    let place = |line: &Line| GARMENTS.iter().position(|kind| kind.name == line.garment);
+    let place = |line: &AccuracyLine| GARMENTS.iter().position(|kind| kind.name == line.garment);
     lines.sort_by_key(place);
     fs::create_dir_all("target")?;
     let mut file = fs::File::create(LINES)?;
@@ -77,7 +77,7 @@ fn keep(line: Line) -> io::Result<()> {
     Ok(())
 }
 
-fn known() -> io::Result<Vec<Line>> {
+fn known() -> io::Result<Vec<AccuracyLine>> {
     if !Path::new(LINES).exists() {
         return Ok(vec![]);
     }

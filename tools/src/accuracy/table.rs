@@ -1,6 +1,6 @@
 //! The lines as tables.
 
-use super::line::Line;
+use super::line::AccuracyLine;
 use crate::marked;
 use std::fmt::Write;
 use std::io;
@@ -11,9 +11,9 @@ const HEAD: &str = "| garment | vertices | stopped at | CPU s | r | stated error
 ";
 
 /// Writes the tables `garments` and `budget` of `file`.
-pub(crate) fn write(file: &Path, lines: &[Line]) -> io::Result<()> {
+pub(crate) fn write(file: &Path, lines: &[AccuracyLine]) -> io::Result<()> {
     let of = |timed: bool| {
-        let lines: Vec<&Line> = lines
+        let lines: Vec<&AccuracyLine> = lines
             .iter()
             .filter(|l| l.time_limit_s.is_some() == timed)
             .collect();
@@ -23,11 +23,12 @@ pub(crate) fn write(file: &Path, lines: &[Line]) -> io::Result<()> {
     marked::replace(file, "budget", &of(true))
 }
 
-fn summary(lines: &[&Line], timed: bool) -> String {
+fn summary(lines: &[&AccuracyLine], timed: bool) -> String {
     let told: Vec<f64> = lines.iter().filter_map(|line| line.ratio()).collect();
     let within = |r: &&f64| (0.3..=3.0).contains(*r);
     let right = told.iter().filter(within).count();
-    let is_wrong = |line: &&&Line| line.valid && line.ratio().as_ref().is_some_and(|r| !within(&r));
+    let is_wrong =
+        |line: &&&AccuracyLine| line.valid && line.ratio().as_ref().is_some_and(|r| !within(&r));
     let wrong = lines.iter().filter(is_wrong);
     let mut text = format!(
         "Of {} runs whose true error can be told {right} state one within 0.3 to 3 times of it; of those that do not, {} are held valid.",
@@ -47,7 +48,7 @@ fn summary(lines: &[&Line], timed: bool) -> String {
     text + "\n"
 }
 
-fn rows(lines: &[&Line]) -> String {
+fn rows(lines: &[&AccuracyLine]) -> String {
     lines.iter().fold(String::new(), |mut text, line| {
         let stopped = match line.time_limit_s {
             Some(limit) => format!("{limit:.0} s"),
@@ -73,7 +74,7 @@ fn rows(lines: &[&Line]) -> String {
 }
 
 /// One line of plain text.
-pub(crate) fn short(line: &Line) -> String {
+pub(crate) fn short(line: &AccuracyLine) -> String {
     rows(&[line]).trim().to_owned()
 }
 

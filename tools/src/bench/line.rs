@@ -5,7 +5,7 @@ use serde_json::Value;
 
 /// One run. Errors are RMS over the vertices.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Line {
+pub(crate) struct BenchLine {
     pub(crate) scene: String,
     pub(crate) method: String,
     pub(crate) membrane: String,
@@ -42,7 +42,7 @@ pub(crate) struct Line {
     pub(crate) reference_apart_m: Option<f64>,
 }
 
-impl Line {
+impl BenchLine {
     /// Returns true if it is the result of the same run.
     pub(crate) fn same_run(&self, other: &Self) -> bool {
         self.scene == other.scene

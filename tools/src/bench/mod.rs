@@ -13,8 +13,8 @@ mod summary;
 mod table;
 
 use clap::Args;
-use line::Line;
-use plan::Run;
+use line::BenchLine;
+use plan::BenchRun;
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -49,7 +49,7 @@ pub(crate) struct BenchOptions {
 /// Files that cannot be read or written.
 pub(crate) fn main(options: &BenchOptions) -> io::Result<()> {
     if let Some(run) = &options.run {
-        let run: Run = serde_json::from_str(run)?;
+        let run: BenchRun = serde_json::from_str(run)?;
         if let Some(line) = run::measured(&run) {
             println!("{}", serde_json::to_string(&line)?);
         }
@@ -71,7 +71,7 @@ pub(crate) fn main(options: &BenchOptions) -> io::Result<()> {
 }
 
 /// Runs them one after the other; all lines known now, those of scenes that were not run included.
-fn all(runs: &[Run], budget_s: f64) -> io::Result<Vec<Line>> {
+fn all(runs: &[BenchRun], budget_s: f64) -> io::Result<Vec<BenchLine>> {
     fs::create_dir_all(PLOTS)?;
     let mut lines = known_lines()?;
     let began = Instant::now();
@@ -87,7 +87,7 @@ fn all(runs: &[Run], budget_s: f64) -> io::Result<Vec<Line>> {
         }
     }
     // in the order of the plan, whatever was run when
-    let place = |line: &Line| plan::names().iter().position(|name| *name == line.scene);
+    let place = |line: &BenchLine| plan::names().iter().position(|name| *name == line.scene);
     lines.sort_by_key(place);
     let mut file = fs::File::create(LINES)?;
     for line in &lines {
@@ -97,7 +97,7 @@ fn all(runs: &[Run], budget_s: f64) -> io::Result<Vec<Line>> {
 }
 
 /// One run in a process of its own; none if its method is not what was asked for.
-fn alone(run: &Run) -> io::Result<Option<Line>> {
+fn alone(run: &BenchRun) -> io::Result<Option<BenchLine>> {
     let output = Command::new(std::env::current_exe()?)
         .args(["bench", "--run"])
         .arg(serde_json::to_string(run)?)
@@ -116,7 +116,7 @@ fn alone(run: &Run) -> io::Result<Option<Line>> {
     Ok(Some(serde_json::from_slice(&output.stdout)?))
 }
 
-fn known_lines() -> io::Result<Vec<Line>> {
+fn known_lines() -> io::Result<Vec<BenchLine>> {
     match fs::read_to_string(LINES) {
         Ok(text) => text
             .lines()

@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 
 /// One run to be made.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(crate) struct Run {
+pub(crate) struct BenchRun {
     pub(crate) scene: String,
     /// Fields of `SolverOptions` that differ from its defaults.
     pub(crate) setting: Value,
@@ -96,7 +96,7 @@ pub(crate) fn names() -> Vec<&'static str> {
 }
 
 /// The runs on the scenes that are asked for, all if none is, by one method or all.
-pub(crate) fn runs(scenes: &[String], method: Option<&str>) -> Vec<Run> {
+pub(crate) fn runs(scenes: &[String], method: Option<&str>) -> Vec<BenchRun> {
     let asked = |name: &str| {
         let named = |pattern: &String| match pattern.strip_suffix('*') {
             Some(start) => name.starts_with(start),
@@ -113,7 +113,7 @@ pub(crate) fn runs(scenes: &[String], method: Option<&str>) -> Vec<Run> {
 }
 
 impl Bench {
-    fn runs(&self) -> Vec<Run> {
+    fn runs(&self) -> Vec<BenchRun> {
         let setting =
             |method: &str, tolerance: f64| json!({"method": method, "tolerance": tolerance});
         let newton = self.newton.iter().map(|&t| setting("newton", t));
@@ -141,10 +141,10 @@ impl Bench {
             .collect()
     }
 
-    fn run(&self, setting: Value) -> Run {
+    fn run(&self, setting: Value) -> BenchRun {
         let confirm =
             !self.motion.is_empty() && setting == json!({"method": "newton", "tolerance": 1e-2});
-        Run {
+        BenchRun {
             scene: self.name.to_owned(),
             limit_s: self.limit_s,
             confirm,

@@ -1,6 +1,6 @@
 //! Work against precision as a picture: one SVG a scene, CPU seconds across, the error or else the residual up, both logarithmic.
 
-use super::line::Line;
+use super::line::BenchLine;
 use seamster::export::{Plot, PlotPoint, PlotSeries};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -17,9 +17,9 @@ const OTHERS: [(&str, &str, f64, f64); 5] = [
 ];
 
 /// A picture of every scene that `lines` has.
-pub(crate) fn write_all(folder: &Path, lines: &[Line]) -> io::Result<()> {
+pub(crate) fn write_all(folder: &Path, lines: &[BenchLine]) -> io::Result<()> {
     fs::create_dir_all(folder)?;
-    let mut scenes: BTreeMap<&str, Vec<&Line>> = BTreeMap::new();
+    let mut scenes: BTreeMap<&str, Vec<&BenchLine>> = BTreeMap::new();
     for line in lines {
         scenes.entry(&line.scene).or_default().push(line);
     }
@@ -29,7 +29,7 @@ pub(crate) fn write_all(folder: &Path, lines: &[Line]) -> io::Result<()> {
     Ok(())
 }
 
-fn picture(scene: &str, lines: &[&Line]) -> String {
+fn picture(scene: &str, lines: &[&BenchLine]) -> String {
     let has_error = lines.iter().any(|line| line.error_m.is_some());
     let vertices = lines.first().map_or(0, |line| line.vertices);
     let up = if has_error {
@@ -48,7 +48,7 @@ fn picture(scene: &str, lines: &[&Line]) -> String {
 }
 
 /// Points by method, those of other programs among them.
-fn series(scene: &str, lines: &[&Line], has_error: bool) -> Vec<PlotSeries> {
+fn series(scene: &str, lines: &[&BenchLine], has_error: bool) -> Vec<PlotSeries> {
     let mut series: BTreeMap<String, Vec<PlotPoint>> = BTreeMap::new();
     let mut add = |name: String, across: f64, up: f64, reached: bool| {
         let tip = format!("{name}: {across:.3} s, {up:.2e}");
@@ -86,7 +86,7 @@ fn series(scene: &str, lines: &[&Line], has_error: bool) -> Vec<PlotSeries> {
 }
 
 /// The method of a line with what else was asked of it.
-fn name(line: &Line) -> String {
+fn name(line: &BenchLine) -> String {
     let membrane = format!("{}, {}", line.method, line.membrane);
     if line.setting.get("seam_close").is_some() {
         format!("{membrane}, seams stay springs")

@@ -3,8 +3,8 @@
 //! Rest shapes are not unique, so the reference is the one that the stopped shape leads to: Newton's method goes on from there
 //! to the round-off floor. Where it is asked for, a second method goes the same way on its own, and the two are compared.
 
-use super::line::Line;
-use super::plan::Run;
+use super::line::BenchLine;
+use super::plan::BenchRun;
 use rustix::time::{ClockId, clock_gettime};
 use seamster::config::Limits;
 use seamster::memory::peak_bytes;
@@ -33,7 +33,7 @@ struct Timed {
 }
 
 /// Makes the run; nothing if the solver has no such method.
-pub(crate) fn measured(run: &Run) -> Option<Line> {
+pub(crate) fn measured(run: &BenchRun) -> Option<BenchLine> {
     let scene = scenes::scene(&run.scene).expect("the plan names scenes that there are");
     let ask = simulate(run);
     let mut timed = timed(&scene, &ask);
@@ -46,7 +46,7 @@ pub(crate) fn measured(run: &Run) -> Option<Line> {
     if run.setting.get("time_limit_s").is_none() {
         repeat(&scene, &ask, &mut timed);
     }
-    let mut line = Line {
+    let mut line = BenchLine {
         scene: run.scene.clone(),
         method: report.method.clone(),
         membrane: if scene.net.is_some() {
@@ -84,7 +84,7 @@ pub(crate) fn measured(run: &Run) -> Option<Line> {
 }
 
 /// Fills in the distance from the reference.
-fn refer(scene: &Scene, ask: &SolverOptions, stopped: &Drape, confirm: bool, line: &mut Line) {
+fn refer(scene: &Scene, ask: &SolverOptions, stopped: &Drape, confirm: bool, line: &mut BenchLine) {
     let on_by = |method: Method| {
         let ask = SolverOptions {
             method,
@@ -109,7 +109,7 @@ fn refer(scene: &Scene, ask: &SolverOptions, stopped: &Drape, confirm: bool, lin
 }
 
 /// Options of the solver for a run.
-fn simulate(run: &Run) -> SolverOptions {
+fn simulate(run: &BenchRun) -> SolverOptions {
     let mut asked = json!({"time_limit_s": run.limit_s});
     let fields = run
         .setting

@@ -1,6 +1,6 @@
 //! Summary of the lines: the time that each method takes to come to rest, and its growth with the number of vertices.
 
-use super::line::Line;
+use super::line::BenchLine;
 use super::table::{error, figures};
 use std::fmt::Write;
 
@@ -10,7 +10,7 @@ const AT_REST: f64 = 1e-5;
 const GROWING: &str = "tube";
 
 /// The two as Markdown.
-pub(crate) fn markdown(lines: &[Line]) -> String {
+pub(crate) fn markdown(lines: &[BenchLine]) -> String {
     let mut methods: Vec<&str> = Vec::new();
     for line in lines {
         if !methods.contains(&line.method.as_str()) {
@@ -39,15 +39,15 @@ pub(crate) fn markdown(lines: &[Line]) -> String {
 }
 
 /// The quickest run of a method on a scene that came to rest.
-fn quickest<'a>(lines: &'a [Line], scene: &str, method: &str) -> Option<&'a Line> {
+fn quickest<'a>(lines: &'a [BenchLine], scene: &str, method: &str) -> Option<&'a BenchLine> {
     lines
         .iter()
         .filter(|line| line.scene == scene && line.method == method && line.residual <= AT_REST)
         .min_by(|a, b| a.cpu_s.total_cmp(&b.cpu_s))
 }
 
-fn cell(lines: &[Line], scene: &str, method: &str) -> String {
-    let asked = |line: &Line| {
+fn cell(lines: &[BenchLine], scene: &str, method: &str) -> String {
+    let asked = |line: &BenchLine| {
         line.setting["tolerance"]
             .as_f64()
             .is_some_and(|t| t <= AT_REST)
@@ -68,8 +68,8 @@ fn cell(lines: &[Line], scene: &str, method: &str) -> String {
 }
 
 /// A sentence on the exponent p of CPU time over vertices to the power of p, between the smallest and the largest tube.
-fn growth(lines: &[Line]) -> String {
-    let tubes = |line: &&Line| line.scene.starts_with(GROWING) && !line.scene.contains('_');
+fn growth(lines: &[BenchLine]) -> String {
+    let tubes = |line: &&BenchLine| line.scene.starts_with(GROWING) && !line.scene.contains('_');
     let mut points: Vec<(f64, f64)> = Vec::new();
     for line in lines.iter().filter(tubes) {
         if let Some(best) = quickest(lines, &line.scene, "newton") {

@@ -1,6 +1,6 @@
 //! The lines as a table for people, in Markdown or one by one.
 
-use super::line::Line;
+use super::line::BenchLine;
 use super::summary;
 use crate::marked;
 use serde_json::Value;
@@ -13,11 +13,11 @@ const HEAD: &str = "| scene | vertices | method | setting | CPU s | iterations |
 ";
 
 /// Replaces the table in `file` by one of these lines.
-pub(crate) fn write(file: &Path, lines: &[Line]) -> io::Result<()> {
+pub(crate) fn write(file: &Path, lines: &[BenchLine]) -> io::Result<()> {
     marked::replace(file, "bench", &markdown(lines))
 }
 
-fn markdown(lines: &[Line]) -> String {
+fn markdown(lines: &[BenchLine]) -> String {
     let mut out = format!("\n{}\n\n{}", machine(), summary::markdown(lines));
     let _ = write!(out, "\n### Every run\n\n{HEAD}");
     for line in lines {
@@ -45,7 +45,7 @@ fn markdown(lines: &[Line]) -> String {
 }
 
 /// One line of plain text.
-pub(crate) fn short(line: &Line) -> String {
+pub(crate) fn short(line: &BenchLine) -> String {
     let [cpu, iterations, residual] = work(line);
     format!(
         "{:15} {:16} {:42} {cpu:>8} s {iterations:>5} it, r {residual:>8}, error {:>8} mm (estimate {}), gap {} mm, in {} mm, strain {} %, {:.6} J, {:.0} MB",
@@ -63,7 +63,7 @@ pub(crate) fn short(line: &Line) -> String {
 }
 
 /// CPU time, iterations and residual; a residual that was to be lower has a star.
-fn work(line: &Line) -> [String; 3] {
+fn work(line: &BenchLine) -> [String; 3] {
     let iterations = match line.newton_iterations {
         0 => "–".to_owned(),
         count => count.to_string(),
@@ -90,7 +90,7 @@ fn setting(setting: &Value) -> String {
 }
 
 /// The error in millimetres, with a sign where only a bound is known.
-pub(crate) fn error(line: &Line) -> String {
+pub(crate) fn error(line: &BenchLine) -> String {
     let bound = line.reference_moved_m < line.error_m;
     let sign = if bound { "≤ " } else { "" };
     format!("{sign}{}", millimetres(line.error_m))

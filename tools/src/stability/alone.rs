@@ -1,7 +1,7 @@
 //! One case in a process of its own, so that a crash is a line too and what never ends is ended.
 
-use seamster_fixtures::stability::Case;
-use seamster_fixtures::stability::line::Line;
+use seamster_fixtures::stability::StabilityCase;
+use seamster_fixtures::stability::line::StabilityLine;
 use std::io::{self, Read};
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
@@ -12,7 +12,7 @@ const PATIENCE: f64 = 4.0;
 const COMPARISON: f64 = 60.0;
 
 /// Runs the case of this number.
-pub(crate) fn run(number: usize, case: &Case) -> io::Result<Line> {
+pub(crate) fn run(number: usize, case: &StabilityCase) -> io::Result<StabilityLine> {
     let mut child = Command::new(std::env::current_exe()?)
         .args(["stability", "--run", &number.to_string()])
         .stdout(Stdio::piped())
@@ -56,13 +56,13 @@ fn wait(child: &mut Child, allowed: Duration) -> io::Result<Option<bool>> {
     }
 }
 
-fn failed(case: &Case, came_to: &str, why: String) -> Line {
-    Line {
+fn failed(case: &StabilityCase, came_to: &str, why: String) -> StabilityLine {
+    StabilityLine {
         case: case.name.clone(),
         came_to: came_to.to_owned(),
         faults: vec![format!("{came_to}: {why}")],
         why,
         within_s: case.within_s,
-        ..Line::default()
+        ..StabilityLine::default()
     }
 }

@@ -9,8 +9,8 @@ mod table;
 
 use crate::marked;
 use clap::Args;
-use seamster_fixtures::stability::line::Line;
-use seamster_fixtures::stability::{self, Case, cases};
+use seamster_fixtures::stability::line::StabilityLine;
+use seamster_fixtures::stability::{self, StabilityCase, cases};
 use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -65,7 +65,7 @@ pub(crate) fn main(options: &StabilityOptions) -> io::Result<ExitCode> {
 }
 
 impl StabilityOptions {
-    fn names(&self, case: &Case) -> bool {
+    fn names(&self, case: &StabilityCase) -> bool {
         let fits = |name: &String| match name.strip_suffix('*') {
             Some(start) => case.name.starts_with(start),
             None => case.name == *name,
@@ -74,14 +74,17 @@ impl StabilityOptions {
     }
 }
 
-fn in_order(cases: &[Case], known: &BTreeMap<String, Line>) -> Vec<Line> {
+fn in_order(
+    cases: &[StabilityCase],
+    known: &BTreeMap<String, StabilityLine>,
+) -> Vec<StabilityLine> {
     cases
         .iter()
         .filter_map(|case| known.get(&case.name).cloned())
         .collect()
 }
 
-fn write_lines(lines: &[Line]) -> io::Result<()> {
+fn write_lines(lines: &[StabilityLine]) -> io::Result<()> {
     let mut file = fs::File::create(LINES)?;
     for line in lines {
         writeln!(file, "{}", serde_json::to_string(line)?)?;
@@ -89,14 +92,14 @@ fn write_lines(lines: &[Line]) -> io::Result<()> {
     Ok(())
 }
 
-fn known_lines() -> io::Result<BTreeMap<String, Line>> {
+fn known_lines() -> io::Result<BTreeMap<String, StabilityLine>> {
     let text = match fs::read_to_string(LINES) {
         Ok(text) => text,
         Err(error) if error.kind() == io::ErrorKind::NotFound => String::new(),
         Err(error) => return Err(error),
     };
-    let line = |text: &str| -> io::Result<(String, Line)> {
-        let line: Line = serde_json::from_str(text)?;
+    let line = |text: &str| -> io::Result<(String, StabilityLine)> {
+        let line: StabilityLine = serde_json::from_str(text)?;
         Ok((line.case.clone(), line))
     };
     text.lines().map(line).collect()

@@ -1,6 +1,6 @@
 //! The lines as a table for people, in Markdown or one by one.
 
-use seamster_fixtures::stability::line::Line;
+use seamster_fixtures::stability::line::StabilityLine;
 use std::fmt::Write;
 
 const HEAD: &str = "| case | vertices | expected | came to | CPU s | allowed | iterations, steps | r | ladder | energy J | at most | estimate mm | error mm |
@@ -8,9 +8,9 @@ const HEAD: &str = "| case | vertices | expected | came to | CPU s | allowed | i
 ";
 
 /// A summary, the faults, and all lines.
-pub(crate) fn markdown(lines: &[Line]) -> String {
+pub(crate) fn markdown(lines: &[StabilityLine]) -> String {
     let count = |came_to: &str| lines.iter().filter(|l| l.came_to == came_to).count();
-    let wrong: Vec<&Line> = lines.iter().filter(|l| !l.faults.is_empty()).collect();
+    let wrong: Vec<&StabilityLine> = lines.iter().filter(|l| !l.faults.is_empty()).collect();
     let mut out = format!(
         "\n{} cases: {} converged or completed, {} not (expected, named below), {} refused; {} are not as they must be.\n",
         lines.len(),
@@ -60,7 +60,7 @@ fn list<'l>(out: &mut String, title: &str, entries: impl Iterator<Item = (&'l St
     }
 }
 
-fn cells(line: &Line) -> [String; 13] {
+fn cells(line: &StabilityLine) -> [String; 13] {
     let valid = line.estimate_m.filter(|_| line.estimate_valid);
     [
         line.case.clone(),
@@ -87,7 +87,7 @@ fn cells(line: &Line) -> [String; 13] {
     ]
 }
 
-fn work(line: &Line) -> String {
+fn work(line: &StabilityLine) -> String {
     match line.steps {
         0 => line.newton_iterations.to_string(),
         steps => format!("{}, {steps}", line.newton_iterations),
@@ -99,7 +99,7 @@ fn millimetres(metres: Option<f64>) -> String {
 }
 
 /// One line of plain text.
-pub(crate) fn short(line: &Line) -> String {
+pub(crate) fn short(line: &StabilityLine) -> String {
     let cells = cells(line);
     let good = if line.faults.is_empty() {
         "ok"
