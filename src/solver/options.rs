@@ -3,6 +3,11 @@
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
+/// Stiffness of a stitch while sewing if none is asked for \[N/m\]: about that of the cloth beside it.
+const SEWING_STIFFNESS: f64 = 1e4;
+/// Ratio of the stiffness of the spring of a closed seam to that of the stitch that closed it (P9).
+const CLOSED_STIFFENING: f64 = 10.0;
+
 /// Options of a simulation. Absent fields have the values of [`SolverOptions::default`].
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(default, deny_unknown_fields, rename = "Simulate")]
@@ -17,7 +22,7 @@ pub struct SolverOptions {
     pub method: Method,
     /// Length of mesh edges \[m\].
     pub edge_length_m: f64,
-    /// Residual r to reach for a drape (dimensionless); RMS position error in metres per simulated second for motion.
+    /// Residual r to reach for a drape (dimensionless); RMS position error in meters per simulated second for motion.
     pub tolerance: f64,
     /// Fixed step of a trajectory \[s\].
     pub step_s: Option<f64>,
@@ -51,6 +56,20 @@ impl Default for SolverOptions {
             seam_close: SeamClose::Weld,
             seam_stiffness_n_m: None,
         }
+    }
+}
+
+impl SolverOptions {
+    /// Returns the stiffness of a stitch with which sewing begins \[N/m\].
+    pub(crate) fn sewing_stiffness(&self) -> f64 {
+        self.seam_stiffness_n_m.unwrap_or(SEWING_STIFFNESS)
+    }
+
+    /// Returns the stiffness of a stitch of a closed seam \[N/m\] which stitches of the stiffness `sewing` closed: the one asked
+    /// for, or much stiffer than that (P9).
+    pub(crate) fn closed_seam_stiffness(&self, sewing: f64) -> f64 {
+        self.seam_stiffness_n_m
+            .unwrap_or(sewing * CLOSED_STIFFENING)
     }
 }
 

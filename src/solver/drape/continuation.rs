@@ -1,5 +1,5 @@
-//! Stiffness continuation: cloth far stiffer than any worn is sewn and draped softer first, then made stiffer tenfold at a time,
-//! each time from the shape before.
+//! Stiffness continuation: cloth far stiffer than any worn is sewn and draped softer first, then made stiffer tenfold at a
+//! time, each time from the shape before.
 //!
 //! The step of Newton's method goes along a straight line, while stiff cloth turns: a step d stretches an edge l by d² / (2 l), so
 //! the stiffer the cloth, the shorter the steps, and folds that are still to form take thousands. A shape at rest of softer cloth
@@ -10,35 +10,35 @@
 use crate::scene::{Fabric, Scene};
 use crate::solver::model::system::STANDARD_GRAVITY;
 
-/// Strain of cloth under its own weight below which it is softened first: organza's, the stiffest for its weight that ships, is
-/// twice that and more.
-const STIFF: f64 = 3e-6;
-/// Strain of the softest cloth that it begins with, at least: half of poplin's.
-const SOFT: f64 = 1.5e-5;
-/// How much stiffer each time.
+/// Strain of cloth under its own weight below which it is softened first: that of organza, the stiffest for its weight that
+/// ships, is at least twice as large.
+const STIFF_STRAIN: f64 = 3e-6;
+/// Least strain of the softest cloth, with which it begins: half of poplin's.
+const SOFT_STRAIN: f64 = 1.5e-5;
+/// Ratio of the stiffness of one level to that of the level before.
 const FACTOR: f64 = 10.0;
-/// Softer scenes at most: beyond 1e12 forces are rounding.
-const MOST: usize = 12;
+/// Largest number of softer scenes: beyond a factor of 1e12 forces are rounding.
+const SOFTER_SCENES: usize = 12;
 
-/// Ever softer versions of `scene`, the last of which is to be draped first; none if it is not stiff.
+/// Makes ever softer versions of `scene`, the last of which is to be draped first; none if it is not stiff.
 ///
 /// Stretch and shear are capped, not scaled: what is soft beside something stiff stays as it is.
-pub(crate) fn softer(scene: &Scene) -> Vec<Scene> {
+pub(crate) fn softened_scenes(scene: &Scene) -> Vec<Scene> {
     let stiffest = stiffest(scene);
     let strain = weight_per_width(scene) / stiffest;
-    if !(strain > 0.0 && strain < STIFF) {
+    if !(strain > 0.0 && strain < STIFF_STRAIN) {
         return vec![];
     }
     let mut softer = vec![];
     let mut cap = stiffest / FACTOR;
-    while softer.len() < MOST && weight_per_width(scene) / cap < FACTOR * SOFT {
+    while softer.len() < SOFTER_SCENES && weight_per_width(scene) / cap < FACTOR * SOFT_STRAIN {
         softer.push(capped(scene, cap));
         cap /= FACTOR;
     }
     softer
 }
 
-/// The largest modulus of any fabric, or the stiffest spring of a net \[N/m\].
+/// Returns the largest modulus of any fabric, or the stiffness of the stiffest spring of a net \[N/m\].
 fn stiffest(scene: &Scene) -> f64 {
     let fabrics = scene.fabrics.iter().filter(|_| scene.net.is_none());
     let moduli = fabrics.flat_map(|f| [f.stretch_warp_n_m, f.stretch_weft_n_m, f.shear_n_m]);
@@ -46,21 +46,16 @@ fn stiffest(scene: &Scene) -> f64 {
     moduli.chain(springs).fold(0.0, f64::max)
 }
 
-/// Weight of the garment under standard gravity over the largest extent of a panel, or of the start of a net without one \[N/m\].
+/// Returns the weight of the garment under standard gravity over the largest extent of a panel, or of the start of a net without
+/// one \[N/m\].
 fn weight_per_width(scene: &Scene) -> f64 {
     let weight = scene.mass.iter().sum::<f64>() * STANDARD_GRAVITY;
-    let extent = |values: &mut dyn Iterator<Item = f64>| {
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-            (low.min(v), high.max(v))
-        });
-        high - low
-    };
     let flat = scene.mesh.panels.iter().flat_map(|panel| {
         let uv = &scene.mesh.uv[panel.vertices.clone()];
-        [0, 1].map(|axis| extent(&mut uv.iter().map(|p| p[axis])))
+        [0, 1].map(|axis| extent(uv.iter().map(|p| p[axis])))
     });
     let longest = flat.fold(0.0, f64::max);
-    let start = || (0..3).map(|axis| extent(&mut scene.start.iter().map(|p| p[axis])));
+    let start = || (0..3).map(|axis| extent(scene.start.iter().map(|p| p[axis])));
     let length = if longest > 0.0 {
         longest
     } else {
@@ -69,7 +64,15 @@ fn weight_per_width(scene: &Scene) -> f64 {
     weight / length.max(f64::MIN_POSITIVE)
 }
 
-/// The same cloth with nothing in it stiffer than `cap` \[N/m\].
+/// Returns the difference of the largest and the least of the values.
+fn extent(values: impl Iterator<Item = f64>) -> f64 {
+    let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+        (low.min(v), high.max(v))
+    });
+    high - low
+}
+
+/// Copies the scene, with nothing in it stiffer than `cap` \[N/m\].
 fn capped(scene: &Scene, cap: f64) -> Scene {
     let mut scene = scene.clone();
     for fabric in &mut scene.fabrics {
@@ -125,13 +128,16 @@ mod tests {
     /// 2 N over 1 m against 1e4 N/m is a strain of 2e-4: nothing to soften.
     #[test]
     fn cloth_as_soft_as_any_worn_is_left_alone() {
-        assert!(softer(&pair(1e4)).is_empty());
+        assert!(softened_scenes(&pair(1e4)).is_empty());
     }
 
     /// 2 N/m against 1e7 N/m is 2e-7: tenfold softer twice brings it above 1.5e-5, and the soft spring stays.
     #[test]
     fn what_is_stiff_is_softened_tenfold_until_it_strains() {
-        let softer: Vec<_> = softer(&pair(1e7)).iter().map(stiffnesses).collect();
+        let softer: Vec<_> = softened_scenes(&pair(1e7))
+            .iter()
+            .map(stiffnesses)
+            .collect();
         assert_eq!(softer, [vec![10.0, 1e6], vec![10.0, 1e5]]);
     }
 }

@@ -1,18 +1,18 @@
-//! The same scene on ever coarser meshes, and shapes carried from one to the next finer.
+//! A hierarchy of ever coarser meshes of one scene, and the interpolation of shapes from each to the next finer one.
 
 use crate::scene::{CoarserScene, Scene, coarser};
-use crate::solver::drape::continuation::softer;
+use crate::solver::drape::continuation::softened_scenes;
 use nalgebra::Vector3;
 
 /// A scene and its coarser versions.
-pub(crate) struct Cascade<'s> {
+pub(crate) struct MeshHierarchy<'s> {
     finest: &'s Scene,
     /// Ever coarser.
     coarser: Vec<CoarserScene>,
 }
 
-impl<'s> Cascade<'s> {
-    /// Only the scene itself.
+impl<'s> MeshHierarchy<'s> {
+    /// Makes a hierarchy of the scene alone.
     pub(crate) fn single(finest: &'s Scene) -> Self {
         Self {
             finest,
@@ -20,14 +20,15 @@ impl<'s> Cascade<'s> {
         }
     }
 
-    /// All levels worth having; of stiff cloth, softer ones of the same mesh come before the scene itself.
+    /// Makes all levels worth having; of stiff cloth, softer ones of the same mesh come before the scene itself.
     pub(crate) fn new(finest: &'s Scene) -> Self {
         let same_mesh = |scene: Scene| CoarserScene {
             finer: (0..scene.start.len()).collect(),
             weights: vec![],
             scene,
         };
-        let mut levels: Vec<CoarserScene> = softer(finest).into_iter().map(same_mesh).collect();
+        let mut levels: Vec<CoarserScene> =
+            softened_scenes(finest).into_iter().map(same_mesh).collect();
         while let Some(next) = coarser(levels.last().map_or(finest, |level| &level.scene)) {
             levels.push(next);
         }
@@ -37,23 +38,23 @@ impl<'s> Cascade<'s> {
         }
     }
 
-    /// Number of the coarsest level; the finest is 0.
+    /// Returns the number of the coarsest level; the finest is 0.
     pub(crate) fn coarsest(&self) -> usize {
         self.coarser.len()
     }
 
-    /// Vertices of each level, coarsest first.
+    /// Returns the number of vertices of each level, coarsest first.
     pub(crate) fn sizes(&self) -> Vec<usize> {
         let levels = (0..=self.coarsest()).rev();
         levels.map(|level| self.scene(level).start.len()).collect()
     }
 
-    /// Whether a level is the next finer one's mesh, of softer cloth.
+    /// Returns true if a level has the mesh of the next finer one, of softer cloth.
     pub(crate) fn is_softer(&self, level: usize) -> bool {
         level > 0 && self.coarser[level - 1].weights.is_empty()
     }
 
-    /// The scene on a level.
+    /// Returns the scene on a level.
     pub(crate) fn scene(&self, level: usize) -> &Scene {
         match level.checked_sub(1) {
             None => self.finest,
@@ -61,7 +62,7 @@ impl<'s> Cascade<'s> {
         }
     }
 
-    /// The shape `x` of level `level` on the next finer one.
+    /// Interpolates the shape `x` of level `level` on the next finer one.
     ///
     /// Within each coarse triangle the image of p is `sum w_i (x_i + G_i (p - p_i) / 2)`, `G_i` the mean deformation gradient at
     /// corner i: exact for quadratic shapes where the gradients are, so that bent cloth is handed on bent and not faceted.
@@ -91,13 +92,14 @@ impl<'s> Cascade<'s> {
             .collect()
     }
 
-    /// The shape `x` of level `level` on the finest one.
+    /// Interpolates the shape `x` of level `level` on the finest one.
     pub(crate) fn to_finest(&self, level: usize, x: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
         (1..=level).rev().fold(x, |x, level| self.refine(level, &x))
     }
 }
 
-/// The images of the two unit vectors of the pattern at each vertex: means over its triangles, weighted by area.
+/// Returns the deformation gradient at each vertex, the images of the two unit vectors of the pattern: the mean over its
+/// triangles, weighted by area.
 fn gradients(scene: &Scene, x: &[Vector3<f64>]) -> Vec<[Vector3<f64>; 2]> {
     let uv = &scene.mesh.uv;
     let mut sum = vec![[Vector3::zeros(); 2]; x.len()];

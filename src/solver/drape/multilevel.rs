@@ -1,19 +1,25 @@
-//! A fit from start to end: the coarsest level is sewn and draped, and each finer one begins with the shape of the last.
+//! A drape from start to end: the coarsest level is sewn and relaxed, and each finer one begins with the shape of the last.
 
 use crate::scene::Scene;
-use crate::solver::drape::hierarchy::Cascade;
-use crate::solver::drape::level::{Level, Rest};
-use crate::solver::drape::monitor::Trace;
-use crate::solver::drape::perturb;
-use crate::solver::drape::stage::{Bounds, push_once};
+use crate::solver::context::Context;
+use crate::solver::drape::error_estimate::estimate_by_moves;
+use crate::solver::drape::force_balance::measure_unrelaxed;
+use crate::solver::drape::hierarchy::MeshHierarchy;
+use crate::solver::drape::level::Level;
+use crate::solver::drape::monitor::Monitor;
+use crate::solver::drape::perturb::perturb_degenerate;
+use crate::solver::drape::solve_level::solve_level;
+use crate::solver::drape::stage::IterationLimits;
 use crate::solver::integrate::stability::feasibility;
 use crate::solver::options::{Method, SolverOptions};
+use crate::solver::outcome::{
+    AtRest, Drape, DrapeOutcome, ErrorEstimate, ForceBalance, LevelOutcome, LevelPlan,
+    RelaxOutcome, Unfinished,
+};
 use crate::solver::report::cost_model;
-use crate::solver::report::describe::{left_out, worn};
-use crate::solver::report::measure::{self, rms_distance};
-use crate::solver::report::schema::{DrapeReport, Plan};
-use crate::solver::report::unfinished;
-use crate::solver::{Context, Drape};
+use crate::solver::report::describe::describe;
+use crate::solver::report::measure::{measure_shape, rms_distance};
+use crate::solver::statistics::{Fallback, SolveStatistics};
 use nalgebra::Vector3;
 
 /// Residual to which the coarser levels are solved: their shapes are off by their mesh error anyway.
@@ -33,13 +39,16 @@ const LEAST_FLOORS: f64 = 3.0;
 /// # Limitations
 /// Rest shapes are not unique: cloth folds one way or another. Cloth passes through cloth.
 pub fn drape(scene: &Scene, options: &SolverOptions, context: &mut Context<'_>) -> Drape {
-    let cascade = if options.method.is_time_stepping() {
+    let hierarchy = if options.method.is_time_stepping() {
         // Motion is that of the mesh asked for.
-        Cascade::single(scene)
+        MeshHierarchy::single(scene)
     } else {
-        Cascade::new(scene)
+        MeshHierarchy::new(scene)
     };
-    run(&cascade, options, None, context)
+    describe(
+        scene,
+        MultilevelSolve::new(&hierarchy, options, None, context).run(),
+    )
 }
 
 /// Drapes on from a drape of the same scene whose seams are closed, without sewing.
@@ -49,141 +58,128 @@ pub fn drape_on(
     from: &Drape,
     context: &mut Context<'_>,
 ) -> Drape {
-    run(&Cascade::single(scene), options, Some(from), context)
+    let hierarchy = MeshHierarchy::single(scene);
+    describe(
+        scene,
+        MultilevelSolve::new(&hierarchy, options, Some(from), context).run(),
+    )
 }
 
-/// A run from level to level.
-struct Run<'a, 's, 'c, 'w> {
-    cascade: &'a Cascade<'s>,
+/// A drape from level to level.
+struct MultilevelSolve<'a, 's, 'c, 'w> {
+    hierarchy: &'a MeshHierarchy<'s>,
     options: &'a SolverOptions,
     from: Option<&'a Drape>,
     clock: &'w dyn Fn() -> f64,
-    bounds: Bounds,
-    trace: Trace<'c, 'w>,
-    report: DrapeReport,
-    /// Whether the seams are closed.
-    sewn: bool,
-    /// How far the middle of the garment sank \[m\].
-    sunk: f64,
+    limits: IterationLimits,
+    monitor: Monitor<'c, 'w>,
+    plan: LevelPlan,
+    levels: Vec<LevelOutcome>,
+    statistics: SolveStatistics,
+    /// True if the seams are closed.
+    is_sewn: bool,
     /// The shape that the finest level began with, if it was one at rest.
     handed_on: Option<Vec<Vector3<f64>>>,
 }
 
-fn run(
-    cascade: &Cascade<'_>,
-    options: &SolverOptions,
-    from: Option<&Drape>,
-    context: &mut Context<'_>,
-) -> Drape {
-    let bounds = Bounds {
-        iterations: context.limits.iterations,
-        steps: context.limits.steps,
-    };
-    let report = DrapeReport {
-        method: rest_method(options.method).name().to_owned(),
-        version: env!("CARGO_PKG_VERSION").to_owned(),
-        plan: Plan {
-            levels: cascade.sizes(),
-            time_limit_s: options.time_limit_s,
-            ..Plan::default()
-        },
-        ..DrapeReport::default()
-    };
-    Run {
-        cascade,
-        options,
-        from,
-        clock: context.cpu_s,
-        bounds,
-        trace: Trace::new(context, options.time_limit_s),
-        report,
-        sewn: from.is_some(),
-        sunk: 0.0,
-        handed_on: None,
-    }
-    .go()
+/// A shape, the number of its level, and how the levels ended.
+struct LastShape {
+    positions: Vec<Vector3<f64>>,
+    /// 0 is the finest.
+    level: usize,
+    end: Result<AtRest, Unfinished>,
 }
 
-impl Run<'_, '_, '_, '_> {
-    fn go(mut self) -> Drape {
-        let scene = self.cascade.scene(0);
-        let refused = feasibility::refuse(scene, self.options, self.bounds.steps, self.clock);
-        let (mut x, last, rest) = match refused {
-            None => self.down(),
-            Some(why) => {
-                self.report.why = why;
-                self.report.residual = f64::NAN;
-                let start = self.from.map_or(&scene.start, |from| &from.positions);
-                (start.clone(), 0, Rest::default())
-            }
-        };
-        x = self.cascade.to_finest(last, x);
-        if !x.iter().all(|p| p.iter().all(|c| c.is_finite())) {
-            x.clone_from(&scene.start);
-        }
-        if self.report.residual.is_finite() {
-            self.say_error(last, &rest);
-        } else {
-            unfinished::describe(scene, self.options, &x, self.clock, &mut self.report);
-        }
-        measure_all(scene, &x, &mut self.report);
-        self.report.support = worn(scene, &self.report, self.sunk);
-        let handed_on = self.handed_on.as_ref().filter(|_| self.report.converged);
-        self.report.mesh_error_m = handed_on.map(|coarse| rms_distance(coarse, &x));
-        let to_finest = |level, x| self.cascade.to_finest(level, x);
-        self.report.error_against_run_time = self.trace.way.points(&to_finest, &x);
-        self.report.cpu_s.total = self.trace.cpu_s();
-        self.advise(&rest);
-        Drape {
-            positions: x,
-            anchors: rest.anchors,
-            canceled: self.trace.canceled,
-            report: self.report,
+impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
+    fn new(
+        hierarchy: &'a MeshHierarchy<'s>,
+        options: &'a SolverOptions,
+        from: Option<&'a Drape>,
+        context: &'c mut Context<'w>,
+    ) -> Self {
+        Self {
+            hierarchy,
+            options,
+            from,
+            clock: context.cpu_s,
+            limits: IterationLimits {
+                iterations: context.limits.iterations,
+                steps: context.limits.steps,
+            },
+            monitor: Monitor::new(context, options.time_limit_s),
+            plan: LevelPlan {
+                vertices: hierarchy.sizes(),
+                time_limit_s: options.time_limit_s,
+                expected_cpu_s: None,
+            },
+            levels: vec![],
+            statistics: SolveStatistics::default(),
+            is_sewn: from.is_some(),
+            handed_on: None,
         }
     }
 
-    /// From the coarsest level to the finest, or as far as it goes: the shape, its level, and how that was left.
-    fn down(&mut self) -> (Vec<Vector3<f64>>, usize, Rest) {
-        let coarsest = self.cascade.coarsest();
-        let start = &self.cascade.scene(coarsest).start;
+    fn run(mut self) -> DrapeOutcome {
+        let scene = self.hierarchy.scene(0);
+        let last = match feasibility::refuse(scene, self.options, self.limits.steps, self.clock) {
+            None => self.solve_levels(),
+            Some(why) => LastShape {
+                positions: self
+                    .from
+                    .map_or(&scene.start, |from| &from.positions)
+                    .clone(),
+                level: 0,
+                end: Err(Unfinished::Refused(why)),
+            },
+        };
+        self.finish(last)
+    }
+
+    /// Solves from the coarsest level to the finest, or as far as it goes.
+    fn solve_levels(&mut self) -> LastShape {
+        let coarsest = self.hierarchy.coarsest();
+        let start = &self.hierarchy.scene(coarsest).start;
         let mut x = self.from.map_or(start, |from| &from.positions).clone();
         if self.from.is_none() {
-            perturb::scatter(self.cascade.scene(coarsest), &mut x);
+            perturb_degenerate(self.hierarchy.scene(coarsest), &mut x);
         }
         let mut number = coarsest;
         loop {
-            let rest = self.level(number, &mut x);
+            let level = self.solve_level(number, &mut x);
+            let end = level.end();
+            let fell = level.relaxation.as_ref().is_ok_and(|relaxed| relaxed.fell);
             if number == coarsest && self.from.is_none() {
-                let first = self.report.levels.first().map_or(0.0, |level| level.cpu_s);
-                self.report.plan.expected_cpu_s =
-                    Some(cost_model::expected_cpu_s(&self.report.plan.levels, first));
+                let expected = cost_model::expected_cpu_s(&self.plan.vertices, level.cpu_s());
+                self.plan.expected_cpu_s = Some(expected);
             }
-            if number == 0 || self.trace.is_over() || rest.fell || !self.has_time(number) {
-                return (x, number, rest);
-            }
-            x = self.cascade.refine(number, &x);
-            if self.cascade.is_softer(number) {
-                push_once(&mut self.report.fallbacks, "softer_cloth");
-                // What a coarser mesh of softer cloth handed on tells of both.
-                self.handed_on = None;
+            self.levels.push(level);
+            let end = if number == 0 || self.monitor.is_over() || fell {
+                end
+            } else if self.has_time_after(number) {
+                x = self.refine(number, &x, end.is_ok());
+                number -= 1;
+                continue;
             } else {
-                let is_whole = x.len() == self.cascade.scene(0).start.len();
-                self.handed_on = (self.report.converged && is_whole).then(|| x.clone());
-            }
-            number -= 1;
+                Err(self.no_time_after(number))
+            };
+            return LastShape {
+                positions: x,
+                level: number,
+                end,
+            };
         }
     }
 
-    fn level(&mut self, number: usize, x: &mut Vec<Vector3<f64>>) -> Rest {
-        let coarsest = self.cascade.coarsest();
-        self.trace.begin_level(number, coarsest - number, x.len());
+    fn solve_level(&mut self, number: usize, x: &mut Vec<Vector3<f64>>) -> LevelOutcome {
+        let coarsest = self.hierarchy.coarsest();
+        self.monitor.begin_level(number, coarsest - number, x.len());
         let anchors = self.from.map(|from| from.anchors.clone());
         let mut level = Level {
-            scene: self.cascade.scene(number),
+            scene: self.hierarchy.scene(number),
             options: self.options,
             clock: self.clock,
-            bounds: self.bounds,
-            trace: &mut self.trace,
+            limits: self.limits,
+            monitor: &mut self.monitor,
             tolerance: if number == 0 {
                 self.options.tolerance
             } else {
@@ -194,105 +190,118 @@ impl Run<'_, '_, '_, '_> {
             } else {
                 FLOORS
             },
-            finest: number == 0,
-            sewn: self.sewn,
+            is_finest: number == 0,
+            is_sewn: self.is_sewn,
             anchors: anchors.unwrap_or_default(),
         };
-        let rest = level.run(x, &mut self.report);
-        self.sewn |= rest.sewn;
-        self.sunk += rest.sunk;
-        rest
+        let outcome = solve_level(&mut level, x);
+        self.is_sewn |= outcome.relaxation.is_ok();
+        self.statistics.merge(&outcome.statistics);
+        outcome
     }
 
-    /// Whether there is time for the level after `number`; what came of the plan, if there is not.
-    fn has_time(&mut self, number: usize) -> bool {
-        let [next, this] = [number - 1, number].map(|n| self.cascade.scene(n).start.len());
+    /// Returns true if there is time for the level after `number`; else the time is up.
+    fn has_time_after(&mut self, number: usize) -> bool {
+        let [next, this] = [number - 1, number].map(|n| self.hierarchy.scene(n).start.len());
         let times = next as f64 / this as f64;
-        let enough = cost_model::has_time(self.trace.left_s(), self.trace.pace(), times);
-        self.trace.out_of_time |= !enough;
-        if !enough {
-            self.report.converged = false;
-            self.report.why = format!(
-                "the time allowed was up before the mesh of {next} vertices; this is the shape at rest of the one of {this}"
-            );
-        }
+        let enough = cost_model::has_time(self.monitor.left_s(), self.monitor.pace(), times);
+        self.monitor.out_of_time |= !enough;
         enough
     }
 
-    /// Says how far the shape is from rest where its second derivative does not tell.
-    fn say_error(&mut self, last: usize, rest: &Rest) {
-        let report = &mut self.report;
-        if report.error_estimate_valid {
-            return;
-        }
-        let (levels, earlier) = (&report.levels, report.levels.len().saturating_sub(1));
-        let later = cost_model::moves_left(levels, last).filter(|_| last > 0);
-        // It will hardly move further than it did on the level before.
-        let most = levels[..earlier].iter().rev().find_map(|l| l.moved_m);
-        let to_go = rest.to_go.map(|to_go| to_go.distance_m);
-        let by_moves = match to_go.map(|m| m.min(most.unwrap_or(f64::INFINITY))) {
-            _ if rest.at_rest && last > 0 => later,
-            // It was stopped before it moved: all of this level is still to come.
-            None => cost_model::moves_left(&levels[..earlier], last + 1),
-            Some(to_go) => Some(to_go.hypot(later.unwrap_or(0.0))),
-        };
-        let known = report.error_estimate_m.filter(|_| rest.at_rest);
-        let by_moves = by_moves.filter(|moves| known.is_none() && moves.is_finite());
-        if let Some(moves) = by_moves {
-            let by_forces = report.error_estimate_m.unwrap_or(0.0);
-            report.error_estimate_m = Some(moves.max(by_forces));
-            "not valid, but mostly right within 3 times: drawn from the forces left, from how the shape moved lately, and from mesh to mesh"
-                .clone_into(&mut report.error_estimate_because);
-        } else if report.error_estimate_because.is_empty() {
-            "none: too little is known of how the shape moves"
-                .clone_into(&mut report.error_estimate_because);
+    fn no_time_after(&self, number: usize) -> Unfinished {
+        Unfinished::NoTimeForFinerMesh {
+            vertices: self.hierarchy.scene(number).start.len(),
+            finer_vertices: self.hierarchy.scene(number - 1).start.len(),
         }
     }
 
-    /// Says what came of the plan, and what would halve the error.
-    fn advise(&mut self, rest: &Rest) {
-        let report = &mut self.report;
-        let (total, plan) = (report.cpu_s.total, &mut report.plan);
-        let allowed = plan.time_limit_s.filter(|_| self.trace.out_of_time);
-        let expected = plan.expected_cpu_s.map_or(String::new(), |expected| {
-            format!("; {expected:.1} s were expected to do for all")
-        });
-        plan.outcome = format!(
-            "{} of {} meshes in {total:.1} s of CPU{}{expected}",
-            report.levels.len(),
-            plan.levels.len(),
-            allowed.map_or(String::new(), |s| format!(" of {s:.1} s allowed")),
-        );
-        let halving = rest.to_go.and_then(|to_go| to_go.halving_s);
-        report.to_halve_the_error = match allowed {
-            Some(_) => {
-                let all = report.plan.expected_cpu_s.map(|all| all - total);
-                let more = halving.or(all).filter(|more_s| *more_s > 0.0);
-                more.map(|more_s| cost_model::more_time(total, more_s))
+    /// Carries the shape of level `number` to the next finer one, and keeps it if it is to tell the mesh error.
+    fn refine(&mut self, number: usize, x: &[Vector3<f64>], is_at_rest: bool) -> Vec<Vector3<f64>> {
+        let x = self.hierarchy.refine(number, x);
+        if self.hierarchy.is_softer(number) {
+            self.statistics.fallbacks.insert(Fallback::SofterCloth);
+            // What a coarser mesh of softer cloth handed on tells of both.
+            self.handed_on = None;
+        } else {
+            let is_whole = x.len() == self.hierarchy.scene(0).start.len();
+            self.handed_on = (is_at_rest && is_whole).then(|| x.clone());
+        }
+        x
+    }
+
+    /// Measures the last shape on the finest mesh.
+    fn finish(self, last: LastShape) -> DrapeOutcome {
+        let scene = self.hierarchy.scene(0);
+        let mut x = self.hierarchy.to_finest(last.level, last.positions);
+        if !x.iter().all(|p| p.iter().all(|c| c.is_finite())) {
+            x.clone_from(&scene.start);
+        }
+        let relaxed = self
+            .levels
+            .last()
+            .and_then(|level| level.relaxation.as_ref().ok());
+        let (balance, estimate) = self.assess(relaxed, last.level, &x);
+        let measures = measure_shape(scene, &x);
+        let handed_on = self.handed_on.as_ref().filter(|_| last.end.is_ok());
+        let to_finest = |level, x| self.hierarchy.to_finest(level, x);
+        let sunk = self
+            .levels
+            .iter()
+            .filter_map(|level| level.relaxation.as_ref().ok());
+        DrapeOutcome {
+            anchors: relaxed
+                .map(|relaxed| relaxed.anchors.clone())
+                .unwrap_or_default(),
+            method: rest_method(self.options.method),
+            end: last.end,
+            balance,
+            estimate,
+            mesh_error_m: handed_on.map(|coarse| rms_distance(coarse, &x)),
+            measures,
+            sunk_m: sunk.fold(0.0, |sum, relaxed| sum + relaxed.sunk_m),
+            halving_s: relaxed.and_then(|relaxed| relaxed.remaining?.halving_s),
+            history: self.monitor.history.points(&to_finest, &x),
+            cpu_s: self.monitor.cpu_s(),
+            canceled: self.monitor.canceled,
+            out_of_time: self.monitor.out_of_time,
+            positions: x,
+            plan: self.plan,
+            levels: self.levels,
+            statistics: self.statistics,
+        }
+    }
+
+    /// Returns the forces on the last shape and its distance to the solution.
+    fn assess(
+        &self,
+        relaxed: Option<&RelaxOutcome>,
+        finer: usize,
+        x: &[Vector3<f64>],
+    ) -> (ForceBalance, Option<ErrorEstimate>) {
+        match relaxed {
+            Some(relaxed) if relaxed.balance.residual.is_finite() => {
+                let estimate = estimate_by_moves(&self.levels, relaxed, finer);
+                (relaxed.balance, Some(estimate))
             }
-            None => cost_model::advice(report),
-        };
+            _ => {
+                let scene = self.hierarchy.scene(0);
+                let balance = measure_unrelaxed(scene, self.options, x, self.clock);
+                let estimate = relaxed.and_then(|relaxed| relaxed.estimate);
+                let untold = |estimate| ErrorEstimate {
+                    distance_m: None,
+                    ..estimate
+                };
+                (balance, estimate.map(untold))
+            }
+        }
     }
 }
 
-/// The method that finds a shape at rest where `asked` is.
+/// Returns the method that finds a shape at rest where `asked` is asked for.
 fn rest_method(asked: Method) -> Method {
     match asked {
         Method::Auto => Method::Newton,
         method => method,
     }
-}
-
-/// Fills in what can be measured on the shape alone.
-#[inline(never)] // so that a profile tells what it takes
-fn measure_all(scene: &Scene, x: &[Vector3<f64>], report: &mut DrapeReport) {
-    let mesh = &scene.mesh;
-    let stitches: Vec<_> = mesh.stitches.iter().map(|s| (s.a, s.b)).collect();
-    report.seam_gap_max_m = measure::seam_gap(&stitches, x);
-    report.strain_max = measure::strain(scene, x);
-    report.penetration_max_m = measure::penetration(scene, x);
-    report.vertices = mesh.uv.len();
-    report.triangles = mesh.triangles.len();
-    report.stitches = mesh.stitches.len();
-    report.skipped_terms = left_out(scene, &report.terms);
 }

@@ -1,39 +1,39 @@
-//! Cloth that starts without extent: particles in one point, or on a line, have no direction to be pushed apart in.
+//! Perturbation of a degenerate start: particles in one point, or on a line, have no direction to be pushed apart in.
 //!
 //! The force of a spring of no length is zero and so is that of a triangle without area, so such a start may be a shape at rest
-//! (a maximum or a saddle of the energy) from which no method finds out. Scattering its particles by a hundredth of an edge, the
-//! same way every time, lets it.
+//! (a maximum or a saddle of the energy) that no method leaves. Moving its particles by a hundredth of an edge, the same way
+//! every time, lets it be left.
 
 use crate::scene::Scene;
 use nalgebra::Vector3;
 
-/// Length of an edge over its rest length below which it has collapsed.
-const COLLAPSED: f64 = 1e-3;
-/// How far its ends are moved, over its rest length.
-const SCATTER: f64 = 0.01;
+/// Length of an edge over its rest length below which it is degenerate.
+const DEGENERATE: f64 = 1e-3;
+/// Distance by which its ends are moved, over its rest length.
+const PERTURBATION: f64 = 0.01;
 
-/// Moves the ends of collapsed edges of `x`, but pins.
-pub(crate) fn scatter(scene: &Scene, x: &mut [Vector3<f64>]) {
+/// Moves the ends of degenerate edges of `x`, except pins.
+pub(crate) fn perturb_degenerate(scene: &Scene, x: &mut [Vector3<f64>]) {
     let mut by = vec![0.0_f64; x.len()];
-    let mut look = |a: usize, b: usize, rest: f64| {
-        if (x[a] - x[b]).norm() < COLLAPSED * rest {
-            by[a] = by[a].max(SCATTER * rest);
-            by[b] = by[b].max(SCATTER * rest);
+    let mut widen = |a: usize, b: usize, rest: f64| {
+        if (x[a] - x[b]).norm() < DEGENERATE * rest {
+            by[a] = by[a].max(PERTURBATION * rest);
+            by[b] = by[b].max(PERTURBATION * rest);
         }
     };
     for spring in scene.net.iter().flatten() {
-        look(spring.a, spring.b, spring.rest_length_m);
+        widen(spring.a, spring.b, spring.rest_length_m);
     }
     for t in &scene.mesh.triangles {
         for (a, b) in [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])] {
             let [p, q] = [a, b].map(|v| scene.mesh.uv[v]);
-            look(a, b, (p[0] - q[0]).hypot(p[1] - q[1]));
+            widen(a, b, (p[0] - q[0]).hypot(p[1] - q[1]));
         }
     }
     for &pin in &scene.pins {
         by[pin] = 0.0;
     }
-    let mut random = numbers();
+    let mut random = random_numbers();
     for (x, by) in x.iter_mut().zip(by) {
         let mut d = Vector3::new(random(), random(), random()) * by;
         if let Some(axis) = scene.fixed_axis {
@@ -43,8 +43,8 @@ pub(crate) fn scatter(scene: &Scene, x: &mut [Vector3<f64>]) {
     }
 }
 
-/// Numbers from -1 to 1 that follow no pattern, the same every time (a linear congruential generator of D. E. Knuth's MMIX).
-fn numbers() -> impl FnMut() -> f64 {
+/// Generates pseudo-random numbers from -1 to 1, the same every time (the linear congruential generator of D. E. Knuth's MMIX).
+fn random_numbers() -> impl FnMut() -> f64 {
     let mut seed = 1_u64;
     move || {
         seed = seed
@@ -62,7 +62,7 @@ mod tests {
 
     /// Three vertices in one point and one apart, in a plane, the first of them pinned.
     #[test]
-    fn what_is_in_one_point_is_scattered_but_pins_and_what_is_not() {
+    fn particles_in_one_point_are_moved_apart_except_pins() {
         let spring = |a, b| NetSpring {
             a,
             b,
@@ -81,14 +81,14 @@ mod tests {
             .into_scene(&Limits::default())
             .expect("a right scene of four vertices");
         let mut x = scene.start.clone();
-        scatter(&scene, &mut x);
+        perturb_degenerate(&scene, &mut x);
         assert_eq!((x[0], x[3]), (scene.start[0], scene.start[3]));
         for i in [1, 2] {
             assert!(x[i] != scene.start[i] && x[i].z == 0.0);
             assert!(x[i].norm() <= 0.01 * 0.1 * 2f64.sqrt());
         }
         let mut again = scene.start.clone();
-        scatter(&scene, &mut again);
+        perturb_degenerate(&scene, &mut again);
         assert_eq!(x, again);
     }
 }

@@ -1,73 +1,73 @@
 //! Sewing (P9): the stitches pull the panels together, stage by stage, until no gap is left.
 
-use crate::solver::drape::level::{Level, SETTLED};
-use crate::solver::drape::monitor::{Look, SEWING_SHARE};
-use crate::solver::drape::stage::{Ended, note_fallbacks, push_once, run};
+use crate::solver::drape::drag::{SETTLED, SEWING_DRAG, SEWING_SPEED_LIMIT};
+use crate::solver::drape::level::Level;
+use crate::solver::drape::monitor::{IterationRecord, SEWING_SHARE};
+use crate::solver::drape::stage::{StageOutcome, run_stage};
 use crate::solver::integrate::dynamic_relaxation::DynamicRelaxation;
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::DofMap;
 use crate::solver::optimize::iterate::{Iterate, Termination};
 use crate::solver::options::Method;
-use crate::solver::options::SolverOptions;
-use crate::solver::report::describe::add_terms;
-use crate::solver::report::measure;
-use crate::solver::report::schema::DrapeReport;
+use crate::solver::outcome::{SewOutcome, Unfinished};
+use crate::solver::report::measure::seam_gap;
+use crate::solver::statistics::{Fallback, SolveStatistics, TermTimes};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 
-/// Stiffness of a stitch if none is asked for \[N/m\]: about that of the cloth beside it.
-pub(crate) const SEAM_STIFFNESS: f64 = 1e4;
-/// How much stiffer than while sewing the spring of a closed seam is (P9).
-const CLOSED_STIFFER: f64 = 10.0;
-/// How often the stitches are made ten times stiffer when the seams settle with a gap.
-const STIFFER_AT_MOST: usize = 3;
-/// Drag \[1/s\] and speed limit \[m/s\] of explicit steps while sewing.
+/// Number of times that the stitches are made ten times stiffer where the seams settle with a gap.
+const STIFFENINGS: usize = 3;
+/// Motion of explicit steps while sewing.
 const MOTION: DynamicRelaxation = DynamicRelaxation {
     method: Method::SymplecticEuler,
-    drag: 40.0,
-    speed_limit: 2.0,
+    drag: SEWING_DRAG,
+    speed_limit: SEWING_SPEED_LIMIT,
     step: None,
     tolerance: SETTLED,
 };
 
-/// Stiffness of a closed stitch, `sewing` being what closed it \[N/m\]: the one asked for, or much stiffer than that (P9).
-pub(crate) fn closed_stiffness(options: &SolverOptions, sewing: f64) -> f64 {
-    options
-        .seam_stiffness_n_m
-        .unwrap_or(sewing * CLOSED_STIFFER)
+/// Pulls the seams shut, stage by stage.
+pub(crate) fn sew(level: &mut Level<'_, '_, '_>, x: &mut [Vector3<f64>]) -> SewOutcome {
+    let mut statistics = SolveStatistics::default();
+    let stiffness = close_stages(level, x, &mut statistics);
+    SewOutcome {
+        stiffness,
+        statistics,
+    }
 }
 
-/// Pulls the seams shut, stage by stage; the stiffness that did it \[N/m\], or why it could not be done.
-pub(crate) fn close(
+/// Closes all stages, later ones with the stiffness that closed the earlier; returns the last stiffness \[N/m\].
+fn close_stages(
     level: &mut Level<'_, '_, '_>,
     x: &mut [Vector3<f64>],
-    report: &mut DrapeReport,
-) -> Result<f64, String> {
-    let mut stiffness = level.options.seam_stiffness_n_m.unwrap_or(SEAM_STIFFNESS);
+    statistics: &mut SolveStatistics,
+) -> Result<f64, Unfinished> {
+    let mut stiffness = level.options.sewing_stiffness();
     let stitches = level.scene.mesh.stitches.iter();
     let mut stages: Vec<u32> = stitches.map(|s| s.stage).collect();
     stages.sort_unstable();
     stages.dedup();
     for stage in stages {
         let stitches = level.stitches(stage);
-        let mut tries = 0;
+        let mut stiffenings = 0;
         loop {
-            let ended = pull(level, x, (&stitches, stiffness), report);
-            note_fallbacks(&mut report.fallbacks, ended.fallbacks);
-            let gap = measure::seam_gap(&stitches, x);
+            let (pulled, of_pull) = pull(level, x, &stitches, stiffness);
+            statistics.merge(&of_pull);
+            let gap = seam_gap(&stitches, x);
             if gap < level.options.seam_eps_m {
                 break;
             }
-            if ended.stop != Termination::Reached || tries == STIFFER_AT_MOST {
-                return Err(format!(
-                    "the seams of stage {stage} are still {:.2} mm apart: {}",
-                    gap * 1e3,
-                    ended.reason(level.trace.canceled)
-                ));
+            if pulled.termination != Termination::Reached || stiffenings == STIFFENINGS {
+                return Err(Unfinished::SeamsOpen {
+                    stage,
+                    gap_m: gap,
+                    end: pulled.end(level.monitor.canceled),
+                    residual: pulled.residual,
+                });
             }
-            tries += 1;
+            stiffenings += 1;
             stiffness *= 10.0;
-            push_once(&mut report.fallbacks, "stiffer_seams");
+            statistics.fallbacks.insert(Fallback::StifferSeams);
         }
     }
     Ok(stiffness)
@@ -77,9 +77,9 @@ pub(crate) fn close(
 fn pull(
     level: &mut Level<'_, '_, '_>,
     x: &mut [Vector3<f64>],
-    (stitches, stiffness): (&[(usize, usize)], f64),
-    report: &mut DrapeReport,
-) -> Ended {
+    stitches: &[(usize, usize)],
+    stiffness: f64,
+) -> (StageOutcome, SolveStatistics) {
     let dof_map = DofMap::identity(x.len());
     let stage = Stage {
         dof_map: &dof_map,
@@ -89,34 +89,33 @@ fn pull(
         explicit: level.options.method.is_explicit(),
     };
     let mut system = assemble(level.scene, level.options, &stage, level.clock);
-    let first_gap = measure::seam_gap(stitches, x).max(1e-9);
+    let first_gap = seam_gap(stitches, x).max(1e-9);
     let eps = level.options.seam_eps_m;
-    let how = level.how(MOTION);
-    level.trace.begin_stage();
-    let trace = &mut level.trace;
-    let mut last = f64::NAN;
-    let mut callback = |i: Iterate<'_>| {
-        last = i.residual;
-        let gap = measure::seam_gap(stitches, i.positions);
+    let method = level.stage_method(MOTION);
+    level.monitor.begin_stage();
+    let monitor = &mut level.monitor;
+    let mut last_residual = f64::NAN;
+    let mut callback = |iterate: Iterate<'_>| {
+        last_residual = iterate.residual;
+        let gap = seam_gap(stitches, iterate.positions);
         let closed = (gap / first_gap).ln() / (eps / first_gap).min(0.9).ln();
-        let flow = trace.look(&Look {
+        let flow = monitor.record(&IterationRecord {
             stage: "sew",
             fraction: SEWING_SHARE * closed,
-            residual: i.residual,
+            residual: iterate.residual,
             seam_gap: gap,
             estimate_before: None,
-            shape: &|| i.positions.to_vec(),
+            shape: &|| iterate.positions.to_vec(),
         });
-        let settled = gap < eps || (i.number > 0 && i.residual < SETTLED);
+        let settled = gap < eps || (iterate.number > 0 && iterate.residual < SETTLED);
         if flow.is_continue() && settled {
             ControlFlow::Break(Termination::Reached)
         } else {
             flow
         }
     };
-    let mut ended = run(&mut system, x, how, &mut callback).0;
-    ended.residual = last;
-    add_terms(&mut report.terms, &system);
-    report.newton_iterations += ended.iterations;
-    ended
+    let (mut outcome, _) = run_stage(&mut system, x, method, &mut callback);
+    outcome.residual = last_residual;
+    let statistics = outcome.statistics(TermTimes::of_system(&system));
+    (outcome, statistics)
 }

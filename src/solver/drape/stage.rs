@@ -1,134 +1,131 @@
-//! One stage of a fit run to its end, by motion or by Newton's method.
+//! One stage of a drape run to its end, by motion or by Newton's method.
 
 use crate::solver::integrate::dynamic_relaxation::{self, DynamicRelaxation};
 use crate::solver::model::system::System;
 use crate::solver::optimize::iterate::{Callback, Termination};
 use crate::solver::optimize::newton::{Fallbacks, Newton};
+use crate::solver::outcome::StageEnd;
+use crate::solver::statistics::{FallbackSet, SolveStatistics, TermTimes};
 use nalgebra::Vector3;
 
-/// One stage run to its end.
-pub(crate) struct Ended {
-    pub(crate) stop: Termination,
+/// Outcome of one stage.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StageOutcome {
+    pub(crate) termination: Termination,
+    /// Residual of the last iterate; NaN if there was none.
     pub(crate) residual: f64,
     pub(crate) fallbacks: Fallbacks,
     /// Newton iterations.
     pub(crate) iterations: usize,
-    /// Whether it was ended because the garment was falling.
+    /// True if it was ended because the garment was falling.
     pub(crate) fell: bool,
-    /// The step that explicit steps may not exceed, if a longer one was asked for \[s\].
-    pub(crate) too_long: Option<f64>,
+    /// Longest stable step, if a longer one was asked for \[s\].
+    pub(crate) stability_limit: Option<f64>,
 }
 
-/// How often a stage may be iterated.
+/// Limits on the work of a stage.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bounds {
+pub(crate) struct IterationLimits {
     /// Newton iterations.
     pub(crate) iterations: usize,
     /// Steps of motion.
     pub(crate) steps: u64,
 }
 
-/// How a stage is run.
+/// Method by which a stage is run.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct How {
-    /// By motion, if it is given; else by Newton's method.
+pub(crate) struct StageMethod {
+    /// The motion, if it is run by motion; else it is run by Newton's method.
     pub(crate) motion: Option<DynamicRelaxation>,
     /// γ that Newton's method begins with \[s\].
     pub(crate) first_gamma: f64,
-    pub(crate) bounds: Bounds,
+    pub(crate) limits: IterationLimits,
 }
 
-/// Runs one stage.
-pub(crate) fn run(
+/// Runs one stage from `x`, which becomes its last accepted shape; returns Newton's method too, if that ran.
+pub(crate) fn run_stage(
     system: &mut System<'_>,
     x: &mut [Vector3<f64>],
-    how: How,
+    method: StageMethod,
     callback: &mut Callback<'_>,
-) -> (Ended, Option<Newton>) {
-    let ended = |stop| Ended {
-        stop,
-        residual: f64::NAN,
-        fallbacks: Fallbacks::default(),
-        iterations: 0,
-        fell: false,
-        too_long: None,
-    };
-    if let Some(motion) = how.motion {
-        return match dynamic_relaxation::run(system, x, motion, how.bounds.steps, callback) {
-            Ok(moved) => {
-                let fallbacks = Fallbacks {
-                    smaller_step: moved.shorter,
-                    ..Fallbacks::default()
-                };
-                let ended = ended(moved.stop);
-                (Ended { fallbacks, ..ended }, None)
-            }
-            Err(stable) => (
-                Ended {
-                    too_long: Some(stable),
-                    ..ended(Termination::Stalled)
-                },
-                None,
-            ),
-        };
+) -> (StageOutcome, Option<Newton>) {
+    if let Some(motion) = method.motion {
+        let outcome = run_motion(system, x, (motion, method.limits.steps), callback);
+        return (outcome, None);
     }
-    match Newton::new(system, how.first_gamma) {
-        Ok(mut newton) => {
-            let stop = newton.run(system, x, how.bounds.iterations, callback);
-            (
-                Ended {
-                    fallbacks: newton.fallbacks,
-                    iterations: newton.iterations,
-                    ..ended(stop)
-                },
-                Some(newton),
-            )
-        }
-        Err(_) => (ended(Termination::OutOfMemory), None),
+    let Ok(mut newton) = Newton::new(system, method.first_gamma) else {
+        return (StageOutcome::new(Termination::OutOfMemory), None);
+    };
+    let termination = newton.run(system, x, method.limits.iterations, callback);
+    let outcome = StageOutcome {
+        fallbacks: newton.fallbacks,
+        iterations: newton.iterations,
+        ..StageOutcome::new(termination)
+    };
+    (outcome, Some(newton))
+}
+
+/// Runs one stage by motion of so many steps at most.
+fn run_motion(
+    system: &mut System<'_>,
+    x: &mut [Vector3<f64>],
+    (motion, step_limit): (DynamicRelaxation, u64),
+    callback: &mut Callback<'_>,
+) -> StageOutcome {
+    match dynamic_relaxation::run(system, x, motion, step_limit, callback) {
+        Ok(moved) => StageOutcome {
+            fallbacks: Fallbacks {
+                smaller_step: moved.shorter,
+                ..Fallbacks::default()
+            },
+            ..StageOutcome::new(moved.stop)
+        },
+        Err(limit) => StageOutcome {
+            stability_limit: Some(limit),
+            ..StageOutcome::new(Termination::Stalled)
+        },
     }
 }
 
-impl Ended {
-    /// Why the stage ended, in words.
-    pub(crate) fn reason(&self, canceled: bool) -> String {
-        let r = self.residual;
-        if let Some(step) = self.too_long {
-            return format!(
-                "step_s is above the stability limit of {step:.2e} s: give a shorter one or leave it out"
-            );
+impl StageOutcome {
+    fn new(termination: Termination) -> Self {
+        Self {
+            termination,
+            residual: f64::NAN,
+            fallbacks: Fallbacks::default(),
+            iterations: 0,
+            fell: false,
+            stability_limit: None,
+        }
+    }
+
+    /// Returns why the stage ended; `canceled` tells an interruption by the cancel token from one by the time limit.
+    pub(crate) fn end(&self, canceled: bool) -> StageEnd {
+        if let Some(limit_s) = self.stability_limit {
+            return StageEnd::StepTooLong { limit_s };
         }
         if self.fell {
-            return "it fell off the body: nothing holds it up".to_owned();
+            return StageEnd::FellOff;
         }
-        match self.stop {
-            Termination::Reached => format!("at rest: r = {r:.1e}"),
-            Termination::Interrupted if canceled => format!("canceled at r = {r:.1e}"),
-            Termination::Interrupted => format!("the time allowed was up at r = {r:.1e}"),
-            Termination::Stalled => format!("no step lowers the energy any more, at r = {r:.1e}"),
-            Termination::IterationLimit => format!("the limit of iterations was reached at r = {r:.1e}"),
-            Termination::OutOfMemory => "there is no memory for the matrix factor: ask for longer mesh edges".to_owned(),
-            Termination::NotFinite => "forces became infinite: look for panels that start inside the body or seams of very unlike length".to_owned(),
-        }
-    }
-}
-
-/// Adds the fallbacks that were taken to the report's list.
-pub(crate) fn note_fallbacks(ladder: &mut Vec<String>, fallbacks: Fallbacks) {
-    for (taken, name) in [
-        (fallbacks.true_hessian, "true_hessian"),
-        (fallbacks.projected_hessian, "convex_part"),
-        (fallbacks.diagonal_shift, "diagonal_shift"),
-        (fallbacks.smaller_step, "smaller_step"),
-    ] {
-        if taken {
-            push_once(ladder, name);
+        match self.termination {
+            Termination::Reached => StageEnd::Converged,
+            Termination::Interrupted if canceled => StageEnd::Canceled,
+            Termination::Interrupted => StageEnd::OutOfTime,
+            Termination::Stalled => StageEnd::Stalled,
+            Termination::IterationLimit => StageEnd::IterationLimit,
+            Termination::OutOfMemory => StageEnd::OutOfMemory,
+            Termination::NotFinite => StageEnd::NotFinite,
         }
     }
-}
 
-/// Adds `name` unless it is there.
-pub(crate) fn push_once(ladder: &mut Vec<String>, name: &str) {
-    if !ladder.iter().any(|n| n == name) {
-        ladder.push(name.to_owned());
+    /// Returns its statistics with these times.
+    pub(crate) fn statistics(&self, terms: TermTimes) -> SolveStatistics {
+        let mut fallbacks = FallbackSet::default();
+        fallbacks.insert_all(self.fallbacks);
+        SolveStatistics {
+            iterations: self.iterations,
+            fallbacks,
+            terms,
+        }
     }
 }

@@ -16,7 +16,7 @@ use crate::solver::integrate::step_control::StepControl;
 use crate::solver::model::dof_map::DofMap;
 use crate::solver::model::system::System;
 use crate::solver::options::{Method, SolverOptions};
-use crate::solver::report::describe::energies;
+use crate::solver::report::measure::energies;
 
 /// Simulated time if none is asked for \[s\].
 const DURATION: f64 = 1.0;

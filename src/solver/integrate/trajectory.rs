@@ -2,7 +2,6 @@
 
 use crate::scene::Scene;
 use crate::solver::Context;
-use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
 use crate::solver::forces::contact::FrictionAnchors;
 use crate::solver::integrate::damping;
 use crate::solver::integrate::integrator::ParticleState;
@@ -11,7 +10,8 @@ use crate::solver::integrate::simulation::MotionSimulation;
 use crate::solver::model::build::{Stage, assemble};
 use crate::solver::model::dof_map::DofMap;
 use crate::solver::options::{Method, SeamClose, SolverOptions};
-use crate::solver::report::describe::add_terms;
+use crate::solver::report::describe::term_times;
+use crate::solver::statistics::TermTimes;
 use nalgebra::Vector3;
 
 /// What a motion begins with.
@@ -45,7 +45,7 @@ pub fn trajectory(
     } else {
         DofMap::identity(scene.start.len())
     };
-    let stiffness = closed_stiffness(options, SEAM_STIFFNESS);
+    let stiffness = options.closed_seam_stiffness(options.sewing_stiffness());
     let springs = (!weld && stitches.len() > 0).then(|| (stitches.collect(), stiffness));
     let stage = Stage {
         dof_map: &dof_map,
@@ -85,7 +85,7 @@ pub fn trajectory(
         Ok(()) => format!("all of {:.4} s was simulated", run.report.simulated_s),
         Err(why) => why,
     };
-    add_terms(&mut run.report.terms, &system);
+    run.report.terms = term_times(&TermTimes::of_system(&system));
     run.report.cpu_s = (run.context.cpu_s)() - began;
     if run.report.steps == 0 {
         run.report.step_min_s = 0.0;

@@ -7,7 +7,8 @@ use crate::config::Limits;
 use crate::progress::CancelToken;
 use crate::scene::Scene;
 use crate::solver::drape;
-use crate::solver::drape::relax::{DRAG, SADDLE, SPEED_LIMIT};
+use crate::solver::drape::drag::{RELAXATION_DRAG, RELAXATION_SPEED_LIMIT};
+use crate::solver::drape::relax::SADDLE;
 use crate::solver::integrate::dynamic_relaxation::{self, DynamicRelaxation};
 use crate::solver::left_out::by_hand::{self, no_clock};
 use crate::solver::left_out::scenes::{Has, scene};
@@ -87,8 +88,8 @@ fn bare(scene: &Scene, ask: &SolverOptions) -> Vec<Vector3<f64>> {
     } else {
         let motion = DynamicRelaxation {
             method: ask.method,
-            drag: DRAG,
-            speed_limit: SPEED_LIMIT,
+            drag: RELAXATION_DRAG,
+            speed_limit: RELAXATION_SPEED_LIMIT,
             step: None,
             tolerance: ask.tolerance,
         };

@@ -1,16 +1,16 @@
-//! The way of a run to its final shape: shapes kept as it goes, how far each was from the last one, and what was known of that.
+//! Convergence history of a drape: shapes kept on the way, their distances from the last one, and the estimates of these.
 
-use crate::solver::drape::relax::ESTIMATE_HOLDS;
+use crate::solver::outcome::{ESTIMATE_RESIDUAL_LIMIT, RemainingError};
 use crate::solver::report::measure::rms_distance;
 use crate::solver::report::schema::ErrorPoint;
 use nalgebra::Vector3;
 
-/// Shapes kept of one level at most, of the finest and of the others; when there are more, every other one is dropped.
+/// Largest number of shapes kept of one level, the finest and the others; when there are more, every other one is dropped.
 const OF_FINEST: usize = 48;
 const OF_COARSER: usize = 12;
-/// Positions kept of the finest level at most: bounds the memory of large meshes.
+/// Largest number of positions kept of one level: bounds the memory of large meshes.
 const POSITIONS: usize = 4_000_000;
-/// Largest ratio of two successive distances that is taken for a series that ends.
+/// Largest ratio of two successive distances that is taken for convergence.
 const SLOWEST: f64 = 0.9;
 
 struct Snapshot {
@@ -21,9 +21,9 @@ struct Snapshot {
     positions: Vec<Vector3<f64>>,
 }
 
-/// The shapes that a run went through.
+/// Shapes that a drape went through, thinned out evenly.
 #[derive(Default)]
-pub(crate) struct Way {
+pub(crate) struct ConvergenceHistory {
     snapshots: Vec<Snapshot>,
     /// Index of the first snapshot of the level that runs now.
     first: usize,
@@ -31,12 +31,12 @@ pub(crate) struct Way {
     most: usize,
     stride: usize,
     seen: usize,
-    /// Whether the last shape was kept.
+    /// True if the last shape was kept.
     kept: bool,
 }
 
-impl Way {
-    /// Goes on to a level of so many vertices; number 0 is the finest.
+impl ConvergenceHistory {
+    /// Begins a level of so many vertices; number 0 is the finest.
     pub(crate) fn begin_level(&mut self, level: usize, vertices: usize) {
         let most = if level == 0 { OF_FINEST } else { OF_COARSER };
         *self = Self {
@@ -50,8 +50,8 @@ impl Way {
         };
     }
 
-    /// Keeps the shape of an iteration, or not.
-    pub(crate) fn pass(
+    /// Adds the shape of an iteration, unless it is thinned out.
+    pub(crate) fn push(
         &mut self,
         cpu_s: f64,
         residual: f64,
@@ -74,7 +74,7 @@ impl Way {
         }
     }
 
-    /// Every other shape of this level goes; the first stays.
+    /// Drops every other shape of this level; the first stays.
     fn thin_out(&mut self) {
         let (first, mut index) = (self.first, 0);
         self.snapshots.retain(|_| {
@@ -85,7 +85,7 @@ impl Way {
         self.stride *= 2;
     }
 
-    /// Notes an estimate of how far the last shape was from the solution \[m\].
+    /// Sets the estimated distance of the last shape from the solution \[m\].
     pub(crate) fn estimate_last(&mut self, estimate: Option<f64>) {
         if self.kept
             && let Some(last) = self.snapshots.last_mut()
@@ -94,16 +94,21 @@ impl Way {
         }
     }
 
-    /// How far the shape `now` of this level, at `cpu_s` \[s\] and with the residual r, is from rest.
+    /// Estimates how far the shape `now` of this level, at `cpu_s` \[s\] and with the residual r, is from rest.
     #[inline(never)] // so that a profile tells what it takes
-    pub(crate) fn to_go(&self, cpu_s: f64, r: f64, now: &[Vector3<f64>]) -> Option<ToGo> {
+    pub(crate) fn remaining_error(
+        &self,
+        cpu_s: f64,
+        r: f64,
+        now: &[Vector3<f64>],
+    ) -> Option<RemainingError> {
         let of_level = self.snapshots[self.first..].iter();
         let mut shapes: Vec<_> = of_level.map(Snapshot::moment).collect();
         shapes.push((cpu_s, now));
-        to_go(r, &shapes)
+        remaining_error(r, &shapes)
     }
 
-    /// Distance of every kept shape from the final one on the finest mesh, to which `to_finest` carries the shapes of a level.
+    /// Returns the distance of every kept shape from the final one on the finest mesh, to which `to_finest` carries the shapes of a level.
     #[inline(never)] // so that a profile tells what it takes
     pub(crate) fn points(
         &self,
@@ -113,9 +118,9 @@ impl Way {
         let point = |(number, s): (usize, &Snapshot)| {
             let on_finest = self.snapshots[..=number].iter().filter(|s| s.level == 0);
             let shapes: Vec<_> = on_finest.map(Snapshot::moment).collect();
-            let told = || Some(to_go(s.residual, &shapes)?.distance_m);
-            let known = s.estimate.filter(|_| s.residual <= ESTIMATE_HOLDS);
-            let known = known.or_else(told);
+            let by_moves = || Some(remaining_error(s.residual, &shapes)?.distance_m);
+            let known = s.estimate.filter(|_| s.residual <= ESTIMATE_RESIDUAL_LIMIT);
+            let known = known.or_else(by_moves);
             ErrorPoint {
                 cpu_s: s.cpu_s,
                 rms_error_m: rms_distance(&to_finest(s.level, s.positions.clone()), last),
@@ -133,21 +138,12 @@ impl Snapshot {
     }
 }
 
-/// How far it is to rest.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct ToGo {
-    /// RMS distance \[m\].
-    pub(crate) distance_m: f64,
-    /// CPU time in which it halves \[s\], if it gets shorter.
-    pub(crate) halving_s: Option<f64>,
-}
-
-/// How far the last of `shapes`, which are evenly spaced on the way, each with its time \[s\], is from rest, r being its residual.
+/// Estimates how far the last of `shapes`, evenly spaced on the way and each with its time \[s\], is from rest; r is its residual.
 ///
-/// Where folds still form, the second derivative tells nothing, and a way that slows down may quicken again. Of 244 shapes of
+/// As long as folds form, the Hessian tells nothing, and what slows down may quicken again. Of 244 shapes of
 /// eight garments of poplin between r = 0.01 and 1e4, 76 % were within 3 times of `0.45 mm r^(3/4) (d / mm)^(1/4)`, d being how
-/// far the shape moved in the later half of its way; of fits to r alone 69 % were, to the way alone 50 %.
-fn to_go(r: f64, shapes: &[(f64, &[Vector3<f64>])]) -> Option<ToGo> {
+/// far the shape moved in the later half of its way; of fits to r alone 69 % were, to the moves alone 50 %.
+fn remaining_error(r: f64, shapes: &[(f64, &[Vector3<f64>])]) -> Option<RemainingError> {
     let last = shapes.len().checked_sub(1)?;
     let between = |to: usize, from: usize| rms_distance(shapes[to].1, shapes[from].1);
     let moved = between(last, last / 2);
@@ -157,7 +153,7 @@ fn to_go(r: f64, shapes: &[(f64, &[Vector3<f64>])]) -> Option<ToGo> {
     let third = last / 3;
     let ratio = between(last, last - third) / between(last - third, last - 2 * third);
     let took = shapes[last].0 - shapes[last - third].0;
-    Some(ToGo {
+    Some(RemainingError {
         distance_m: 0.45e-3 * r.powf(0.75) * (moved / 1e-3).powf(0.25),
         halving_s: (ratio < SLOWEST).then(|| took * 0.5_f64.ln() / ratio.ln()),
     })
@@ -172,43 +168,50 @@ mod tests {
     }
 
     #[test]
-    fn a_way_that_gets_shorter_halves_in_a_time() {
-        let mut way = Way::default();
-        way.begin_level(0, 3);
+    fn a_distance_that_gets_shorter_halves_in_a_time() {
+        let mut history = ConvergenceHistory::default();
+        history.begin_level(0, 3);
         for i in 0..9 {
-            way.pass(f64::from(i), 1.0, &|| at(0.8_f64.powi(i)));
+            history.push(f64::from(i), 1.0, &|| at(0.8_f64.powi(i)));
         }
         let now = at(0.8_f64.powi(9));
-        let told = way.to_go(9.0, 16.0, &now).expect("it moved");
+        let told = history.remaining_error(9.0, 16.0, &now).expect("it moved");
         let moved = 1e3 * (0.8_f64.powi(4) - 0.8_f64.powi(9));
         assert!((told.distance_m / (0.45e-3 * 8.0 * moved.powf(0.25)) - 1.0).abs() < 1e-12);
         // Each second it is 0.8 times as far.
         let halving = told.halving_s.expect("it gets shorter");
         assert!((0.8_f64.powf(halving) - 0.5).abs() < 1e-12);
-        let away = way.to_go(9.0, 4.0, &at(-9.0)).expect("it moved");
+        let away = history
+            .remaining_error(9.0, 4.0, &at(-9.0))
+            .expect("it moved");
         assert_eq!(away.halving_s, None);
     }
 
     #[test]
     fn shapes_kept_are_evenly_spaced_and_bounded_on_each_level() {
-        let mut way = Way::default();
+        let mut history = ConvergenceHistory::default();
         for (level, count) in [(1, 100), (0, 1000)] {
-            way.begin_level(level, 3);
+            history.begin_level(level, 3);
             for i in 0..count {
-                way.pass(f64::from(i), 1.0, &|| at(f64::from(i)));
+                history.push(f64::from(i), 1.0, &|| at(f64::from(i)));
                 // an estimate belongs to the shape that was passed last, or to none
-                way.estimate_last(Some(f64::from(i)));
+                history.estimate_last(Some(f64::from(i)));
             }
         }
-        let points = way.points(&|_, x| x, &at(0.0));
-        let of = |level: usize| way.snapshots.iter().filter(move |s| s.level == level);
+        let points = history.points(&|_, x| x, &at(0.0));
+        let of = |level: usize| history.snapshots.iter().filter(move |s| s.level == level);
         assert!(of(1).count() <= OF_COARSER && of(0).count() <= OF_FINEST);
         for level in [0, 1] {
             let times: Vec<f64> = of(level).map(|s| s.cpu_s).collect();
             let step = times[1] - times[0];
             assert!(times.windows(2).all(|w| w[1] - w[0] == step), "{times:?}");
         }
-        assert!(way.snapshots.iter().all(|s| s.estimate == Some(s.cpu_s)));
+        assert!(
+            history
+                .snapshots
+                .iter()
+                .all(|s| s.estimate == Some(s.cpu_s))
+        );
         assert!(points.iter().all(|p| p.rms_error_m == p.cpu_s));
     }
 }

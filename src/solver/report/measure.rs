@@ -1,9 +1,23 @@
-//! What can be measured on a shape: seam gaps, strain, penetration.
+//! Measures of a shape: seam gaps, strain, penetration, height, energies.
 
 use crate::scene::Scene;
+use crate::solver::forces::TermKind;
+use crate::solver::model::system::System;
+use crate::solver::report::schema::Energy;
 use nalgebra::{Matrix2, Vector3};
 
-/// Largest distance between the two points of any of `stitches` \[m\].
+/// Measures of a shape.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ShapeMeasures {
+    /// Largest distance between the two points of a stitch \[m\].
+    pub(crate) seam_gap_m: f64,
+    /// Largest principal stretch less 1.
+    pub(crate) strain: f64,
+    /// Deepest point inside the body \[m\].
+    pub(crate) penetration_m: f64,
+}
+
+/// Returns the largest distance between the two points of any of `stitches` \[m\].
 pub(crate) fn seam_gap(stitches: &[(usize, usize)], x: &[Vector3<f64>]) -> f64 {
     stitches
         .iter()
@@ -12,19 +26,20 @@ pub(crate) fn seam_gap(stitches: &[(usize, usize)], x: &[Vector3<f64>]) -> f64 {
         .sqrt()
 }
 
-/// RMS length of the vectors that `of` gives for each index below `count`.
+/// Returns the RMS length of the vectors that `of` gives for each index below `count`.
 pub(crate) fn rms(count: usize, of: impl Fn(usize) -> Vector3<f64>) -> f64 {
     let sum: f64 = (0..count).map(|i| of(i).norm_squared()).sum();
     (sum / count.max(1) as f64).sqrt()
 }
 
-/// RMS distance between two shapes \[m; `#V` each\].
+/// Returns the RMS distance between two shapes \[m; `#V` each\].
 pub fn rms_distance(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
     rms(x.len(), |i| x[i] - y[i])
 }
 
-/// Largest principal stretch of any triangle, less 1; the largest strain of any given spring where there are no triangles.
-pub(crate) fn strain(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
+/// Returns the largest principal stretch of any triangle, less 1; the largest strain of any given spring where there are no
+/// triangles.
+fn strain(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
     if scene.mesh.triangles.is_empty() {
         let net = scene.net.iter().flatten();
         return net
@@ -54,10 +69,10 @@ pub(crate) fn strain(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
         - 1.0
 }
 
-/// Deepest that a vertex, or the middle of a triangle or of one of its edges, lies inside the body \[m\]; 0 if none does.
+/// Returns the depth of the deepest vertex, or middle of a triangle or of one of its edges, inside the body \[m\]; 0 if none is.
 ///
 /// Distances are those of the body's own triangles, not of the smooth field that contact uses.
-pub(crate) fn penetration(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
+fn penetration(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
     let Some(body) = &scene.body else {
         return 0.0;
     };
@@ -76,4 +91,33 @@ pub(crate) fn penetration(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
         ]
     });
     middles.map(|p| depth(&p)).fold(vertices, f64::max)
+}
+
+/// Measures seam gap, strain and penetration.
+#[inline(never)] // so that a profile tells what it takes
+pub(crate) fn measure_shape(scene: &Scene, x: &[Vector3<f64>]) -> ShapeMeasures {
+    let stitches: Vec<_> = scene.mesh.stitches.iter().map(|s| (s.a, s.b)).collect();
+    ShapeMeasures {
+        seam_gap_m: seam_gap(&stitches, x),
+        strain: strain(scene, x),
+        penetration_m: penetration(scene, x),
+    }
+}
+
+/// Returns the energies of the particles of `system` at `x` \[m\].
+#[inline(never)] // so that a profile tells what it takes
+pub(crate) fn energies(system: &mut System<'_>, x: &[Vector3<f64>]) -> Energy {
+    Energy {
+        stretch: system.energy_of(TermKind::Stretch, x),
+        bend: system.energy_of(TermKind::Bend, x),
+        gravity: system.energy_of(TermKind::Gravity, x),
+        seam: system.energy_of(TermKind::Seam, x),
+        contact: system.energy_of(TermKind::Contact, x),
+    }
+}
+
+/// Returns the mean height against gravity \[m\]; 0 where there is none.
+pub(crate) fn mean_height(gravity: &Vector3<f64>, x: &[Vector3<f64>]) -> f64 {
+    let up = -gravity.try_normalize(0.0).unwrap_or_default();
+    x.iter().map(|p| p.dot(&up)).sum::<f64>() / x.len().max(1) as f64
 }

@@ -1,8 +1,7 @@
-//! Measures of a drape and the sentences of its report.
+//! The report of a drape: its measures, its convergence history, and its sentences, which [`describe`] makes after the solve.
 
 pub(crate) mod cost_model;
 pub(crate) mod describe;
 pub(crate) mod history;
 pub(crate) mod measure;
 pub(crate) mod schema;
-pub(crate) mod unfinished;

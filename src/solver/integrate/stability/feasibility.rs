@@ -7,8 +7,7 @@
 //! ([`crate::solver::integrate::damping::fundamental_frequency`]) would often ask for more, but taut cloth has none, and a refusal must be right.
 
 use crate::scene::Scene;
-use crate::solver::drape::relax::DRAG;
-use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
+use crate::solver::drape::drag::RELAXATION_DRAG;
 use crate::solver::integrate::select::integrator_for;
 use crate::solver::integrate::settings::{IntegratorSettings, SAFETY};
 use crate::solver::model::build::{Stage, assemble};
@@ -54,7 +53,7 @@ pub(crate) fn refuse(
             asked.unwrap_or(SAFETY * stable.min(LONGEST_EXPLICIT))
         }
     };
-    let drag = scene.drag.unwrap_or(DRAG);
+    let drag = scene.drag.unwrap_or(RELAXATION_DRAG);
     if drag == 0.0 {
         return (explicit && scene.friction == 0.0).then(|| {
             "explicit steps without drag never come to rest: give the scene a drag, or ask for newton".to_owned()
@@ -76,7 +75,7 @@ fn stable_step(scene: &Scene, options: &SolverOptions, clock: &dyn Fn() -> f64) 
         stitches: stay.then(|| {
             (
                 stitches.collect(),
-                closed_stiffness(options, SEAM_STIFFNESS),
+                options.closed_seam_stiffness(options.sewing_stiffness()),
             )
         }),
         gravity: false,
@@ -91,7 +90,7 @@ fn stable_step(scene: &Scene, options: &SolverOptions, clock: &dyn Fn() -> f64) 
         uv.map(|p| Vector3::new(p[0], p[1], 0.0)).collect()
     };
     let settings = IntegratorSettings {
-        drag: scene.drag.unwrap_or(DRAG),
+        drag: scene.drag.unwrap_or(RELAXATION_DRAG),
         speed_limit: f64::INFINITY,
         residual: options.tolerance,
     };

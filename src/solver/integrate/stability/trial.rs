@@ -5,7 +5,6 @@
 //! a few hundred steps tell. The longest step with which it stays is found by bisection of the logarithm of the step.
 
 use crate::scene::Scene;
-use crate::solver::drape::sew::{SEAM_STIFFNESS, closed_stiffness};
 use crate::solver::forces::contact::FrictionAnchors;
 use crate::solver::integrate::damping;
 use crate::solver::integrate::integrator::ParticleState;
@@ -315,7 +314,9 @@ impl StabilityTrial<'_, '_, '_> {
         } else {
             DofMap::identity(scene.start.len())
         };
-        let stiffness = closed_stiffness(self.options, SEAM_STIFFNESS);
+        let stiffness = self
+            .options
+            .closed_seam_stiffness(self.options.sewing_stiffness());
         let springs = (!weld && stitches.len() > 0).then(|| (stitches.collect(), stiffness));
         let stage = Stage {
             dof_map: &dof_map,
