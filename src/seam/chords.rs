@@ -5,18 +5,18 @@ use super::{Face, RoutedSeam, StartPositions, Stretch};
 use crate::pattern::Pattern;
 
 /// Points at which the two sides are compared.
-const SAMPLES: usize = 17;
+const SAMPLE_COUNT: usize = 17;
 
 /// The other order is far shorter if what goes beyond the shared distance is at most this share of what does in the
 /// first one, the tangent of 30 degrees: two straight sides of one length are then at most 60 degrees off in the other
 /// order, and at least 120 in the first. Sleeves turned down by 45 degrees against their armholes stay below it.
-const FAR: f64 = 0.577;
+const FAR_RATIO: f64 = 0.577;
 
 /// Sides shorter than this are not judged \[m\]: the bit of an edge that is left at a corner points any way.
-const SHORTEST_M: f64 = 0.02;
+const MIN_SIDE_M: f64 = 0.02;
 
 /// Sides that start as well together as this share of the seam's length are left alone.
-const CLOSE: f64 = 0.1;
+const CLOSE_SHARE: f64 = 0.1;
 
 /// The chords between the points that meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,9 +46,9 @@ impl Chords {
         let whole: f64 = lengths.iter().sum();
         let (mut pair, mut passed) = (0, 0.0);
         let (mut sum, mut squares) = ([0.0; 3], 0.0);
-        for sample in 0..SAMPLES {
+        for sample in 0..SAMPLE_COUNT {
             #[expect(clippy::cast_precision_loss, reason = "a few samples")]
-            let at = whole * sample as f64 / (SAMPLES - 1) as f64;
+            let at = whole * sample as f64 / (SAMPLE_COUNT - 1) as f64;
             while pair + 1 < matched.len() && passed + lengths[pair] < at {
                 passed += lengths[pair];
                 pair += 1;
@@ -61,7 +61,7 @@ impl Chords {
             sum = [0, 1, 2].map(|k| sum[k] + chord[k]);
         }
         #[expect(clippy::cast_precision_loss, reason = "a few samples")]
-        let count = SAMPLES as f64;
+        let count = SAMPLE_COUNT as f64;
         let [a, b] = seam.lengths(pattern);
         let mean = sum.iter().map(|c| c * c).sum::<f64>().sqrt() / count;
         let found = Self {
@@ -79,9 +79,9 @@ impl Chords {
     pub(super) fn remaining_permille(&self, other: &Self) -> Option<u32> {
         let shared = self.mean.min(other.mean);
         let beyond = |chords: &Self| (chords.rms * chords.rms - shared * shared).max(0.0).sqrt();
-        let is_far = self.length >= SHORTEST_M
-            && beyond(self) > CLOSE * self.length
-            && beyond(other) <= FAR * beyond(self);
+        let is_far = self.length >= MIN_SIDE_M
+            && beyond(self) > CLOSE_SHARE * self.length
+            && beyond(other) <= FAR_RATIO * beyond(self);
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,

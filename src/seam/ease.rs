@@ -5,13 +5,13 @@ use crate::fault::{Fault, SeamCode, Warning};
 use crate::pattern::SeamPair;
 
 /// Differences above this are noted \[m\].
-const EASE_NOTED_M: f64 = 1e-3;
+const NOTED_EASE_M: f64 = 1e-3;
 
 /// Ease above this is much for a plain seam.
-const EASE_MUCH: f64 = 0.15;
+const LARGE_EASE: f64 = 0.15;
 
 /// Ease above this is refused unless gathering is asked for.
-const EASE_MOST: f64 = 0.30;
+const MAX_EASE: f64 = 0.30;
 
 /// Writes lengths and ease of a seam into its finding, with what is to be said about them.
 pub(super) fn record_ease(finding: &mut SeamFinding, pair: &SeamPair, pointer: &str) {
@@ -28,17 +28,17 @@ pub(super) fn record_ease(finding: &mut SeamFinding, pair: &SeamPair, pointer: &
         longer * 1e3,
         shorter * 1e3,
     );
-    if finding.ease > EASE_MOST && !pair.gather {
+    if finding.ease > MAX_EASE && !pair.gather {
         finding.errors.push(
             Fault::new(SeamCode::EaseTooLarge, pointer, detail)
                 .fix("check that the right edges are picked; set `gather` if the longer side is to be gathered"),
         );
-    } else if finding.ease > EASE_MUCH && !pair.gather {
+    } else if finding.ease > LARGE_EASE && !pair.gather {
         let detail = format!("{detail}, which is much for a seam that is not gathered");
         finding
             .warnings
             .push(Warning::new(SeamCode::Ease, pointer, detail));
-    } else if finding.ease_m > EASE_NOTED_M {
+    } else if finding.ease_m > NOTED_EASE_M {
         let detail = format!("{detail}, which is eased in");
         finding
             .warnings

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// Parts of a front's name, in the words of pattern makers and of GarmentCode.
-const FRONT: [&str; 4] = ["front", "frnt", "frt", "ftorso"];
+const FRONT_WORDS: [&str; 4] = ["front", "frnt", "frt", "ftorso"];
 
 /// Relations between faces that one seam implies.
 #[derive(Clone, Debug)]
@@ -150,6 +150,6 @@ pub(super) fn is_front(pattern: &Pattern, panel: usize) -> bool {
     let panel = &pattern.panels[panel];
     [&panel.id, &panel.name].iter().any(|name| {
         let name = name.to_lowercase();
-        FRONT.iter().any(|front| name.contains(front))
+        FRONT_WORDS.iter().any(|front| name.contains(front))
     })
 }

@@ -11,10 +11,10 @@ use utoipa::ToSchema;
 const SLACK: f64 = 0.02;
 
 /// Marks nearer than this to the one before them on their side mark the same place \[m\]. Double notches lie 6 mm apart.
-const SAME_M: f64 = 3e-3;
+const DUPLICATE_M: f64 = 3e-3;
 
 /// Panels with more notches than this are drawn by something that means other than to match them.
-const MOST_NOTCHES: usize = 500;
+const MAX_NOTCHES: usize = 500;
 
 /// A mark on one side of a seam.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
@@ -87,11 +87,11 @@ fn marks(pattern: &Pattern, side: &MeasuredStretches) -> Vec<SeamMark> {
         }
         let (low, high) = (stretch.from.min(stretch.to), stretch.from.max(stretch.to));
         let is_outline = stretch.track == Track::Outline;
-        let notches = panel.notches.iter().take(MOST_NOTCHES + 1);
+        let notches = panel.notches.iter().take(MAX_NOTCHES + 1);
         let on_edge = notches.filter(|notch| {
             is_outline && notch.edge == stretch.edge && (low..=high).contains(&notch.at)
         });
-        if panel.notches.len() <= MOST_NOTCHES {
+        if panel.notches.len() <= MAX_NOTCHES {
             for notch in on_edge {
                 if seen.insert((stretch.panel, notch.index)) {
                     let share = (notch.at - stretch.from) / (stretch.to - stretch.from);
@@ -105,12 +105,12 @@ fn marks(pattern: &Pattern, side: &MeasuredStretches) -> Vec<SeamMark> {
         }
         passed += length;
     }
-    let inside = SAME_M..=passed - SAME_M;
+    let inside = DUPLICATE_M..=passed - DUPLICATE_M;
     marks.retain(|mark| inside.contains(&mark.at_m));
     marks.sort_by(|a, b| a.at_m.total_cmp(&b.at_m));
     // The end of a panel is exact; a notch beside it says the same again.
     marks.dedup_by(|later, earlier| {
-        let same = later.at_m - earlier.at_m < SAME_M;
+        let same = later.at_m - earlier.at_m < DUPLICATE_M;
         if same && later.notch.is_none() {
             std::mem::swap(later, earlier);
         }

@@ -10,12 +10,12 @@ const MERGE_SHARE: f64 = 0.01;
 const MERGE_M: [f64; 2] = [1e-3, 5e-3];
 
 /// Never more than this share, so that very short seams keep their edges apart.
-const MERGE_SHARE_MOST: f64 = 0.1;
+const MAX_MERGE_SHARE: f64 = 0.1;
 
 fn merge_distance(longer: f64) -> f64 {
     (MERGE_SHARE * longer)
         .clamp(MERGE_M[0], MERGE_M[1])
-        .min(MERGE_SHARE_MOST * longer)
+        .min(MAX_MERGE_SHARE * longer)
 }
 
 /// Cuts both sides into stretches that meet pairwise.

@@ -9,7 +9,7 @@ use crate::pattern::Pattern;
 use std::collections::BTreeSet;
 
 /// Least rise over length of a side whose ends count as upper and lower in the drawing: 30 degrees.
-const STEEP: f64 = 0.5;
+const MIN_STEEPNESS: f64 = 0.5;
 
 /// A seam whose runs are known.
 #[derive(Clone, Debug)]
@@ -83,7 +83,7 @@ fn rise(runs: &[RoutedRun], pattern: &Pattern) -> Option<f64> {
     }
     let length: f64 = stretches.iter().map(|s| s.length(pattern)).sum();
     let rise = (last.ends(pattern)[1][1] - first.ends(pattern)[0][1]) / length;
-    (rise.abs() >= STEEP).then_some(rise)
+    (rise.abs() >= MIN_STEEPNESS).then_some(rise)
 }
 
 /// Returns the face relations of matched stretches: in a two-sided surface two panels with the same side of the cloth out go in

@@ -9,16 +9,16 @@ use crate::pattern::{Direction, OutlineRun, Panel, Pattern, Side};
 use std::collections::BTreeMap;
 
 /// Stretches that all seams of one request may have together: bounds the memory that long runs laid many times over one another would take.
-const STRETCHES: usize = 200_000;
+const MAX_STRETCHES: usize = 200_000;
 
 /// Number of misspelled names that get a suggestion: the rest of a request full of them would only cost time.
-const SUGGESTIONS: usize = 100;
+const MAX_SUGGESTIONS: usize = 100;
 
 /// Sides shorter than this are nothing to sew \[m\]: outlines are read to a few micrometers.
-const SHORTEST_M: f64 = 1e-5;
+const MIN_SIDE_M: f64 = 1e-5;
 
 /// Stretches no longer than this are left out of a run \[m\]: far below what a drawing resolves, far above rounding.
-const NOTHING_M: f64 = 1e-7;
+const NEGLIGIBLE_M: f64 = 1e-7;
 
 /// One run whose places are known.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,8 +67,8 @@ impl<'a> RunResolver<'a> {
                 .map(|(index, panel)| (panel.id.as_str(), index))
                 .collect(),
             inside: BTreeMap::new(),
-            stretches_left: STRETCHES,
-            suggestions_left: SUGGESTIONS,
+            stretches_left: MAX_STRETCHES,
+            suggestions_left: MAX_SUGGESTIONS,
         }
     }
 
@@ -172,9 +172,9 @@ impl<'a> RunResolver<'a> {
             .walk(from.at, to.at, self.stretches_left)
             .ok_or_else(|| vec![too_long(pointer)])?;
         self.stretches_left -= stretches.len();
-        stretches.retain(|s| s.length(self.pattern) > NOTHING_M);
+        stretches.retain(|s| s.length(self.pattern) > NEGLIGIBLE_M);
         let length: f64 = stretches.iter().map(|s| s.length(self.pattern)).sum();
-        if length < SHORTEST_M || !length.is_finite() {
+        if length < MIN_SIDE_M || !length.is_finite() {
             return Err(vec![zero_length(panel, pointer)]);
         }
         Ok(RoutedRun {
@@ -246,7 +246,7 @@ fn too_long(pointer: &str) -> Fault {
     Fault::new(
         SeamCode::TooLong,
         pointer,
-        format!("the seams go over more than {STRETCHES} edges in all"),
+        format!("the seams go over more than {MAX_STRETCHES} edges in all"),
     )
     .fix("take out runs that lie over one another")
 }

@@ -10,7 +10,7 @@ use super::twist_fault::{TwistFault, quoted_list};
 use crate::fault::{Fault, SeamCode};
 
 /// Contradictory cycles that are reported at once: finding each costs a search over all panels.
-const REPORTED: usize = 50;
+const MAX_REPORTED: usize = 50;
 
 /// Finds panels whose stated faces are the trouble; then the smallest contradictory cycle, takes the blamed seam out,
 /// and so on until none is left.
@@ -22,7 +22,7 @@ pub(super) fn find(
     let nodes = stated.len() + 1;
     let mut constraints = constraints(context, stated, coloring);
     let mut twists = face_conflicts::find(context, stated, &mut constraints);
-    while twists.len() < REPORTED
+    while twists.len() < MAX_REPORTED
         && let Some(cycle) = cycle::smallest(nodes, &constraints)
     {
         let contradiction = ContradictoryCycle {

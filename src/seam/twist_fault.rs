@@ -4,7 +4,7 @@ use crate::fault::Fault;
 use crate::pattern::SeamPair;
 
 /// Names listed in one sentence before it says how many more there are.
-const NAMED: usize = 8;
+const MAX_NAMED: usize = 8;
 
 /// One contradictory cycle.
 pub(super) struct TwistFault {
@@ -24,9 +24,9 @@ pub(super) fn quoted_list<'a>(names: impl Iterator<Item = &'a String>) -> String
             quoted.push(name);
         }
     }
-    if quoted.len() > NAMED {
-        let more = quoted.len() - NAMED;
-        quoted.truncate(NAMED);
+    if quoted.len() > MAX_NAMED {
+        let more = quoted.len() - MAX_NAMED;
+        quoted.truncate(MAX_NAMED);
         quoted.push(format!("{more} more"));
     }
     match quoted.pop() {

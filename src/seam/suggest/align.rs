@@ -7,7 +7,7 @@
 use super::edge_templates::{EdgeTemplate, PanelTemplate};
 use super::labeled_panel::RoleSegment;
 use super::labels::{DrawnSide, EdgeRole};
-use super::outline_features::{MOST_EDGES, OutlineFeatures};
+use super::outline_features::{MAX_EDGES, OutlineFeatures};
 use serde::Deserialize;
 
 /// An outline divided into roles.
@@ -76,7 +76,7 @@ pub(super) fn align(
 ) -> Vec<Alignment> {
     let ring_edges = features.ring.len();
     let roles = template.edges.len();
-    if ring_edges < roles || ring_edges > MOST_EDGES {
+    if ring_edges < roles || ring_edges > MAX_EDGES {
         return vec![];
     }
     let symmetric = features.is_symmetric();

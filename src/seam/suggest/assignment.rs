@@ -8,7 +8,7 @@ use super::labels::{EdgeRole, PanelKind};
 use serde::Deserialize;
 
 /// Rounds at most: each lowers the misfit, so that few are needed.
-const ROUNDS: usize = 8;
+const MAX_ROUNDS: usize = 8;
 /// The edges of a band that may be sewn.
 const BAND_EDGES: [EdgeRole; 3] = [EdgeRole::Long, EdgeRole::Hem, EdgeRole::Waist];
 /// Weights of how little two panels fit each other. Spreads are logarithms of ratios of lengths.
@@ -46,7 +46,7 @@ pub(super) fn assign(
         candidates.into_iter().filter(|c| !c.is_empty()).collect();
     let table = CostTable::new(&candidates, weights);
     let mut chosen = vec![0; candidates.len()];
-    for _ in 0..ROUNDS {
+    for _ in 0..MAX_ROUNDS {
         let before = chosen.clone();
         for i in 0..candidates.len() {
             table.improve_one(&mut chosen, i);

@@ -10,7 +10,7 @@ use super::{align, assignment, names, orientation};
 use crate::pattern::Pattern;
 use std::rc::Rc;
 
-const ANY: [PanelKind; 5] = [
+const UNNAMED_KINDS: [PanelKind; 5] = [
     PanelKind::Bodice,
     PanelKind::Skirt,
     PanelKind::Trouser,
@@ -18,9 +18,9 @@ const ANY: [PanelKind; 5] = [
     PanelKind::NeckBand,
 ];
 /// Kinds of a panel without a telling name where other panels of the pattern have one.
-const EXTRA: [PanelKind; 2] = [PanelKind::Sleeve, PanelKind::NeckBand];
+const EXTRA_KINDS: [PanelKind; 2] = [PanelKind::Sleeve, PanelKind::NeckBand];
 /// Number of labelings of a panel that are weighed.
-const KEPT: usize = 16;
+const MAX_LABELINGS: usize = 16;
 
 /// Labels the panels of a pattern.
 pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
@@ -85,8 +85,8 @@ fn candidates(
     let kinds: Vec<PanelKind> = match (hints.kind, hints.front_back) {
         (Some(kind), _) => vec![kind],
         (None, Some(_)) => PanelKind::BODY.to_vec(),
-        (None, None) if telling => EXTRA.to_vec(),
-        (None, None) => ANY.to_vec(),
+        (None, None) if telling => EXTRA_KINDS.to_vec(),
+        (None, None) => UNNAMED_KINDS.to_vec(),
     };
     let named = hints.kind.is_some() || hints.front_back.is_some();
     let symmetric = features.is_symmetric();
@@ -97,7 +97,7 @@ fn candidates(
                 + half_penalty((kind, template.half), hints, symmetric, &figures.penalties);
             for alignment in align::align(&features, template, &figures.alignment)
                 .into_iter()
-                .take(KEPT)
+                .take(MAX_LABELINGS)
             {
                 let mut part = LabeledPanel {
                     panel,
@@ -124,6 +124,6 @@ fn candidates(
     let large = features.size >= limits.min_unnamed_size_m;
     found.retain(|part| named || large && part.cost < limits.max_unnamed_cost);
     found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-    found.truncate(KEPT);
+    found.truncate(MAX_LABELINGS);
     found
 }

@@ -6,8 +6,8 @@ use super::labeled_panel::{LabeledPanel, RoleSegment};
 use super::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 
 /// Ease above which two edges are no seam, unless one of them may be gathered; and then.
-const MOST_EASE: f64 = 0.30;
-const MOST_GATHER: f64 = 3.0;
+const MAX_EASE: f64 = 0.30;
+const MAX_GATHERED_EASE: f64 = 3.0;
 /// Ease at which trust in a seam has fallen to 60 %.
 const USUAL_EASE: f64 = 0.05;
 
@@ -221,9 +221,9 @@ impl GarmentModel {
     ) -> bool {
         let ease = ease(whole[0], whole[1]);
         let most = if rationale.gather {
-            MOST_GATHER
+            MAX_GATHERED_EASE
         } else {
-            MOST_EASE
+            MAX_EASE
         };
         if ease.is_nan() || ease > most {
             return false;
@@ -245,7 +245,7 @@ impl GarmentModel {
             self.proposed.push(ProposedSeam {
                 id,
                 sides,
-                gather: ease > MOST_EASE,
+                gather: ease > MAX_EASE,
                 confidence: (fit * (0.4 + 0.6 * usual)).clamp(0.01, 0.99),
                 because: format!(
                     "{}; the lengths agree to {:.1} %",

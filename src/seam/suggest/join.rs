@@ -3,12 +3,12 @@
 use super::edge_chain::{EdgeChain, EdgeStep, length};
 
 /// Corners count as meeting up to this share of the whole length, or this distance \[m\].
-const NEAR_SHARE: f64 = 0.012;
-const NEAR_M: f64 = 0.004;
+const TOLERANCE_SHARE: f64 = 0.012;
+const TOLERANCE_M: f64 = 0.004;
 /// A closed seam may begin this share of its length away from where it is expected before that counts like a corner missed.
-const AWAY: f64 = 0.06;
+const USUAL_OFFSET: f64 = 0.06;
 /// Closed seams of more corners than this, those of both sides multiplied, are not turned: each way costs their product again.
-const MOST_TURNS: usize = 2_500;
+const MAX_ROTATIONS: usize = 2_500;
 
 /// Two chains of edges that are sewn together, beginning at the same point.
 pub(super) type JoinedParts = [EdgeChain; 2];
@@ -28,7 +28,7 @@ pub(super) fn split_at_corners(a: &[EdgeStep], b: &[EdgeStep]) -> Vec<JoinedPart
 /// Splits two closed chains, which are expected to begin together but may be rotated against each other where
 /// their corners then meet better.
 pub(super) fn split_ring(a: &[EdgeStep], b: &[EdgeStep]) -> Vec<JoinedParts> {
-    split_rotated(a, b, AWAY)
+    split_rotated(a, b, USUAL_OFFSET)
 }
 
 /// Splits two closed chains of which it is not known how they lie against each other.
@@ -40,7 +40,7 @@ fn split_rotated(a: &[EdgeStep], b: &[EdgeStep], usual: f64) -> Vec<JoinedParts>
     let (at_a, at_b) = (corners(a), corners(b));
     let tolerance = tolerance(a, b);
     let mut best = (score(&at_a, &at_b, 0.0, tolerance), 0, 0);
-    let few = a.len() * b.len() <= MOST_TURNS;
+    let few = a.len() * b.len() <= MAX_ROTATIONS;
     for i in (0..a.len()).filter(|_| few) {
         for j in 0..b.len() {
             let start = |at: &[f64], k: usize| if k == 0 { 0.0 } else { at[k - 1] };
@@ -96,7 +96,7 @@ fn corners(chain: &[EdgeStep]) -> Vec<f64> {
 
 fn tolerance(a: &[EdgeStep], b: &[EdgeStep]) -> f64 {
     let shorter = length(a).min(length(b)).max(f64::MIN_POSITIVE);
-    NEAR_SHARE.max(NEAR_M / shorter).min(0.1)
+    TOLERANCE_SHARE.max(TOLERANCE_M / shorter).min(0.1)
 }
 
 /// Returns pairs of corners each of which is the nearest of the other, as numbers of steps before them.

@@ -2,8 +2,8 @@
 //!
 //! 1. `classify` labels every panel: `names` takes hints from its name by the `lexicon`,
 //!    `outline_features` measures its outline, `align` divides that into the edge roles of the
-//!    `edge_templates` (hem, side, armhole), `penalties` count what speaks against a reading, and
-//!    `assignment` chooses the readings of all panels together; `orientation` tells front from back
+//!    `edge_templates` (hem, side, armhole), `penalties` count what speaks against a labeling, and
+//!    `assignment` chooses the labelings of all panels together; `orientation` tells front from back
 //!    and left from right.
 //! 2. `rules` join the edge roles that each class of garment joins, a file a class; `join` splits a
 //!    seam where corners of both sides meet.

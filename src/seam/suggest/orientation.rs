@@ -6,7 +6,7 @@ use crate::pattern::{Face, Pattern};
 use std::rc::Rc;
 
 /// Lengths of two panels that mirror each other agree to this share.
-const TWINS: f64 = 0.01;
+const TWIN_LENGTH_SHARE: f64 = 0.01;
 
 /// Returns true if a panel is drawn as seen through the body: as the names of halves like it say, or its file. Else backs that
 /// are drawn whole are taken to be drawn in one view with their fronts, as tools that know the body write them; halves
@@ -189,7 +189,7 @@ fn are_twins(a: &LabeledPanel, b: &LabeledPanel) -> bool {
     a.len() == b.len()
         && a.iter()
             .zip(&b)
-            .all(|(x, y)| (x - y).abs() <= TWINS * x.max(*y) + 1e-3)
+            .all(|(x, y)| (x - y).abs() <= TWIN_LENGTH_SHARE * x.max(*y) + 1e-3)
 }
 
 fn is_partner(a: &LabeledPanel, b: &LabeledPanel) -> bool {

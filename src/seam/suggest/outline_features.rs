@@ -5,22 +5,22 @@ use crate::pattern::{Edge, Panel, Point2};
 use std::f64::consts::{PI, TAU};
 
 /// Outlines of more edges than this fit no template.
-pub(super) const MOST_EDGES: usize = 40;
+pub(super) const MAX_EDGES: usize = 40;
 /// Distance from a corner over which its direction is measured \[m\]: above the noise of digitized outlines, below their curvature.
-const NEAR: f64 = 0.008;
+const DIRECTION_LENGTH_M: f64 = 0.008;
 /// A dart is no wider at its tip than this \[rad\], and no wider at its mouth than this \[m\]; a slit for a godet may be.
-const DART: [f64; 2] = [PI / 2.4, 0.16];
+const MAX_DART: [f64; 2] = [PI / 2.4, 0.16];
 /// A wider one on the axis of a symmetric panel is a neck \[m\].
-const NECK: f64 = 0.1;
-const SLIT: [f64; 2] = [PI / 1.6, 0.5];
+const MIN_NECK_M: f64 = 0.1;
+const MAX_SLIT: [f64; 2] = [PI / 1.6, 0.5];
 /// The legs of a dart are straight up to this (deviation over chord), as long as each other up to this share, and no shorter than this \[m\].
-const DART_BULGE: f64 = 0.12;
-const DART_UNEVEN: f64 = 0.03;
-const DART_LEAST: f64 = 0.015;
+const MAX_LEG_BULGE: f64 = 0.12;
+const MAX_LEG_DIFFERENCE: f64 = 0.03;
+const MIN_LEG_M: f64 = 0.015;
 
 /// Edges that mirror each other agree in length to this share, and in their turns to this \[rad\].
-const TWIN: f64 = 0.01;
-const TWIN_TURN: f64 = 0.12;
+const MIRROR_LENGTH_SHARE: f64 = 0.01;
+const MIRROR_TURN: f64 = 0.12;
 
 /// Features of one edge.
 #[derive(Clone, Copy, Debug)]
@@ -83,7 +83,7 @@ impl OutlineFeatures {
         let turns: Vec<f64> = (0..count)
             .map(|i| sense * turn_between(&panel.edges[(i + count - 1) % count], &panel.edges[i]))
             .collect();
-        let darts = darts(&edges, &turns, if slits { SLIT } else { DART });
+        let darts = darts(&edges, &turns, if slits { MAX_SLIT } else { MAX_DART });
         let (ring, joints) = ring(count, &turns, &darts);
         Self {
             size: panel.area_m2.abs().sqrt(),
@@ -121,16 +121,17 @@ impl OutlineFeatures {
         let count = self.ring.len();
         let edge = |k: usize| self.edges[self.ring[k % count]];
         // An axis goes through a corner or the middle of an edge: reading on from it is reading back from it.
-        count <= MOST_EDGES
+        count <= MAX_EDGES
             && (0..2 * count).any(|axis| {
                 let (on, back) = (axis / 2 + axis % 2, (axis / 2 + count - 1) % count);
                 (0..count / 2).all(|k| {
                     let (a, b) = (edge(on + k), edge(back + count - k));
                     let joint = |k: usize| self.joints[k % count];
                     let (turn_a, turn_b) = (joint(on + k), joint(back + 2 * count - k - 1));
-                    (a.length - b.length).abs() <= TWIN * a.length.max(b.length) + 1e-3
-                        && (a.bend - b.bend).abs() < TWIN_TURN
-                        && (turn_a - turn_b).abs() < TWIN_TURN
+                    (a.length - b.length).abs()
+                        <= MIRROR_LENGTH_SHARE * a.length.max(b.length) + 1e-3
+                        && (a.bend - b.bend).abs() < MIRROR_TURN
+                        && (turn_a - turn_b).abs() < MIRROR_TURN
                 })
             })
     }
@@ -227,7 +228,7 @@ fn leaving(points: &[Point2]) -> Point2 {
         let [x, y] = sub(point, last);
         way += x.hypot(y);
         last = point;
-        if way >= NEAR {
+        if way >= DIRECTION_LENGTH_M {
             break;
         }
     }
@@ -256,7 +257,7 @@ fn darts(edges: &[EdgeFeatures], turns: &[f64], [opening, mouth]: [f64; 2]) -> V
         let [x, y] = sub(edges[dart.inward].ends[0], edges[tip].ends[1]);
         let wide = x.hypot(y);
         let narrow = turns[tip] < opening - PI && wide <= mouth;
-        let neck = narrow && wide > NECK && mouth < SLIT[1] && is_axis(edges, tip);
+        let neck = narrow && wide > MIN_NECK_M && mouth < MAX_SLIT[1] && is_axis(edges, tip);
         let narrow = narrow && !neck;
         if !taken && narrow && are_legs(edges[dart.inward], edges[tip]) {
             darts.push(dart);
@@ -273,17 +274,20 @@ fn is_axis(edges: &[EdgeFeatures], corner: usize) -> bool {
             edges[(corner + k) % count],
             edges[(corner + count - 1 - k) % count],
         );
-        (a.length - b.length).abs() <= TWIN * a.length.max(b.length) + 1e-3
+        (a.length - b.length).abs() <= MIRROR_LENGTH_SHARE * a.length.max(b.length) + 1e-3
     })
 }
 
 fn are_legs(a: EdgeFeatures, b: EdgeFeatures) -> bool {
     let straight = |e: EdgeFeatures| {
         let [x, y] = sub(e.ends[1], e.ends[0]);
-        e.length <= (1.0 + DART_BULGE * DART_BULGE * 8.0 / 3.0) * x.hypot(y)
+        e.length <= (1.0 + MAX_LEG_BULGE * MAX_LEG_BULGE * 8.0 / 3.0) * x.hypot(y)
     };
     let (short, long) = (a.length.min(b.length), a.length.max(b.length));
-    short >= DART_LEAST && long - short <= DART_UNEVEN * long + 1e-3 && straight(a) && straight(b)
+    short >= MIN_LEG_M
+        && long - short <= MAX_LEG_DIFFERENCE * long + 1e-3
+        && straight(a)
+        && straight(b)
 }
 
 /// The edges left once darts are sewn, and the turns between them: where a dart was, its two mouth corners become one,

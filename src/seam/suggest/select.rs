@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 const EDGE_LENGTH: f64 = 0.02;
 
 /// Number of times that one seam is left out by itself; then all that are still wrong go.
-const ONE_BY_ONE: usize = 30;
+const MAX_SINGLE_REMOVALS: usize = 30;
 
 /// Returns the seams that can be sewn together. Of those that cannot, the least sure is left out first.
 pub(super) fn select_compatible(
@@ -35,7 +35,7 @@ pub(super) fn select_compatible(
             .iter()
             .min_by(|a, b| seams[**a].confidence.total_cmp(&seams[**b].confidence));
         let Some(&least) = least else { break };
-        if round < ONE_BY_ONE {
+        if round < MAX_SINGLE_REMOVALS {
             seams.remove(least);
         } else {
             let mut at = 0..;

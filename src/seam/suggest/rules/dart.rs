@@ -7,12 +7,12 @@ use crate::seam::suggest::labels::{EdgeRole, PanelKind};
 use crate::seam::suggest::outline_features::Dart;
 
 /// Most darts of one panel that are sewn.
-const MOST: usize = 40;
+const MAX_DARTS: usize = 40;
 
 /// Sews every dart.
 pub(super) fn sew(garment: &mut GarmentModel, pattern: &Pattern) {
     for part in garment.parts.clone() {
-        for (i, dart) in part.features.darts.iter().take(MOST).enumerate() {
+        for (i, dart) in part.features.darts.iter().take(MAX_DARTS).enumerate() {
             if garment.is_sewn(part.panel, dart.inward) || is_slit(&part, *dart) {
                 continue;
             }

@@ -7,7 +7,7 @@ use crate::seam::suggest::labels::{DrawnSide, EdgeRole, PanelKind};
 use crate::seam::suggest::outline_features::Dart;
 
 /// Largest difference of the side of a godet and of its slit, as a share.
-const NEAR: f64 = 0.03;
+const MAX_DIFFERENCE: f64 = 0.03;
 
 /// Sets every godet into a slit.
 pub(super) fn sew(garment: &mut GarmentModel) {
@@ -45,7 +45,8 @@ fn slit(garment: &GarmentModel, godet: &LabeledPanel) -> Option<(LabeledPanel, D
     {
         for dart in &host.features.darts {
             let leg = host.features.edges[dart.inward];
-            if (leg.length - side).abs() <= NEAR * side && !garment.is_sewn(host.panel, dart.inward)
+            if (leg.length - side).abs() <= MAX_DIFFERENCE * side
+                && !garment.is_sewn(host.panel, dart.inward)
             {
                 found.push((leg.ends[1][0], host.clone(), *dart));
             }

@@ -13,9 +13,9 @@ const ROUND_NECKS: [PanelKind; 3] = [
     PanelKind::Collar,
 ];
 /// A band may be shorter than the neck by this, to be stretched on.
-const MOST_EASE: f64 = 0.36;
+const MAX_EASE: f64 = 0.36;
 /// Weight of a band's misfit against ease.
-const LOOK: f64 = 0.05;
+const MISFIT_WEIGHT: f64 = 0.05;
 
 /// Sews what goes round the neck and round armholes without sleeves.
 pub(super) fn sew(garment: &mut GarmentModel) {
@@ -52,11 +52,11 @@ fn neckband(garment: &mut GarmentModel) {
             }
         }
     }
-    let one = found
-        .into_iter()
-        .min_by(|a, b| (a.0 + LOOK * a.1.cost).total_cmp(&(b.0 + LOOK * b.1.cost)));
+    let one = found.into_iter().min_by(|a, b| {
+        (a.0 + MISFIT_WEIGHT * a.1.cost).total_cmp(&(b.0 + MISFIT_WEIGHT * b.1.cost))
+    });
     let bands = match one {
-        Some((ease, part)) if ease <= MOST_EASE => Some(BandSet::One(Box::new(part.clone()))),
+        Some((ease, part)) if ease <= MAX_EASE => Some(BandSet::One(Box::new(part.clone()))),
         _ => ROUND_NECKS
             .iter()
             .find_map(|kind| band::bands(garment, *kind, |p| p.front_back.is_some())),

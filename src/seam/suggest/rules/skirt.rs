@@ -8,7 +8,7 @@ use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
 
 /// Least number of gores.
-const GORES: usize = 3;
+const MIN_GORES: usize = 3;
 
 /// Sews the skirt.
 pub(super) fn sew(garment: &mut GarmentModel) {
@@ -94,7 +94,11 @@ fn all_round(garment: &GarmentModel) -> Vec<LabeledPanel> {
         .cloned()
         .collect();
     gores.sort_by_key(|p| p.number);
-    if gores.len() < GORES { vec![] } else { gores }
+    if gores.len() < MIN_GORES {
+        vec![]
+    } else {
+        gores
+    }
 }
 
 /// Returns the waist of a skirt of gores.

@@ -6,13 +6,13 @@ use crate::seam::suggest::labeled_panel::{LabeledPanel, RoleSegment};
 use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
 
 /// Notches fit when they lie as far from the underarm up to this \[m\]: caps are eased in.
-const NEAR: f64 = 0.015;
+const NOTCH_TOLERANCE_M: f64 = 0.015;
 /// Notches of one edge that are looked at.
-const MOST_NOTCHES: usize = 64;
+const MAX_NOTCHES: usize = 64;
 
 /// The part of a cap's width next to the underarm, and how much both sides must differ there.
-const OUTER: f64 = 0.35;
-const UNEVEN: f64 = 0.03;
+const OUTER_SHARE: f64 = 0.35;
+const MIN_DIFFERENCE: f64 = 0.03;
 
 /// Returns the side of the drawing on which the front of a sleeve lies; nothing where nothing tells.
 pub(super) fn front_side(garment: &GarmentModel, sleeve: &LabeledPanel) -> Option<DrawnSide> {
@@ -59,13 +59,13 @@ fn cut_out(sleeve: &LabeledPanel, cap: &RoleSegment) -> Option<DrawnSide> {
         let [a, b] = [place(&pair[0]), place(&pair[1])];
         let middle = 0.5 * (a[0] + b[0]);
         let strip = 0.5 * (a[1] + b[1]) * (b[0] - a[0]);
-        if middle < OUTER {
+        if middle < OUTER_SHARE {
             area[0] += strip;
-        } else if middle > 1.0 - OUTER {
+        } else if middle > 1.0 - OUTER_SHARE {
             area[1] += strip;
         }
     }
-    if (area[0] - area[1]).abs() < UNEVEN * area[0].max(area[1]) {
+    if (area[0] - area[1]).abs() < MIN_DIFFERENCE * area[0].max(area[1]) {
         return None;
     }
     let drawn_side = sleeve.first_drawn_side();
@@ -91,13 +91,13 @@ fn notches(part: &LabeledPanel, segment: &RoleSegment, from_start: bool) -> Vec<
     }
     found.sort_by(f64::total_cmp);
     found.dedup_by(|a, b| (*a - *b).abs() < 1e-3);
-    found.truncate(MOST_NOTCHES);
+    found.truncate(MAX_NOTCHES);
     found
 }
 
 /// Counts the distances of `a` that have their like in `b`.
 fn common(a: &[f64], b: &[f64]) -> usize {
     a.iter()
-        .filter(|x| b.iter().any(|y| (*x - y).abs() <= NEAR))
+        .filter(|x| b.iter().any(|y| (*x - y).abs() <= NOTCH_TOLERANCE_M))
         .count()
 }
