@@ -10,7 +10,7 @@ const NOTED_EASE_M: f64 = 1e-3;
 /// Ease above this is much for a plain seam.
 const LARGE_EASE: f64 = 0.15;
 
-/// Ease above this is refused unless gathering is asked for.
+/// Ease above this is refused unless gathering is requested.
 const MAX_EASE: f64 = 0.30;
 
 /// Writes lengths and ease of a seam into its finding, with what is to be said about them.

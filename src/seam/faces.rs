@@ -91,9 +91,9 @@ impl FaceColoring {
 /// Returns the stated face of each panel, in the pattern's order.
 pub(super) fn stated(
     pattern: &Pattern,
-    asked: &BTreeMap<String, FaceRequest>,
+    requested: &BTreeMap<String, FaceRequest>,
 ) -> Vec<Option<Face>> {
-    let of = |id| match asked.get(id) {
+    let of = |id| match requested.get(id) {
         Some(FaceRequest::Up) => Some(Face::Up),
         Some(FaceRequest::Down) => Some(Face::Down),
         Some(FaceRequest::Auto) | None => None,

@@ -14,7 +14,7 @@ pub struct SeamCheck {
     pub ok: bool,
     /// The face of each panel, by id.
     pub faces: BTreeMap<String, Face>,
-    /// Each seam as asked, in order.
+    /// Each seam as requested, in order.
     pub seams: Vec<SeamFinding>,
     /// Warnings that belong to no single seam.
     #[serde(default)]
@@ -30,7 +30,7 @@ pub struct SeamFinding {
     pub id: String,
     /// True if it can be sewn.
     pub ok: bool,
-    /// Stitches it would get at the mesh edge length asked for.
+    /// Stitches it would get at the requested mesh edge length.
     pub stitch_count: usize,
     /// Arc length of side A \[m\].
     pub length_a_m: f64,
