@@ -45,6 +45,16 @@ impl Outline {
     }
 }
 
+/// Returns the corners that edges leave.
+pub(crate) fn corners_of(edges: &[Edge]) -> Vec<Corner> {
+    let corner = |edge: &Edge| {
+        let [x, y] = edge.points[0];
+        let index = edge.index;
+        Corner { index, x, y }
+    };
+    edges.iter().map(corner).collect()
+}
+
 /// Returns the closed polyline that edges make up.
 pub(crate) fn ring_of(edges: &[Edge]) -> Vec<Point2> {
     edges

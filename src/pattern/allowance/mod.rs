@@ -14,10 +14,10 @@ mod moving_outline;
 
 use super::crossing::crossing;
 use super::mirror::mirrored;
-use super::outline::ring_of;
+use super::outline::{corners_of, ring_of};
 use super::point::{Point2, distance, sub};
 use super::polyline::{contains, length, longest_side, nearest, signed_area};
-use super::{Corner, Edge, Notch, Panel};
+use super::{Edge, Notch, Panel};
 use crate::fault::Fault;
 use faults::{nothing_left, refuse};
 use moving_outline::MovingOutline;
@@ -102,18 +102,12 @@ fn inset(panel: &Panel, width: f64) -> Result<Panel, Fault> {
     Ok(Panel {
         area_m2: area - hole_area.abs(),
         perimeter_m: edges.iter().map(|edge| edge.length_m).sum(),
-        corners: edges.iter().map(corner).collect(),
+        corners: corners_of(&edges),
         notches: notches(panel, &edges, width),
         cut_line: ring_of(&panel.edges),
         edges,
         ..panel.clone()
     })
-}
-
-fn corner(edge: &Edge) -> Corner {
-    let [x, y] = edge.points[0];
-    let index = edge.index;
-    Corner { index, x, y }
 }
 
 /// Returns the notches, each at the place of its edge that is straight inwards.

@@ -30,6 +30,12 @@ impl Conventions<'_> {
         text.chars().take(self.limits.name_chars).collect()
     }
 
+    /// Reads the label of an object; `None` where it is empty.
+    pub(super) fn label(&self, node: &JsonNode<'_>, findings: &mut SpecFindings) -> Option<String> {
+        let text = node.get("label")?.text(findings)?;
+        (!text.is_empty()).then(|| self.short(text))
+    }
+
     /// Reads a point of the plane \[m\].
     pub(super) fn point(&self, node: &JsonNode<'_>, findings: &mut SpecFindings) -> Option<Point2> {
         let point = node.numbers::<2>(findings)?.map(|c| c * self.scale);

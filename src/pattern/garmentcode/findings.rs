@@ -1,8 +1,8 @@
-//! SpecFindings of an import: faults and warnings, each at its JSON Pointer.
+//! Findings of an import: faults and warnings, each at its JSON Pointer.
 
 use crate::fault::{Fault, PatternCode, Warning};
 
-/// JsonNode most this many faults, and as many warnings, are told of one file.
+/// At most this many faults, and as many warnings, are told of one file.
 const MOST: usize = 100;
 
 /// The faults and warnings of one file.
@@ -14,6 +14,7 @@ pub(super) struct SpecFindings {
     pub(super) warnings: Vec<Warning>,
     /// Number of points of all outlines so far.
     pub(super) points: usize,
+    /// Number of faults beyond [`MOST`].
     left_out: usize,
 }
 

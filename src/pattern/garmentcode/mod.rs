@@ -1,11 +1,13 @@
 //! `GarmentCode` specification JSON to a pattern.
 //!
-//! Source of the format: M. Korosteleva, O. Sorkine-Hornung, "`GarmentCode`: Programming Parametric Sewing Patterns",
-//! ACM TOG 42(6), 2023, and its repository maria-korosteleva/GarmentCode, pygarment/pattern/core.py. Lengths are in
-//! units of which `units_in_meter` make a meter (100: centimeters). The older short form of curvature, a list of two
-//! numbers, is a quadratic curve's control point.
+//! Source of the format: M. Korosteleva, O. Sorkine-Hornung, "`GarmentCode`: Programming Parametric
+//! Sewing Patterns", ACM TOG 42(6), 2023, and its repository maria-korosteleva/GarmentCode,
+//! pygarment/pattern/core.py. Lengths are in units of which `units_in_meter` make a meter (100:
+//! centimeters). The older short form of curvature, a list of two numbers, is a quadratic curve's
+//! control point.
 
 mod conventions;
+mod curve;
 mod edge;
 mod findings;
 mod node;
@@ -23,6 +25,14 @@ use crate::config::Limits;
 use crate::fault::{Fault, Faults, PatternCode};
 use serde_json::Value;
 use std::collections::BTreeMap;
+
+/// Fields of a specification that describe its parameters.
+const PARAMETRIC: [&str; 4] = [
+    "parameters",
+    "parameter_order",
+    "constraints",
+    "constraint_order",
+];
 
 /// Returns true if bytes are JSON rather than DXF: the first that is not blank is a brace.
 pub(super) fn is_json(bytes: &[u8]) -> bool {
@@ -74,38 +84,19 @@ fn not_garmentcode(document: &Value) -> Fault {
     Fault::new(PatternCode::NotGarmentcode, "", detail).fix(fix)
 }
 
+/// Reads a specification as far as it goes; its faults are added to `findings`.
 fn read(
     root: &JsonNode<'_>,
     options: &ImportOptions,
     limits: &Limits,
     findings: &mut SpecFindings,
 ) -> Pattern {
-    let parametric = [
-        "parameters",
-        "parameter_order",
-        "constraints",
-        "constraint_order",
-    ];
-    let known = [&["pattern", "properties"][..], &parametric].concat();
+    let known = [&["pattern", "properties"][..], &PARAMETRIC].concat();
     root.fields(&known, findings);
-    for name in parametric {
-        let Some(node) = root.get(name) else { continue };
-        let is_empty = |v: &Value| match v {
-            Value::Array(items) => items.is_empty(),
-            Value::Object(fields) => fields.is_empty(),
-            other => other.is_null(),
-        };
-        if !is_empty(node.value) {
-            let detail = format!("{name} are not kept: panels are read as they are drawn");
-            findings.warn(PatternCode::ParametersIgnored, &node.pointer, detail);
-        }
-    }
+    warn_of_parameters(root, findings);
     if let Some(size) = &options.size {
-        let fault = Fault::new(
-            PatternCode::UnknownSize,
-            "",
-            format!("the file has no size {size:?}"),
-        );
+        let detail = format!("the file has no size {size:?}");
+        let fault = Fault::new(PatternCode::UnknownSize, "", detail);
         findings.fault(fault.fix("leave size out: a GarmentCode file holds one size"));
     }
     let (conventions, units) = conventions::read(root, options, limits, findings);
@@ -117,10 +108,9 @@ fn read(
         sizes: Vec::new(),
         allowance: Allowance::None,
     };
-    let name = name(options, limits);
     let mut pattern = Pattern {
         id: None,
-        name,
+        name: name(options, limits),
         source,
         panels: Vec::new(),
         seams: Vec::new(),
@@ -128,9 +118,25 @@ fn read(
         warnings: Vec::new(),
     };
     if let Some(node) = root.get("pattern") {
-        fill(&mut pattern, &node, &conventions, findings);
+        add_panels(&mut pattern, &node, &conventions, findings);
     }
     pattern
+}
+
+/// Warns of parameters, which are not kept.
+fn warn_of_parameters(root: &JsonNode<'_>, findings: &mut SpecFindings) {
+    for name in PARAMETRIC {
+        let Some(node) = root.get(name) else { continue };
+        let is_empty = match node.value {
+            Value::Array(items) => items.is_empty(),
+            Value::Object(fields) => fields.is_empty(),
+            other => other.is_null(),
+        };
+        if !is_empty {
+            let detail = format!("{name} are not kept: panels are read as they are drawn");
+            findings.warn(PatternCode::ParametersIgnored, &node.pointer, detail);
+        }
+    }
 }
 
 /// Returns the name of the file without the suffix that its writer adds.
@@ -141,7 +147,7 @@ fn name(options: &ImportOptions, limits: &Limits) -> String {
 }
 
 /// Adds panels, placements and seams to `pattern`.
-fn fill(
+fn add_panels(
     pattern: &mut Pattern,
     node: &JsonNode<'_>,
     conventions: &Conventions<'_>,
@@ -153,15 +159,8 @@ fn fill(
         return;
     };
     let limits = conventions.limits;
-    let too_many = entries.len() > limits.panels;
-    if too_many || entries.is_empty() {
-        let detail = format!("{} panels; 1 to {} are read", entries.len(), limits.panels);
-        let code = if too_many {
-            PatternCode::TooManyPanels
-        } else {
-            PatternCode::NoPanels
-        };
-        findings.fault(Fault::new(code, "/pattern/panels", detail).fix("split the garment"));
+    if let Err(fault) = check_panel_count(entries.len(), limits) {
+        findings.fault(fault);
         return;
     }
     let names: Vec<String> = entries.iter().map(|(name, _)| (*name).to_owned()).collect();
@@ -189,4 +188,14 @@ fn fill(
     if let Some(stitches) = node.get("stitches") {
         pattern.seams = stitches::read(&stitches, &drawn_panels, limits, findings);
     }
+}
+
+fn check_panel_count(count: usize, limits: &Limits) -> Result<(), Fault> {
+    let code = match count {
+        0 => PatternCode::NoPanels,
+        count if count > limits.panels => PatternCode::TooManyPanels,
+        _ => return Ok(()),
+    };
+    let detail = format!("{count} panels; 1 to {} are read", limits.panels);
+    Err(Fault::new(code, "/pattern/panels", detail).fix("split the garment"))
 }

@@ -62,10 +62,10 @@ const BATCH: usize = 1000;
 pub(super) fn batches<'r, 'a, 't>(
     mut records: &'r [EntityRecord<'a, 't>],
 ) -> impl Iterator<Item = &'r [EntityRecord<'a, 't>]> {
-    let goes_on =
+    let is_of_polyline =
         |kind: &str| kind.eq_ignore_ascii_case("POLYLINE") || kind.eq_ignore_ascii_case("VERTEX");
     std::iter::from_fn(move || {
-        let ends = |i: &usize| *i == records.len() || !goes_on(records[*i - 1].kind);
+        let ends = |i: &usize| *i == records.len() || !is_of_polyline(records[*i - 1].kind);
         let end = (BATCH.min(records.len())..=records.len())
             .find(|i| *i == 0 || ends(i))
             .unwrap_or(0);
@@ -75,7 +75,8 @@ pub(super) fn batches<'r, 'a, 't>(
     })
 }
 
-/// Writes `records` for the crate. Kinds that hold no pattern geometry are left out with one warning a kind.
+/// Writes `records` for the crate. Kinds that hold no pattern geometry are left out, with one warning
+/// a kind.
 pub(super) fn sanitize(
     records: &[EntityRecord<'_, '_>],
     findings: &mut DxfFindings,
@@ -84,12 +85,12 @@ pub(super) fn sanitize(
         text: "0\nSECTION\n2\nENTITIES\n".to_owned(),
         ..SanitizedEntities::default()
     };
-    let mut polyline = false;
+    let mut in_polyline = false;
     for record in records {
         let kind = record.kind.to_ascii_uppercase();
-        if polyline && kind != "VERTEX" {
+        if in_polyline && kind != "VERTEX" {
             out.text.push_str("0\nSEQEND\n");
-            polyline = false;
+            in_polyline = false;
             if kind != "SEQEND" {
                 findings.warn(
                     PatternCode::NoSeqend,
@@ -108,16 +109,16 @@ pub(super) fn sanitize(
             findings.skip("paper space entity", record.line);
             continue;
         }
-        if kind == "VERTEX" && !polyline {
+        if kind == "VERTEX" && !in_polyline {
             findings.skip("VERTEX outside a POLYLINE", record.line);
             continue;
         }
-        polyline |= kind == "POLYLINE";
+        in_polyline |= kind == "POLYLINE";
         if let Err(fault) = out.write(kind, codes, record, findings) {
             findings.faults.push(fault);
         }
     }
-    if polyline {
+    if in_polyline {
         out.text.push_str("0\nSEQEND\n");
     }
     out.text.push_str("0\nENDSEC\n0\nEOF\n");
@@ -135,6 +136,7 @@ fn kept(kind: &str) -> Option<(&'static str, &'static [i32])> {
 }
 
 impl SanitizedEntities {
+    /// Adds a record with its known group codes.
     fn write(
         &mut self,
         kind: &'static str,
