@@ -1,4 +1,5 @@
-//! The meaning of the numbers of a specification, from its properties and the options of the import.
+//! The meaning of the numbers of a specification, from its properties and the options of the
+//! import.
 
 use super::findings::SpecFindings;
 use super::node::JsonNode;

@@ -1,8 +1,9 @@
 //! An edge of a specification: straight, a Bézier curve or an arc, as a polyline.
 //!
-//! A relative control point (x, y) of an edge from `a` to `b` is `a + x e + y (-e_y, e_x)` with e = b - a. An arc is
-//! [radius, large, right] as in SVG: `right` where it lies to the right of the way from `a` to `b` (the smaller one).
-//! Source: `GarmentCode`, pygarment/garmentcode/edge.py and pygarment/pattern/utils.py.
+//! A relative control point (x, y) of an edge from `a` to `b` is `a + x e + y (-e_y, e_x)` with e =
+//! b - a. An arc is [radius, large, right] as in SVG: `right` where it lies to the right of the way
+//! from `a` to `b` (the smaller one). Source: `GarmentCode`, pygarment/garmentcode/edge.py and
+//! pygarment/pattern/utils.py.
 
 use super::super::bspline::BSpline;
 use super::super::curve;
@@ -120,8 +121,8 @@ impl EdgeCurve {
         self
     }
 
-    /// Returns the polyline from `a` to `b`, both included, no point twice in a row; `None` where no
-    /// such arc exists.
+    /// Returns the polyline from `a` to `b`, both included, no point twice in a row; `None` where
+    /// no such arc exists.
     pub(super) fn points(&self, a: Point2, b: Point2) -> Option<Vec<Point2>> {
         let mut points = match self {
             Self::Line => vec![a, b],
@@ -178,7 +179,8 @@ fn bulge_of(chord: f64, radius: f64, large: bool) -> Option<f64> {
         return None;
     }
     let to_center = (radius * radius - half * half).max(0.0).sqrt();
-    // The height of the small arc is half² / (radius + to_center): no digits are lost to a difference.
+    // The height of the small arc is half² / (radius + to_center): no digits are lost to a
+    // difference.
     let height = if large {
         radius + to_center
     } else {

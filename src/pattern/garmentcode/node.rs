@@ -1,5 +1,5 @@
-//! A JSON value with its place in the document, read step by step; what is wrong is noted and conventions
-//! goes on.
+//! A JSON value with its place in the document, read step by step; what is wrong is noted and
+//! conventions goes on.
 
 use super::findings::SpecFindings;
 use crate::fault::{Fault, PatternCode, nearest, pointer_token};

@@ -1,7 +1,7 @@
 //! A panel of a specification: one loop of edges over its vertices.
 //!
-//! The sign of the loop's area is the face: a loop that runs counter-clockwise shows the side that is
-//! out. Outlines are stored clockwise, so that such a loop is gone backwards; the panel is never
+//! The sign of the loop's area is the face: a loop that runs counter-clockwise shows the side that
+//! is out. Outlines are stored clockwise, so that such a loop is gone backwards; the panel is never
 //! mirrored.
 
 use super::conventions::Conventions;
@@ -26,8 +26,8 @@ pub(super) struct DrawnPanel {
 }
 
 impl DrawnPanel {
-    /// Returns the stored corners from and to which drawn edge `edge` runs, and its direction; `None`
-    /// if there is no such edge.
+    /// Returns the stored corners from and to which drawn edge `edge` runs, and its direction;
+    /// `None` if there is no such edge.
     pub(super) fn corners_of(&self, edge: usize) -> Option<(usize, usize, Direction)> {
         let count = self.panel.edges.len();
         if edge >= count {

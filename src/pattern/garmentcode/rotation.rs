@@ -1,8 +1,8 @@
 //! Rotations by Euler angles.
 //!
-//! The writer of specifications (pygarment/garmentcode/panel.py) composes R = Rx Ry Rz, its simulator's
-//! reader (pygarment/pattern/rotation.py) R = Rz Ry Rx; files that turn about one axis mean the same in
-//! both.
+//! The writer of specifications (pygarment/garmentcode/panel.py) composes R = Rx Ry Rz, its
+//! simulator's reader (pygarment/pattern/rotation.py) R = Rz Ry Rx; files that turn about one axis
+//! mean the same in both.
 
 use crate::pattern::RotationOrder;
 

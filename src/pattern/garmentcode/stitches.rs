@@ -1,6 +1,6 @@
-//! Stitches of a specification as seams. A stitch names two edges: the start of the one meets the end of
-//! the other as drawn, or its start where the stitch is `right_wrong` (the right side of one is sewn to
-//! the wrong side of the other).
+//! Stitches of a specification as seams. A stitch names two edges: the start of the one meets the
+//! end of the other as drawn, or its start where the stitch is `right_wrong` (the right side of one
+//! is sewn to the wrong side of the other).
 
 use super::findings::SpecFindings;
 use super::node::JsonNode;
@@ -10,8 +10,8 @@ use crate::fault::PatternCode;
 use crate::pattern::{Match, OutlineRun, Place, SeamPair, Side};
 use std::collections::BTreeMap;
 
-/// Ease above which a stitch is one that is gathered: its file states which edges are sewn, whatever
-/// their lengths.
+/// Ease above which a stitch is one that is gathered: its file states which edges are sewn,
+/// whatever their lengths.
 const GATHERED: f64 = 0.15;
 
 /// The panels by name; `None` for one that could not be read.
