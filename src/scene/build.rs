@@ -1,6 +1,6 @@
 //! A scene from its parts.
 
-use super::{Body, Cut, Fabric, Placed, Scene};
+use super::{Body, Cut, Fabric, Membrane, Placed, Scene};
 use crate::mesh::ClothMesh;
 use nalgebra::Vector3;
 
@@ -71,8 +71,7 @@ pub fn build(parts: Parts) -> Scene {
         mass,
         fabrics,
         cut,
-        net: None,
-        fibers: None,
+        membrane: Membrane::Fabric,
         least_bending_n_m: 0.0,
         body,
         friction,

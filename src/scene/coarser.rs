@@ -1,6 +1,6 @@
 //! The same scene on a coarser mesh: what a multilevel solver starts from.
 
-use super::{FiberSpring, Scene};
+use super::{FiberSpring, Membrane, Scene};
 use crate::mesh::{self, ClothMesh, Coarser};
 use std::collections::BTreeMap;
 
@@ -46,8 +46,7 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
         mass,
         fabrics: scene.fabrics.clone(),
         cut: scene.cut.clone(),
-        net: None,
-        fibers: fibers(scene, &mesh, &weights),
+        membrane: membrane(scene, &mesh, &weights),
         least_bending_n_m: least_bending(scene, &mesh),
         body: scene.body.clone(),
         friction: scene.friction,
@@ -72,19 +71,29 @@ fn least_bending(scene: &Scene, mesh: &ClothMesh) -> f64 {
     weight * (BENDING_LENGTH * mesh.mean_edge()).powi(3)
 }
 
+/// Returns the membrane of `scene` on `mesh`: of the same fabrics, or its springs as fibers of triangles.
+fn membrane(scene: &Scene, mesh: &ClothMesh, weights: &[[(usize, f64); 3]]) -> Membrane {
+    match scene.membrane {
+        Membrane::Fabric => Membrane::Fabric,
+        Membrane::Springs(_) | Membrane::Fibers(_) => {
+            fibers(scene, mesh, weights).map_or(Membrane::Fabric, Membrane::Fibers)
+        }
+    }
+}
+
 /// The springs or fibers of `scene` as fibers of the triangles of `mesh`.
 fn fibers(
     scene: &Scene,
     mesh: &ClothMesh,
     weights: &[[(usize, f64); 3]],
 ) -> Option<Vec<FiberSpring>> {
-    let springs = scene.net.iter().flatten().map(|s| FiberSpring {
+    let springs = scene.membrane.springs().iter().map(|s| FiberSpring {
         corners: [s.a, s.b, s.a],
         weights: [-1.0, 1.0, 0.0],
         rest_length_m: s.rest_length_m,
         stiffness_n_m: s.stiffness_n_m,
     });
-    let fibers = scene.fibers.iter().flatten().copied().chain(springs);
+    let fibers = scene.membrane.fibers().iter().copied().chain(springs);
     let triangles = Triangles::new(mesh);
     let mut merged: BTreeMap<(usize, [i64; 3]), FiberSpring> = BTreeMap::new();
     for fiber in fibers {

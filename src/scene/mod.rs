@@ -5,6 +5,7 @@ mod body;
 mod build;
 mod coarser;
 mod fabric;
+mod membrane;
 mod placement;
 mod raw;
 mod wind;
@@ -13,6 +14,7 @@ pub use avatar::{Avatar, BodySample, DressForm, LANDMARKS, TriangleMesh};
 pub use body::{Analytic, Body};
 pub use coarser::{CoarserScene, coarser};
 pub use fabric::{Fabric, library};
+pub use membrane::{FiberSpring, Membrane, NetSpring};
 pub use raw::RawScene;
 pub use wind::Wind;
 
@@ -21,7 +23,6 @@ pub use placement::{AnchoredPlacement, Placed};
 
 use crate::mesh::ClothMesh;
 use nalgebra::Vector3;
-use serde::{Deserialize, Serialize};
 
 /// Everything a solver needs to know, in SI units.
 #[derive(Clone, Debug)]
@@ -36,10 +37,8 @@ pub struct Scene {
     pub fabrics: Vec<Fabric>,
     /// What each panel is cut from: index into `fabrics` and the angle of the warp, counter-clockwise from +x \[rad\].
     pub cut: Vec<Cut>,
-    /// Springs given as they are, which then are the membrane; those of the fabrics if absent.
-    pub net: Option<Vec<NetSpring>>,
-    /// What a finer net is on this mesh; the membrane if there are any.
-    pub fibers: Option<Vec<FiberSpring>>,
+    /// What resists stretch and shear.
+    pub membrane: Membrane,
     /// Bending rigidity that the cloth has at least, whatever its fabric \[N m\]: 0 but on coarser meshes, which cannot fold
     /// as finely.
     pub least_bending_n_m: f64,
@@ -59,20 +58,6 @@ pub struct Scene {
     pub wind: Option<Wind>,
 }
 
-/// A spring between two vertices.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct NetSpring {
-    /// One vertex.
-    pub a: usize,
-    /// The other.
-    pub b: usize,
-    /// \[m\]
-    pub rest_length_m: f64,
-    /// \[N/m\]
-    pub stiffness_n_m: f64,
-}
-
 /// How a panel is cut from its fabric.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cut {
@@ -82,17 +67,4 @@ pub struct Cut {
     pub warp_angle: f64,
     /// Whether the drawn side of the panel is in (its triangles are turned for export).
     pub face_down: bool,
-}
-
-/// A spring between two points of one triangle: its length is `|sum weights x|`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FiberSpring {
-    /// The triangle.
-    pub corners: [usize; 3],
-    /// Of the corners; they add up to 0.
-    pub weights: [f64; 3],
-    /// \[m\], if the weights are numbers; of unit length if they are gradients.
-    pub rest_length_m: f64,
-    /// \[N/m\]
-    pub stiffness_n_m: f64,
 }

@@ -10,7 +10,7 @@ use rustix::time::{ClockId, clock_gettime};
 use seamster::config::Limits;
 use seamster::mesh::{ClothMesh, PanelRange};
 use seamster::progress::CancelToken;
-use seamster::scene::{Cut, NetSpring, Scene, library};
+use seamster::scene::{Cut, Membrane, NetSpring, Scene, library};
 use seamster::solver::{
     Analysis, Context, MembraneModel, Method, SolverOptions, Start, trajectory,
 };
@@ -169,8 +169,7 @@ fn square(rows: usize) -> Scene {
             warp_angle: 0.0,
             face_down: false,
         }],
-        net: None,
-        fibers: None,
+        membrane: Membrane::Fabric,
         least_bending_n_m: 0.0,
         body: None,
         friction: 0.0,
@@ -220,7 +219,7 @@ fn planar_hang(rows: usize) -> Scene {
             add(v, v + 2 * rows, 2.0, 40.0);
         }
     }
-    scene.net = Some(net);
+    scene.membrane = Membrane::Springs(net);
     for fabric in &mut scene.fabrics {
         (fabric.bending_warp_n_m, fabric.bending_weft_n_m) = (0.0, 0.0);
     }

@@ -5,7 +5,7 @@
 
 mod check;
 
-use super::{Analytic, Body, NetSpring, Scene, Wind};
+use super::{Analytic, Body, Membrane, NetSpring, Scene, Wind};
 use crate::config::Limits;
 use crate::fault::Faults;
 use crate::mesh::{ClothMesh, PanelRange, Stitch};
@@ -89,8 +89,7 @@ impl RawScene {
             mass: self.mass_kg,
             fabrics: Vec::new(),
             cut: Vec::new(),
-            net: Some(self.springs),
-            fibers: None,
+            membrane: Membrane::Springs(self.springs),
             least_bending_n_m: 0.0,
             body: self.body.map(Body::Analytic),
             friction: self.friction,

@@ -7,7 +7,7 @@
 //! Poplin 1e4 times stiffer, hung by two corners: not at rest after 2000 iterations, and after 250 so; 100 times stiffer and
 //! sewn, 125 instead of 509.
 
-use crate::scene::{Fabric, Scene};
+use crate::scene::{Fabric, Membrane, Scene};
 use crate::solver::model::system::STANDARD_GRAVITY;
 
 /// Strain of cloth under its own weight below which it is softened first: that of organza, the stiffest for its weight that
@@ -40,9 +40,10 @@ pub(crate) fn softened_scenes(scene: &Scene) -> Vec<Scene> {
 
 /// Returns the largest modulus of any fabric, or the stiffness of the stiffest spring of a net \[N/m\].
 fn stiffest(scene: &Scene) -> f64 {
-    let fabrics = scene.fabrics.iter().filter(|_| scene.net.is_none());
+    let given = matches!(scene.membrane, Membrane::Springs(_));
+    let fabrics = scene.fabrics.iter().filter(|_| !given);
     let moduli = fabrics.flat_map(|f| [f.stretch_warp_n_m, f.stretch_weft_n_m, f.shear_n_m]);
-    let springs = scene.net.iter().flatten().map(|s| s.stiffness_n_m);
+    let springs = scene.membrane.springs().iter().map(|s| s.stiffness_n_m);
     moduli.chain(springs).fold(0.0, f64::max)
 }
 
@@ -86,7 +87,7 @@ fn capped(scene: &Scene, cap: f64) -> Scene {
             *modulus = modulus.min(cap);
         }
     }
-    for spring in scene.net.iter_mut().flatten() {
+    for spring in scene.membrane.springs_mut() {
         spring.stiffness_n_m = spring.stiffness_n_m.min(cap);
     }
     scene
@@ -118,9 +119,9 @@ mod tests {
 
     fn stiffnesses(scene: &Scene) -> Vec<f64> {
         scene
-            .net
+            .membrane
+            .springs()
             .iter()
-            .flatten()
             .map(|s| s.stiffness_n_m)
             .collect()
     }

@@ -21,7 +21,7 @@ pub(crate) fn perturb_degenerate(scene: &Scene, x: &mut [Vector3<f64>]) {
             by[b] = by[b].max(PERTURBATION * rest);
         }
     };
-    for spring in scene.net.iter().flatten() {
+    for spring in scene.membrane.springs() {
         widen(spring.a, spring.b, spring.rest_length_m);
     }
     for t in &scene.mesh.triangles {

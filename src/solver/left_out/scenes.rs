@@ -1,7 +1,7 @@
 //! Small scenes that have some things and lack others.
 
 use crate::mesh::{ClothMesh, PanelRange, Stitch};
-use crate::scene::{Analytic, Body, Cut, Fabric, Scene, Wind, library};
+use crate::scene::{Analytic, Body, Cut, Fabric, Membrane, Scene, Wind, library};
 use nalgebra::Vector3;
 
 /// Side of a sheet \[m\].
@@ -76,8 +76,7 @@ pub(crate) fn scene(has: Has, cells: usize) -> Scene {
         mass,
         fabrics: vec![fabric],
         cut: vec![CUT; 2],
-        net: None,
-        fibers: None,
+        membrane: Membrane::Fabric,
         least_bending_n_m: 0.0,
         body: has.body.then_some(Body::Analytic(ball)),
         friction: if has.friction { 0.3 } else { 0.0 },

@@ -2,8 +2,8 @@
 
 use crate::scene::{Fabric, Scene};
 use crate::solver::forces::BendPatch;
-use crate::solver::model::build::rest_triangles;
 use crate::solver::model::dof_map::DofMap;
+use crate::solver::model::rest_shape::rest_triangles;
 use std::collections::BTreeMap;
 
 /// Every triangle with its neighbours, across seams that are welded too: a seam pressed open bends like the cloth.

@@ -4,23 +4,18 @@ pub use crate::solver::model::membrane::springs;
 
 use crate::scene::{Fabric, Scene};
 use crate::solver::forces::contact::{BodyContact, Friction, FrictionAnchors};
-use crate::solver::forces::{
-    BendForce, ContinuumForce, FiberForce, Gravity, Potential, SewingForce, SpringForce, WindForce,
-};
+use crate::solver::forces::{BendForce, Gravity, SewingForce, WindForce};
 use crate::solver::model::bending::bend_patches;
 use crate::solver::model::dof_map::DofMap;
-use crate::solver::model::membrane::{carried, membranes, spring_net};
+use crate::solver::model::membrane::membrane_force;
+use crate::solver::model::rest_shape::vertex_areas;
 use crate::solver::model::system::{System, TimedTerm};
-use crate::solver::options::MembraneModel;
 use crate::solver::options::SolverOptions;
 use nalgebra::Vector3;
 
 /// Distance that cloth is kept from the skin, besides half its thickness \[m\]: what keeps the middles of triangles, which
 /// cut across the body's curves, outside too (an edge of 12 mm sags 0.9 mm into a shoulder of 20 mm radius).
 const SKIN_OFFSET: f64 = 2e-3;
-
-/// Mass per area of cloth of which only the mass is known \[kg/m²\]: a shirt's.
-const TYPICAL_DENSITY: f64 = 0.2;
 
 /// Distance for which explicit steps carry on a sample of the body \[m\]: third-order terms stay below 1e-11 m.
 const EXPLICIT_REUSE: f64 = 2e-5;
@@ -48,14 +43,7 @@ pub(crate) fn assemble<'a>(
 ) -> System<'a> {
     let dof_map = stage.dof_map;
     let mass = dof_map.sum(&scene.mass);
-    let mut forces: Vec<Box<dyn Potential>> =
-        vec![match (&scene.net, &scene.fibers, options.membrane) {
-            (_, Some(fibers), _) => Box::new(FiberForce::new(carried(fibers, dof_map))),
-            (None, None, MembraneModel::Continuum) => {
-                Box::new(ContinuumForce::new(membranes(scene, dof_map)))
-            }
-            _ => Box::new(SpringForce::new(spring_net(scene, dof_map))),
-        }];
+    let mut forces = vec![membrane_force(scene, options.membrane, dof_map)];
     let patches = bends(scene).then(|| bend_patches(scene, dof_map));
     if let Some(patches) = patches.filter(|patches| !patches.is_empty()) {
         forces.push(Box::new(BendForce::new(patches)));
@@ -125,55 +113,4 @@ pub fn kept_distance(scene: &Scene) -> f64 {
 pub(crate) fn particle_triangles(scene: &Scene, dof_map: &DofMap) -> Vec<[usize; 3]> {
     let of_vertex = |t: &[usize; 3]| t.map(|v| dof_map.of_vertex[v]);
     scene.mesh.triangles.iter().map(of_vertex).collect()
-}
-
-/// Cloth area that each vertex stands for: a third of each of its triangles \[m²\]; guessed from its mass where there are none.
-pub(crate) fn vertex_areas(scene: &Scene) -> Vec<f64> {
-    if scene.mesh.triangles.is_empty() {
-        return scene.mass.iter().map(|m| m / TYPICAL_DENSITY).collect();
-    }
-    let mut area = vec![0.0; scene.mesh.uv.len()];
-    for triangle in &scene.mesh.triangles {
-        let third = rest_area(triangle.map(|v| scene.mesh.uv[v])) / 3.0;
-        for &v in triangle {
-            area[v] += third;
-        }
-    }
-    area
-}
-
-pub(crate) fn rest_area([p, q, r]: [[f64; 2]; 3]) -> f64 {
-    0.5 * ((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]))
-}
-
-/// Each triangle with the panel's fabric and its rest positions in warp-weft coordinates.
-pub(crate) fn cut_triangles(
-    scene: &Scene,
-) -> impl Iterator<Item = ([usize; 3], &Fabric, [[f64; 2]; 3])> {
-    scene
-        .mesh
-        .panels
-        .iter()
-        .zip(&scene.cut)
-        .flat_map(move |(panel, cut)| {
-            let (sin, cos) = cut.warp_angle.sin_cos();
-            scene.mesh.triangles[panel.triangles.clone()]
-                .iter()
-                .map(move |t| {
-                    let rest = t.map(|v| {
-                        let [u, v] = scene.mesh.uv[v];
-                        [u * cos + v * sin, v * cos - u * sin]
-                    });
-                    (*t, &scene.fabrics[cut.fabric], rest)
-                })
-        })
-}
-
-/// Each triangle with its fabric, if it has one, and its rest positions: in warp-weft coordinates if it has.
-pub(crate) fn rest_triangles(
-    scene: &Scene,
-) -> impl Iterator<Item = ([usize; 3], Option<&Fabric>, [[f64; 2]; 3])> {
-    let cut = cut_triangles(scene).map(|(t, fabric, rest)| (t, Some(fabric), rest));
-    let bare = scene.mesh.triangles.iter().filter(|_| scene.cut.is_empty());
-    cut.chain(bare.map(|t| (*t, None, t.map(|v| scene.mesh.uv[v]))))
 }

@@ -1,21 +1,50 @@
-//! What of a scene stretches: triangles of the continuum, springs on mesh edges, springs as given, fibers.
+//! The membrane of a system: triangles of the continuum, springs on mesh edges, springs as given, fibers.
 
-use crate::scene::{FiberSpring, NetSpring, Scene};
-use crate::solver::forces::{MembraneTriangle, Spring};
-use crate::solver::model::build::{cut_triangles, rest_area};
+use crate::scene::{FiberSpring, Membrane, NetSpring, Scene};
+use crate::solver::forces::{
+    ContinuumForce, FiberForce, MembraneTriangle, Potential, Spring, SpringForce,
+};
 use crate::solver::model::dof_map::DofMap;
+use crate::solver::model::rest_shape::{cut_triangles, rest_area};
+use crate::solver::options::MembraneModel;
 use std::collections::BTreeMap;
 
-/// The springs of the paper's membrane on `scene`, every vertex a particle: `(i, j, rest length [m], stiffness [N/m])`.
+/// Returns the springs of the paper's membrane on `scene`, every vertex a particle:
+/// `(i, j, rest length [m], stiffness [N/m])`.
 pub fn springs(scene: &Scene) -> Vec<(usize, usize, f64, f64)> {
-    let apart = DofMap::identity(scene.mesh.uv.len());
-    spring_net(scene, &apart)
+    let dof_map = DofMap::identity(scene.mesh.uv.len());
+    let springs = match &scene.membrane {
+        Membrane::Springs(springs) => given_springs(springs, &dof_map),
+        Membrane::Fabric | Membrane::Fibers(_) => edge_springs(scene, &dof_map),
+    };
+    springs
         .into_iter()
         .map(|s| (s.a, s.b, s.rest_length, s.stiffness))
         .collect()
 }
 
-pub(crate) fn membranes(scene: &Scene, dof_map: &DofMap) -> Vec<MembraneTriangle> {
+/// Returns the membrane of `scene`; `model` is that of fabrics, springs and fibers are what they are.
+pub(crate) fn membrane_force(
+    scene: &Scene,
+    model: MembraneModel,
+    dof_map: &DofMap,
+) -> Box<dyn Potential> {
+    match (&scene.membrane, model) {
+        (Membrane::Fibers(fibers), _) => Box::new(FiberForce::new(on_particles(fibers, dof_map))),
+        (Membrane::Springs(springs), _) => {
+            Box::new(SpringForce::new(given_springs(springs, dof_map)))
+        }
+        (Membrane::Fabric, MembraneModel::Continuum) => {
+            Box::new(ContinuumForce::new(triangles(scene, dof_map)))
+        }
+        (Membrane::Fabric, MembraneModel::Springs) => {
+            Box::new(SpringForce::new(edge_springs(scene, dof_map)))
+        }
+    }
+}
+
+/// Returns the triangles of the continuum, each of its panel's fabric.
+fn triangles(scene: &Scene, dof_map: &DofMap) -> Vec<MembraneTriangle> {
     let edge = scene.mesh.mean_edge();
     cut_triangles(scene)
         .filter_map(|(t, fabric, rest)| {
@@ -32,15 +61,12 @@ pub(crate) fn membranes(scene: &Scene, dof_map: &DofMap) -> Vec<MembraneTriangle
         .collect()
 }
 
-/// The springs that the scene gives, or those on the edges of the mesh, panel by panel.
+/// Returns springs on the edges of the mesh, panel by panel.
 ///
 /// Their constants are those of A. Van Gelder, "Approximate simulation of elastic membranes by triangulated spring meshes"
 /// (Journal of Graphics Tools 3(2), 1998), k = E sum A / l² over the edge's triangles, with the modulus of an orthotropic cloth
 /// along the edge, 1/E = cos⁴/Kw + sin⁴/Kf + sin² cos²/G.
-pub(crate) fn spring_net(scene: &Scene, dof_map: &DofMap) -> Vec<Spring> {
-    if let Some(net) = &scene.net {
-        return given_net(net, dof_map);
-    }
+fn edge_springs(scene: &Scene, dof_map: &DofMap) -> Vec<Spring> {
     let mut edges: BTreeMap<(usize, usize), Spring> = BTreeMap::new();
     for (t, fabric, rest) in cut_triangles(scene) {
         let area = rest_area(rest).abs();
@@ -68,7 +94,8 @@ pub(crate) fn spring_net(scene: &Scene, dof_map: &DofMap) -> Vec<Spring> {
     edges.into_values().filter(|s| s.a != s.b).collect()
 }
 
-pub(crate) fn carried(fibers: &[FiberSpring], dof_map: &DofMap) -> Vec<FiberSpring> {
+/// Returns the fibers with particles for their corners.
+fn on_particles(fibers: &[FiberSpring], dof_map: &DofMap) -> Vec<FiberSpring> {
     let carry = |f: &FiberSpring| FiberSpring {
         corners: f.corners.map(|v| dof_map.of_vertex[v]),
         ..*f
@@ -76,8 +103,10 @@ pub(crate) fn carried(fibers: &[FiberSpring], dof_map: &DofMap) -> Vec<FiberSpri
     fibers.iter().map(carry).collect()
 }
 
-fn given_net(net: &[NetSpring], dof_map: &DofMap) -> Vec<Spring> {
-    net.iter()
+/// Returns the springs that join two particles.
+fn given_springs(springs: &[NetSpring], dof_map: &DofMap) -> Vec<Spring> {
+    springs
+        .iter()
         .map(|s| Spring {
             a: dof_map.of_vertex[s.a],
             b: dof_map.of_vertex[s.b],

@@ -4,4 +4,5 @@ pub(crate) mod bending;
 pub(crate) mod build;
 pub(crate) mod dof_map;
 pub(crate) mod membrane;
+pub(crate) mod rest_shape;
 pub(crate) mod system;

@@ -41,7 +41,7 @@ pub fn rms_distance(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
 /// triangles.
 fn strain(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
     if scene.mesh.triangles.is_empty() {
-        let net = scene.net.iter().flatten();
+        let net = scene.membrane.springs().iter();
         return net
             .map(|s| (x[s.a] - x[s.b]).norm() / s.rest_length_m - 1.0)
             .reduce(f64::max)

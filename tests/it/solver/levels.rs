@@ -144,7 +144,7 @@ fn fibers_have_the_energy_of_the_springs_they_stand_for() {
     let stretched =
         |uv: &[f64; 2]| Vector3::new(1.1 * uv[0] + 0.2 * uv[1], 0.9 * uv[1], 0.1 * uv[0]);
     let x: Vec<_> = scene.mesh.uv.iter().map(stretched).collect();
-    let springs = scene.net.iter().flatten();
+    let springs = scene.membrane.springs().iter();
     let energy: f64 = springs
         .map(|s| 0.5 * s.stiffness_n_m * ((x[s.a] - x[s.b]).norm() - s.rest_length_m).powi(2))
         .sum();
@@ -152,7 +152,7 @@ fn fibers_have_the_energy_of_the_springs_they_stand_for() {
     assert!(levels.len() >= 2);
     for (_, coarse) in levels {
         let x: Vec<_> = coarse.scene.mesh.uv.iter().map(stretched).collect();
-        let fibers = coarse.scene.fibers.iter().flatten();
+        let fibers = coarse.scene.membrane.fibers().iter();
         let carried: f64 = fibers
             .map(|f| {
                 let image: Vector3<f64> = (0..3).map(|i| x[f.corners[i]] * f.weights[i]).sum();

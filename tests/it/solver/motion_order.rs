@@ -31,7 +31,7 @@ fn smooth() -> Scene {
 /// Acceleration of the particles of `scene`, written out from P8.
 fn acceleration(scene: &Scene, x: &[Vector3<f64>], v: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
     let mut force: Vec<_> = scene.mass.iter().map(|m| scene.gravity * *m).collect();
-    for s in scene.net.iter().flatten() {
+    for s in scene.membrane.springs() {
         let d = x[s.b] - x[s.a];
         let f = d.normalize() * (s.stiffness_n_m * (d.norm() - s.rest_length_m));
         force[s.a] += f;
@@ -313,7 +313,7 @@ fn the_limit_of_a_larger_net_is_a_little_below_the_true_one() {
     let mut square = 0.0;
     for _ in 0..3000 {
         let mut product = vec![Vector3::zeros(); n];
-        for s in scene.net.iter().flatten() {
+        for s in scene.membrane.springs() {
             let along = (scene.start[s.b] - scene.start[s.a]).normalize();
             let f = along * (s.stiffness_n_m * along.dot(&(z[s.a] - z[s.b])));
             product[s.a] += f / scene.mass[s.a];

@@ -9,7 +9,7 @@ use rustix::time::{ClockId, clock_gettime};
 use seamster::config::Limits;
 use seamster::memory::peak_bytes;
 use seamster::progress::CancelToken;
-use seamster::scene::Scene;
+use seamster::scene::{Membrane, Scene};
 use seamster::solver::{self, Context, Drape, Method, SolverOptions, rms_distance};
 use seamster::study::RestShape;
 use seamster_fixtures::scenes;
@@ -49,7 +49,7 @@ pub(crate) fn measured(run: &BenchRun) -> Option<BenchLine> {
     let mut line = BenchLine {
         scene: run.scene.clone(),
         method: report.method.clone(),
-        membrane: if scene.net.is_some() {
+        membrane: if matches!(scene.membrane, Membrane::Springs(_)) {
             "springs".to_owned()
         } else {
             name(&ask.membrane)

@@ -4,7 +4,8 @@
 
 use crate::scene::Scene;
 use crate::solver::forces::contact::layer;
-use crate::solver::model::build::{kept_distance, vertex_areas};
+use crate::solver::model::build::kept_distance;
+use crate::solver::model::rest_shape::vertex_areas;
 use nalgebra::Vector3;
 
 /// Normal force of the body on each vertex \[N\], zero where they do not touch; `#V` for `positions` \[m\] of `#V`.
