@@ -5,7 +5,7 @@
 
 use seamster::config::Limits;
 use seamster::export::glb;
-use seamster::fit::{self, Garment, Shipped};
+use seamster::fit::{self, Garment, ShippedAssets};
 use seamster::pattern::{ImportOptions, import};
 use seamster::progress::CancelToken;
 use seamster::solver::Context;
@@ -25,8 +25,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let garment = with_pattern(garment, serde_json::to_value(&pattern)?)?;
 
     // Every fault of the garment is found here, before anything is simulated.
-    let prepared = fit::prepare(garment, &Shipped, &limits)?;
-    for seam in prepared.suggested() {
+    let resolved = fit::resolve(garment, &ShippedAssets, &limits)?;
+    for seam in resolved.suggested() {
         println!("suggested: {}, {}", seam.pair.id, seam.because);
     }
 
@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         progress: &mut |_| {},
         limits: &limits,
     };
-    let outcome = fit::run(&prepared, &mut context)?;
+    let outcome = fit::run(&resolved, &mut context)?;
     let report = &outcome.report;
     println!(
         "{} vertices, converged: {}, residual {:.1e}, widest seam gap {:.2} mm",

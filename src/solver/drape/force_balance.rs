@@ -1,8 +1,8 @@
 //! Forces on a shape that was never relaxed: refused, or given up before its seams were closed.
 
 use crate::scene::Scene;
-use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::DofMap;
+use crate::solver::model::build::{BuildOptions, build};
+use crate::solver::model::seams::Seams;
 use crate::solver::options::SolverOptions;
 use crate::solver::outcome::ForceBalance;
 use crate::solver::report::measure::energies;
@@ -17,17 +17,14 @@ pub(crate) fn measure_unrelaxed(
     x: &[Vector3<f64>],
     clock: &dyn Fn() -> f64,
 ) -> ForceBalance {
-    let dof_map = DofMap::identity(x.len());
-    let stitches: Vec<_> = scene.mesh.stitches.iter().map(|s| (s.a, s.b)).collect();
     let stiffness = options.closed_seam_stiffness(options.sewing_stiffness());
-    let stage = Stage {
-        dof_map: &dof_map,
-        stitches: (!stitches.is_empty()).then_some((stitches, stiffness)),
+    let build_options = BuildOptions {
+        seams: Seams::Stiff { stiffness },
         gravity: true,
         friction: None,
         explicit: false,
     };
-    let mut system = assemble(scene, options, &stage, clock);
+    let mut system = build(scene, options, &build_options, clock).system;
     let mut force = vec![Vector3::zeros(); x.len()];
     system.net_force(x, &mut force);
     ForceBalance {

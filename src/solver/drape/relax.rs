@@ -6,12 +6,13 @@ use crate::solver::drape::level::Level;
 use crate::solver::drape::monitor::{IterationRecord, Monitor, SEWING_SHARE};
 use crate::solver::drape::stage::{StageMethod, StageOutcome, run_stage};
 use crate::solver::integrate::dynamic_relaxation::DynamicRelaxation;
-use crate::solver::model::build::{Stage, assemble};
+use crate::solver::model::build::{BuildOptions, Model, build};
 use crate::solver::model::dof_map::DofMap;
+use crate::solver::model::seams::Seams;
 use crate::solver::model::system::System;
 use crate::solver::optimize::iterate::{Iterate, Termination};
 use crate::solver::optimize::newton::Newton;
-use crate::solver::options::{Method, SeamClose};
+use crate::solver::options::Method;
 use crate::solver::outcome::{AtRest, ForceBalance, RelaxOutcome, Unfinished};
 use crate::solver::report::measure::{energies, mean_height, seam_gap};
 use crate::solver::statistics::{SolveStatistics, TermTimes};
@@ -38,25 +39,17 @@ pub(crate) fn relax(
     stiffness: f64,
 ) -> (RelaxOutcome, SolveStatistics) {
     let stitches = level.stitches(u32::MAX);
-    let weld = level.options.seam_close == SeamClose::Weld;
-    let dof_map = if weld {
-        DofMap::welded(x.len(), stitches.iter().copied())
-    } else {
-        DofMap::identity(x.len())
-    };
-    let springs = (!weld && !stitches.is_empty()).then(|| {
-        let closed = level.options.closed_seam_stiffness(stiffness);
-        (stitches.clone(), closed)
-    });
-    let stage = Stage {
-        dof_map: &dof_map,
-        stitches: springs,
+    let build_options = BuildOptions {
+        seams: Seams::closed(level.options, stiffness),
         gravity: true,
         friction: Some(&level.anchors),
         explicit: level.options.method.is_explicit(),
     };
     level.monitor.begin_stage();
-    let mut system = assemble(level.scene, level.options, &stage, level.clock);
+    let Model {
+        dof_map,
+        mut system,
+    } = build(level.scene, level.options, &build_options, level.clock);
     let mut shape = dof_map.average(x);
     let gravity = level.scene.gravity;
     let first_height = mean_height(&gravity, &shape);

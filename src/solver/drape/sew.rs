@@ -5,8 +5,8 @@ use crate::solver::drape::level::Level;
 use crate::solver::drape::monitor::{IterationRecord, SEWING_SHARE};
 use crate::solver::drape::stage::{StageOutcome, run_stage};
 use crate::solver::integrate::dynamic_relaxation::DynamicRelaxation;
-use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::DofMap;
+use crate::solver::model::build::{BuildOptions, build};
+use crate::solver::model::seams::Seams;
 use crate::solver::optimize::iterate::{Iterate, Termination};
 use crate::solver::options::Method;
 use crate::solver::outcome::{SewOutcome, Unfinished};
@@ -80,15 +80,16 @@ fn pull(
     stitches: &[(usize, usize)],
     stiffness: f64,
 ) -> (StageOutcome, SolveStatistics) {
-    let dof_map = DofMap::identity(x.len());
-    let stage = Stage {
-        dof_map: &dof_map,
-        stitches: Some((stitches.to_vec(), stiffness)),
+    let build_options = BuildOptions {
+        seams: Seams::Open {
+            stitches: stitches.to_vec(),
+            stiffness,
+        },
         gravity: false,
         friction: None,
         explicit: level.options.method.is_explicit(),
     };
-    let mut system = assemble(level.scene, level.options, &stage, level.clock);
+    let mut system = build(level.scene, level.options, &build_options, level.clock).system;
     let first_gap = seam_gap(stitches, x).max(1e-9);
     let eps = level.options.seam_eps_m;
     let method = level.stage_method(MOTION);

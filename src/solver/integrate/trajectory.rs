@@ -7,9 +7,9 @@ use crate::solver::integrate::damping;
 use crate::solver::integrate::integrator::ParticleState;
 use crate::solver::integrate::report::{MotionReport, Trajectory};
 use crate::solver::integrate::simulation::MotionSimulation;
-use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::DofMap;
-use crate::solver::options::{Method, SeamClose, SolverOptions};
+use crate::solver::model::build::{BuildOptions, Model, build};
+use crate::solver::model::seams::Seams;
+use crate::solver::options::{Method, SolverOptions};
 use crate::solver::report::describe::term_times;
 use crate::solver::statistics::TermTimes;
 use nalgebra::Vector3;
@@ -38,24 +38,17 @@ pub fn trajectory(
     context: &mut Context<'_>,
 ) -> Trajectory {
     let began = (context.cpu_s)();
-    let stitches = scene.mesh.stitches.iter().map(|s| (s.a, s.b));
-    let weld = options.seam_close == SeamClose::Weld;
-    let dof_map = if weld {
-        DofMap::welded(scene.start.len(), stitches.clone())
-    } else {
-        DofMap::identity(scene.start.len())
-    };
-    let stiffness = options.closed_seam_stiffness(options.sewing_stiffness());
-    let springs = (!weld && stitches.len() > 0).then(|| (stitches.collect(), stiffness));
-    let stage = Stage {
-        dof_map: &dof_map,
-        stitches: springs,
+    let build_options = BuildOptions {
+        seams: Seams::closed(options, options.sewing_stiffness()),
         gravity: true,
         friction: Some(&FrictionAnchors::default()),
         // Automatic methods may turn out to be explicit.
         explicit: options.method.is_explicit() || options.method == Method::Auto,
     };
-    let mut system = assemble(scene, options, &stage, context.cpu_s);
+    let Model {
+        dof_map,
+        mut system,
+    } = build(scene, options, &build_options, context.cpu_s);
     let mut state =
         ParticleState::at_rest(&dof_map.average(from.positions.as_ref().unwrap_or(&scene.start)));
     state.windy = true;

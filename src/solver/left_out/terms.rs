@@ -4,8 +4,8 @@ use crate::config::Limits;
 use crate::progress::CancelToken;
 use crate::solver::drape;
 use crate::solver::left_out::scenes::{Has, scene};
-use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::DofMap;
+use crate::solver::model::build::{BuildOptions, build};
+use crate::solver::model::seams::Seams;
 use crate::solver::{Context, DrapeReport, FrictionAnchors, SeamClose, SolverOptions};
 
 /// Cells along a sheet: few, since what is assembled counts, not what comes of it.
@@ -40,16 +40,13 @@ fn sorted<'a>(names: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
 fn a_system_has_the_terms_that_its_scene_needs_and_no_others() {
     for has in Has::combinations() {
         let scene = scene(has, CELLS);
-        let dof_map = DofMap::identity(scene.start.len());
-        let stitches: Vec<_> = scene.mesh.stitches.iter().map(|s| (s.a, s.b)).collect();
-        let stage = Stage {
-            dof_map: &dof_map,
-            stitches: has.seams.then_some((stitches, 1e4)),
+        let build_options = BuildOptions {
+            seams: Seams::Stiff { stiffness: 1e4 },
             gravity: true,
             friction: Some(&FrictionAnchors::default()),
             explicit: false,
         };
-        let system = assemble(&scene, &SolverOptions::default(), &stage, &|| 0.0);
+        let system = build(&scene, &SolverOptions::default(), &build_options, &|| 0.0).system;
         let contact = system.contact.as_ref();
         let held = contact.is_some_and(|c| c.anchors() != FrictionAnchors::default());
         let apart = [("contact", contact.is_some()), ("friction", held)];

@@ -1,4 +1,4 @@
-//! From a scene to the particles and terms of one stage: sewing, or the drape that follows.
+//! Builds a system from a scene: its particles and the terms that act on them.
 
 pub use crate::solver::model::membrane::springs;
 
@@ -9,6 +9,7 @@ use crate::solver::model::bending::bend_patches;
 use crate::solver::model::dof_map::DofMap;
 use crate::solver::model::membrane::membrane_force;
 use crate::solver::model::rest_shape::vertex_areas;
+use crate::solver::model::seams::Seams;
 use crate::solver::model::system::{System, TimedTerm};
 use crate::solver::options::SolverOptions;
 use nalgebra::Vector3;
@@ -20,13 +21,11 @@ const SKIN_OFFSET: f64 = 2e-3;
 /// Distance for which explicit steps carry on a sample of the body \[m\]: third-order terms stay below 1e-11 m.
 const EXPLICIT_REUSE: f64 = 2e-5;
 
-/// What one stage of a fit asks for.
-pub(crate) struct Stage<'a> {
-    /// Which vertices are one particle.
-    pub(crate) dof_map: &'a DofMap,
-    /// Vertex pairs that a spring pulls together, and its stiffness \[N/m\].
-    pub(crate) stitches: Option<(Vec<(usize, usize)>, f64)>,
-    /// Whether weight acts.
+/// Seams, loads and contact of a system, besides the cloth of its scene.
+pub(crate) struct BuildOptions<'a> {
+    /// Joint of the stitches.
+    pub(crate) seams: Seams,
+    /// Whether weight and wind act.
     pub(crate) gravity: bool,
     /// Where the body holds cloth by friction to begin with; none without friction.
     pub(crate) friction: Option<&'a FrictionAnchors>,
@@ -34,21 +33,27 @@ pub(crate) struct Stage<'a> {
     pub(crate) explicit: bool,
 }
 
-/// The particles and terms of `stage`.
-pub(crate) fn assemble<'a>(
+/// A system, and the particle of each vertex of the scene that it was built from.
+pub(crate) struct Model<'a> {
+    pub(crate) dof_map: DofMap,
+    pub(crate) system: System<'a>,
+}
+
+/// Builds the particles of a scene and the terms that act on them: only those that it needs.
+pub(crate) fn build<'a>(
     scene: &Scene,
     options: &SolverOptions,
-    stage: &Stage<'_>,
+    build_options: &BuildOptions<'_>,
     clock: &'a dyn Fn() -> f64,
-) -> System<'a> {
-    let dof_map = stage.dof_map;
+) -> Model<'a> {
+    let dof_map = build_options.seams.dof_map(scene);
     let mass = dof_map.sum(&scene.mass);
-    let mut forces = vec![membrane_force(scene, options.membrane, dof_map)];
-    let patches = bends(scene).then(|| bend_patches(scene, dof_map));
+    let mut forces = vec![membrane_force(scene, options.membrane, &dof_map)];
+    let patches = bends(scene).then(|| bend_patches(scene, &dof_map));
     if let Some(patches) = patches.filter(|patches| !patches.is_empty()) {
         forces.push(Box::new(BendForce::new(patches)));
     }
-    if stage.gravity && scene.gravity != Vector3::zeros() {
+    if build_options.gravity && scene.gravity != Vector3::zeros() {
         let weight = mass.iter().map(|m| scene.gravity * *m).collect();
         forces.push(Box::new(Gravity {
             weight,
@@ -56,14 +61,14 @@ pub(crate) fn assemble<'a>(
         }));
     }
     // Wind acts as weight does: on a garment that is sewn.
-    if let Some(wind) = scene.wind.filter(|_| stage.gravity) {
-        let triangles = particle_triangles(scene, dof_map);
+    if let Some(wind) = scene.wind.filter(|_| build_options.gravity) {
+        let triangles = particle_triangles(scene, &dof_map);
         let start = dof_map.average(&scene.start);
         forces.push(Box::new(WindForce::new(wind, triangles, &start)));
     }
-    if let Some((stitches, stiffness)) = &stage.stitches {
-        let pairs = dof_map.pairs(stitches);
-        forces.push(Box::new(SewingForce::new(pairs, *stiffness)));
+    if let Some((stitches, stiffness)) = build_options.seams.springs(scene) {
+        let pairs = dof_map.pairs(&stitches);
+        forces.push(Box::new(SewingForce::new(pairs, stiffness)));
     }
     let mut is_fixed = vec![false; mass.len()];
     for &pin in &scene.pins {
@@ -71,12 +76,16 @@ pub(crate) fn assemble<'a>(
     }
     let contact = scene.body.as_ref().map(|body| {
         let area = dof_map.sum(&vertex_areas(scene));
-        let held = stage.friction.filter(|_| scene.friction > 0.0);
+        let held = build_options.friction.filter(|_| scene.friction > 0.0);
         let friction =
             held.map(|held| Friction::new(scene.friction, mass.len()).with_anchors(held));
         BodyContact::new(body.clone(), kept_distance(scene), &area)
             .with_friction(friction)
-            .with_reuse(if stage.explicit { EXPLICIT_REUSE } else { 0.0 })
+            .with_reuse(if build_options.explicit {
+                EXPLICIT_REUSE
+            } else {
+                0.0
+            })
     });
     let terms = forces
         .into_iter()
@@ -85,7 +94,7 @@ pub(crate) fn assemble<'a>(
             cpu_s: 0.0,
         })
         .collect();
-    System {
+    let system = System {
         mass,
         is_fixed,
         fixed_axis: scene.fixed_axis,
@@ -93,7 +102,8 @@ pub(crate) fn assemble<'a>(
         contact,
         contact_cpu_s: 0.0,
         clock,
-    }
+    };
+    Model { dof_map, system }
 }
 
 /// Whether anything of the scene resists bending.

@@ -5,4 +5,5 @@ pub(crate) mod build;
 pub(crate) mod dof_map;
 pub(crate) mod membrane;
 pub(crate) mod rest_shape;
+pub(crate) mod seams;
 pub(crate) mod system;

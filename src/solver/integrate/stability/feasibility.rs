@@ -10,8 +10,8 @@ use crate::scene::Scene;
 use crate::solver::drape::drag::RELAXATION_DRAG;
 use crate::solver::integrate::select::integrator_for;
 use crate::solver::integrate::settings::{IntegratorSettings, SAFETY};
-use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::DofMap;
+use crate::solver::model::build::{BuildOptions, build};
+use crate::solver::model::seams::Seams;
 use crate::solver::options::{Method, SeamClose, SolverOptions};
 use nalgebra::Vector3;
 
@@ -67,22 +67,18 @@ pub(crate) fn refuse(
 
 /// The longest stable step of the cloth flat and at rest \[s\].
 fn stable_step(scene: &Scene, options: &SolverOptions, clock: &dyn Fn() -> f64) -> f64 {
-    let dof_map = DofMap::identity(scene.start.len());
-    let stitches = scene.mesh.stitches.iter().map(|s| (s.a, s.b));
-    let stay = options.seam_close == SeamClose::Spring && stitches.len() > 0;
-    let stage = Stage {
-        dof_map: &dof_map,
-        stitches: stay.then(|| {
-            (
-                stitches.collect(),
-                options.closed_seam_stiffness(options.sewing_stiffness()),
-            )
-        }),
+    // A flat garment cannot be welded: its panels lie apart.
+    let seams = match options.seam_close {
+        SeamClose::Spring => Seams::closed(options, options.sewing_stiffness()),
+        SeamClose::Weld => Seams::Apart,
+    };
+    let build_options = BuildOptions {
+        seams,
         gravity: false,
         friction: None,
         explicit: false,
     };
-    let mut system = assemble(scene, options, &stage, clock);
+    let mut system = build(scene, options, &build_options, clock).system;
     let flat: Vec<_> = if scene.mesh.triangles.is_empty() {
         scene.start.clone()
     } else {

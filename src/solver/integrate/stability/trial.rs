@@ -12,9 +12,9 @@ use crate::solver::integrate::select::integrator_for;
 use crate::solver::integrate::settings::IntegratorSettings;
 use crate::solver::integrate::stability::limit;
 use crate::solver::linalg::lanczos::pseudo_random_vectors;
-use crate::solver::model::build::{Stage, assemble};
-use crate::solver::model::dof_map::DofMap;
-use crate::solver::options::{Method, SeamClose, SolverOptions};
+use crate::solver::model::build::{BuildOptions, Model, build};
+use crate::solver::model::seams::Seams;
+use crate::solver::options::{Method, SolverOptions};
 use crate::solver::{Context, Drape};
 use nalgebra::Vector3;
 
@@ -306,26 +306,17 @@ impl StabilityTrial<'_, '_, '_> {
         &self,
         f: impl FnOnce(&mut crate::solver::model::system::System<'_>, &[Vector3<f64>]) -> T,
     ) -> T {
-        let scene = self.scene;
-        let stitches = scene.mesh.stitches.iter().map(|s| (s.a, s.b));
-        let weld = self.options.seam_close == SeamClose::Weld;
-        let dof_map = if weld {
-            DofMap::welded(scene.start.len(), stitches.clone())
-        } else {
-            DofMap::identity(scene.start.len())
-        };
-        let stiffness = self
-            .options
-            .closed_seam_stiffness(self.options.sewing_stiffness());
-        let springs = (!weld && stitches.len() > 0).then(|| (stitches.collect(), stiffness));
-        let stage = Stage {
-            dof_map: &dof_map,
-            stitches: springs,
+        let sewing = self.options.sewing_stiffness();
+        let build_options = BuildOptions {
+            seams: Seams::closed(self.options, sewing),
             gravity: true,
             friction: Some(self.anchors),
             explicit: self.options.method.is_explicit(),
         };
-        let mut system = assemble(scene, self.options, &stage, self.context.cpu_s);
+        let Model {
+            dof_map,
+            mut system,
+        } = build(self.scene, self.options, &build_options, self.context.cpu_s);
         f(&mut system, &dof_map.average(self.rest))
     }
 }
