@@ -27,7 +27,7 @@ const OF_TERMS: &str = "
 |---|---:|---:|---:|---:|
 ";
 const OF_FITS: &str = "
-| skirt, edges | instructions | report | dress form | factorisation |
+| skirt, edges | instructions | report | dress form | factorization |
 |---|---:|---:|---:|---:|
 ";
 
@@ -143,7 +143,10 @@ fn row(edge: &str, profile: &Profile) -> Result<String, String> {
         report += of(profile, function)?;
     }
     let form = of(profile, "avatar::form::DressForm::build")?;
-    let factors = of(profile, "solver::cholesky::BlockCholesky::factorize")?;
+    let factors = of(
+        profile,
+        "solver::linalg::cholesky::BlockCholesky::factorize",
+    )?;
     let shares = [report, form, factors].map(share).join(" | ");
     Ok(format!("| {edge} m | {all} | {shares} |\n"))
 }

@@ -80,7 +80,7 @@ fn cloths(svg: &str) -> Vec<Vec<Point2>> {
 }
 
 #[test]
-fn panels_are_drawn_in_millimetres_with_y_down() {
+fn panels_are_drawn_in_millimeters_with_y_down() {
     let svg = drawing_svg(&pattern(vec![front()]));
     let found = cloths(&svg).remove(0);
     let [low, high] = box_of(&found);
@@ -125,7 +125,7 @@ fn every_corner_and_edge_has_its_number() {
     let mut sleeve = polygon("sleeve", &[[0.0, 0.0], [0.1, 0.3], [0.5, 0.35], [0.6, 0.0]]);
     sleeve.internal_lines = vec![vec![[0.2, 0.1], [0.3, 0.1]]];
     let svg = drawing_svg(&pattern(vec![sleeve]));
-    let numbers = |colour: &str| {
+    let numbers = |color: &str| {
         let group = svg
             .split("<g ")
             .nth(1)
@@ -136,7 +136,7 @@ fn every_corner_and_edge_has_its_number() {
         let texts = group
             .split("<text ")
             .skip(1)
-            .filter(|text| text.split('>').next().is_some_and(|t| t.contains(colour)));
+            .filter(|text| text.split('>').next().is_some_and(|t| t.contains(color)));
         let digits =
             texts.filter_map(|text| text.split('>').nth(1)?.split('<').next()?.parse().ok());
         digits.collect::<Vec<u32>>()

@@ -217,7 +217,7 @@ fn obj_reads_back_the_same_mesh() {
         {
             let (read, drawn) = (*read as usize, *drawn as usize);
             let of = |list: &[f32], n: usize| list[n * read..n * (read + 1)].to_vec();
-            // Half a nanometre as printed, then one rounding to single precision of at most 2 m.
+            // Half a nanometer as printed, then one rounding to single precision of at most 2 m.
             let close = |a: &[f32], b: &[f64]| {
                 a.iter()
                     .zip(b)

@@ -103,7 +103,7 @@ fn outlines_are_closed_and_clockwise() {
 
 #[test]
 fn both_sides_of_every_seam_are_equally_long() {
-    // As printed, to a ten-thousandth of a millimetre a vertex.
+    // As printed, to a ten-thousandth of a millimeter a vertex.
     const PRINTED: f64 = 0.01;
     for sample in seamster_fixtures::drafting::samples() {
         let outlines = outlines(&sample);

@@ -74,13 +74,13 @@ fn rectangle(id: &str, width: f64, height: f64) -> Panel {
     )
 }
 
-/// Points of an arc about `centre`, angles in degrees.
-fn arc(centre: Point2, radius: f64, from: f64, to: f64) -> Vec<Point2> {
+/// Points of an arc about `center`, angles in degrees.
+fn arc(center: Point2, radius: f64, from: f64, to: f64) -> Vec<Point2> {
     let point = |i: i32| {
         let angle = (from + (to - from) * f64::from(i) / 40.0).to_radians();
         [
-            centre[0] + radius * angle.cos(),
-            centre[1] + radius * angle.sin(),
+            center[0] + radius * angle.cos(),
+            center[1] + radius * angle.sin(),
         ]
     };
     (0..=40).map(point).collect()

@@ -72,7 +72,7 @@ fn rectangle_loses_the_width_on_every_side() {
 }
 
 #[test]
-fn regular_polygon_keeps_its_centre_and_loses_the_width_from_its_apothem() {
+fn regular_polygon_keeps_its_center_and_loses_the_width_from_its_apothem() {
     for count in [3, 5, 8] {
         let half = PI / count as f64;
         let apothem = 0.3 * half.cos();
@@ -177,7 +177,7 @@ fn hollow_curves_grow_by_the_width() {
 fn curves_tighter_than_the_width_lose_what_does_not_fit() {
     // A square of 0.4 with corners rounded to 0.005 by 45 chords each, one edge a side: cut by 0.01, a square of 0.38.
     let radius = 0.005;
-    let centres = [
+    let centers = [
         [radius, 0.4 - radius],
         [0.4 - radius, 0.4 - radius],
         [0.4 - radius, radius],
@@ -188,12 +188,12 @@ fn curves_tighter_than_the_width_lose_what_does_not_fit() {
             let rounding = |i: i32| {
                 let angle = PI - 0.5 * PI * k as f64 - 0.5 * PI * f64::from(i) / 45.0;
                 [
-                    centres[k][0] + radius * angle.cos(),
-                    centres[k][1] + radius * angle.sin(),
+                    centers[k][0] + radius * angle.cos(),
+                    centers[k][1] + radius * angle.sin(),
                 ]
             };
             let next = PI - 0.5 * PI * (k + 1) as f64;
-            let start = centres[(k + 1) % 4];
+            let start = centers[(k + 1) % 4];
             let mut points: Vec<Point2> = (0..=45).map(rounding).collect();
             points.push([
                 start[0] + radius * next.cos(),

@@ -144,7 +144,7 @@ fn a_copy_is_placed_as_the_mirror_image_of_its_source() {
     assert_eq!(found.placements.len(), 2);
     let image = &found.placements["sleeve~mirror"];
     assert_eq!(image, &placement.mirrored());
-    // Points about the centre: R' (-x, y, 0) must be R (x, y, 0) reflected, and so must the offsets.
+    // Points about the center: R' (-x, y, 0) must be R (x, y, 0) reflected, and so must the offsets.
     let at = |p: &Placement, [x, y]: Point2| {
         let mut v = [x, y, 0.0];
         for axis in [2, 1, 0] {

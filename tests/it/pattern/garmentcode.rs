@@ -88,7 +88,7 @@ fn loop_drawn_clockwise_is_kept_as_it_is_with_its_face_down() {
 }
 
 #[test]
-fn loops_that_were_not_normalised_state_no_face() {
+fn loops_that_were_not_normalized_state_no_face() {
     let mut spec = spec(json!({ "p": square() }), json!([]));
     spec["properties"]["normalized_edge_loops"] = json!(false);
     assert_eq!(imported(&spec).panels[0].face, None);
@@ -167,7 +167,7 @@ fn units_are_those_of_the_file_or_of_the_caller() {
     assert_eq!(found.warnings[0].code, "pattern/units_assumed");
 }
 
-/// The place in space of a point of a panel, as its placement says: its centre is put at the origin, turned by Rx Ry Rz, moved.
+/// The place in space of a point of a panel, as its placement says: its center is put at the origin, turned by Rx Ry Rz, moved.
 fn placed(pattern: &Pattern, id: &str, [x, y]: [f64; 2]) -> [f64; 3] {
     let panel = &pattern.panels[pattern.panel_index(id).expect("a panel")];
     let placement = &pattern.placements[id];
@@ -544,7 +544,7 @@ fn circle_skirt_is_a_sector_of_a_ring() {
             .map(|edge| edge.length_m)
             .collect();
         arcs.sort_by(f64::total_cmp);
-        // Both arcs see the same angle from one centre.
+        // Both arcs see the same angle from one center.
         let angle = arcs[0] / inner;
         assert!((arcs[1] / outer - angle).abs() < 1e-4 * angle, "{name}");
         let area = 0.5 * angle * (outer * outer - inner * inner);

@@ -53,7 +53,7 @@ fn codes(pattern: &Pattern) -> Vec<&str> {
 }
 
 #[test]
-fn piece_becomes_a_clockwise_panel_in_metres() {
+fn piece_becomes_a_clockwise_panel_in_meters() {
     let file = rectangle(DxfBuilder::metric(), "FRONT")
         .text("1", "Quantity: 1,1")
         .point("80", [100.0, 400.0])
@@ -206,7 +206,7 @@ fn units_are_overridden_by_the_caller() {
 }
 
 #[test]
-fn centimetres_that_are_said_to_be_millimetres_are_warned_about() {
+fn centimeters_that_are_said_to_be_millimeters_are_warned_about() {
     let file = closed(
         DxfBuilder::metric().block("FRONT"),
         "1",
@@ -792,7 +792,7 @@ fn expected(file: &str) -> Expected {
 }
 
 /// Difference from the outcome that a hostile file must have; empty where there is none.
-fn misbehaviour(found: &Result<Pattern, Faults>, expected: &Expected) -> String {
+fn misbehavior(found: &Result<Pattern, Faults>, expected: &Expected) -> String {
     match (found, expected) {
         (Err(faults), Expected::Refused(code)) => {
             let right = faults.0.iter().any(|f| f.code == *code);
@@ -833,7 +833,7 @@ fn hostile_files_give_what_they_must_in_time() {
     let mut wrong = Vec::new();
     for (name, _) in files(&manifest) {
         let start = thread_cpu_s();
-        let mut result = misbehaviour(&read(&folder.join(name)), &expected(name));
+        let mut result = misbehavior(&read(&folder.join(name)), &expected(name));
         if thread_cpu_s() - start > 2.0 {
             result += " took more than 2 s";
         }

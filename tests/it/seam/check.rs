@@ -669,7 +669,7 @@ fn notches_and_fractions_are_places() {
 }
 
 #[test]
-fn place_within_a_millimetre_of_a_corner_is_the_corner() {
+fn place_within_a_millimeter_of_a_corner_is_the_corner() {
     let panels = pattern(vec![rectangle("a", 0.4, 0.4), rectangle("b", 0.4, 0.4)]);
     let near = Place::OnEdge {
         edge: 0,
@@ -1153,7 +1153,7 @@ fn order_of_seams_and_sides_changes_neither_verdict_nor_faces() {
 }
 
 #[test]
-fn refused_sets_have_no_colouring_at_all() {
+fn refused_sets_have_no_coloring_at_all() {
     let panels = pattern(
         ["front", "back", "left", "right"]
             .map(|id| rectangle(id, 0.4, 0.4))
@@ -1166,18 +1166,18 @@ fn refused_sets_have_no_colouring_at_all() {
             .iter_mut()
             .for_each(|pair| pair.matching = Match::AsPicked);
         let runs = |pair: &SeamPair| [pair.a.runs()[0].clone(), pair.b.runs()[0].clone()];
-        let colourable = (0..16_usize).any(|colours| {
+        let colorable = (0..16_usize).any(|colors| {
             pairs.iter().filter(|pair| !pair.allow_twist).all(|pair| {
                 let [a, b] = runs(pair).map(|run| {
                     let panel = panels.panel_index(&run.panel).unwrap();
                     let (Place::Corner(from), Place::Corner(to)) = (run.from, run.to) else {
                         panic!()
                     };
-                    (colours >> panel & 1, to == (from + 1) % 4)
+                    (colors >> panel & 1, to == (from + 1) % 4)
                 });
                 (a.1 != b.1) == (a.0 == b.0)
             })
         });
-        assert_eq!(checked(&panels, &pairs).0.ok, colourable, "case {case}");
+        assert_eq!(checked(&panels, &pairs).0.ok, colorable, "case {case}");
     }
 }

@@ -248,7 +248,7 @@ fn panels_that_start_nowhere_are_not_judged() {
 
 #[test]
 fn mirrored_copy_is_judged_as_it_lies() {
-    // A front cut in two halves, the right one a mirrored copy, sewn along the centre: drawn x = 0 for both.
+    // A front cut in two halves, the right one a mirrored copy, sewn along the center: drawn x = 0 for both.
     let half = rectangle("front", WIDTH / 2.0, HEIGHT);
     let copy = mirrored(&half);
     let pattern = pattern(vec![half, copy]);

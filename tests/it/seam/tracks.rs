@@ -359,7 +359,7 @@ fn pocket_is_sewn_onto_a_line_inside_a_front() {
     assert_line_is_meshed(&mesh, 0);
 }
 
-/// Each two neighbours along the line are joined by a mesh edge with cloth on both sides, and the panel has no gap.
+/// Each two neighbors along the line are joined by a mesh edge with cloth on both sides, and the panel has no gap.
 fn assert_line_is_meshed(mesh: &ClothMesh, panel: usize) {
     let triangles = &mesh.triangles[mesh.panels[panel].triangles.clone()];
     let directed: BTreeSet<[usize; 2]> = triangles

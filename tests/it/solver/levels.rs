@@ -115,7 +115,7 @@ fn weights_say_where_each_fine_vertex_lies() {
                     .iter()
                     .map(|&(v, w)| w * coarse.scene.mesh.uv[v][k])
                     .sum();
-                // Barycentric coordinates of metres, in a triangle whose height is above a thousandth of its edges.
+                // Barycentric coordinates of meters, in a triangle whose height is above a thousandth of its edges.
                 assert!((at - uv).abs() < 1e-12);
             }
         }

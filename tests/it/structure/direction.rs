@@ -3,8 +3,9 @@
 //! ARCHITECTURE.md gives the order and the reasons. The source is read as text, less comments and strings, so
 //! that a use is found however it is written: `use crate::a::B`, `use crate::{a, b::C}`, `crate::a::f()`, `super::super::a`.
 
+use super::sources::code;
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// From left to right; those on one line may use each other.
 const ORDER: &[&[&str]] = &[
@@ -141,7 +142,7 @@ impl SourceFile {
         Self {
             module: parts[0].clone(),
             depth,
-            code: squeezed(&stripped(text)),
+            code: code(text),
             path,
         }
     }
@@ -149,22 +150,11 @@ impl SourceFile {
 
 /// Every file of `src/` but `lib.rs`, which only names the modules.
 fn sources() -> Vec<SourceFile> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
-    let mut sources = vec![];
-    let mut folders = vec![root.clone()];
-    while let Some(folder) = folders.pop() {
-        for entry in std::fs::read_dir(folder).expect("src is there") {
-            let path = entry.expect("src can be listed").path();
-            if path.is_dir() {
-                folders.push(path);
-            } else if path.extension().is_some_and(|e| e == "rs") && !path.ends_with("src/lib.rs") {
-                let text = std::fs::read_to_string(&path).expect("sources are text");
-                let path = path.strip_prefix(&root).expect("found under it");
-                sources.push(SourceFile::new(path.to_owned(), &text));
-            }
-        }
-    }
-    sources
+    let files = super::sources::sources().into_iter();
+    files
+        .filter(|(path, _)| path != "lib.rs")
+        .map(|(path, text)| SourceFile::new(PathBuf::from(path), &text))
+        .collect()
 }
 
 fn modules() -> Vec<&'static str> {
@@ -232,63 +222,4 @@ fn names(code: &str, name: &str) -> bool {
             before != Some(':') && before != Some('.') && code[at + name.len()..].starts_with("::");
         !word(before) && !word(after) && (!is_crate || begins)
     })
-}
-
-/// The text with comments and the insides of strings taken out.
-fn stripped(text: &str) -> String {
-    let mut code = String::new();
-    let mut rest = text;
-    while let Some(c) = rest.chars().next() {
-        let skip = if rest.starts_with("//") {
-            rest.find('\n').unwrap_or(rest.len())
-        } else if rest.starts_with("/*") {
-            rest.find("*/").map_or(rest.len(), |end| end + 2)
-        } else if let Some(length) = string_length(rest) {
-            code.push_str("\"\"");
-            length
-        } else {
-            code.push(c);
-            c.len_utf8()
-        };
-        rest = &rest[skip..];
-    }
-    code
-}
-
-/// Length of the string or character that `rest` begins with, if it begins with one.
-fn string_length(rest: &str) -> Option<usize> {
-    if let Some(raw) = rest.strip_prefix('r') {
-        let hashes = raw.len() - raw.trim_start_matches('#').len();
-        let end = format!("\"{}", "#".repeat(hashes));
-        let inside = raw[hashes..].strip_prefix('"')?;
-        return Some(1 + hashes + 1 + inside.find(&end)? + end.len());
-    }
-    // Characters that would open a string or a comment; lifetimes open nothing.
-    for quote in ["'\"'", "'\\\"'", "'/'", "'\\''"] {
-        if rest.starts_with(quote) {
-            return Some(quote.len());
-        }
-    }
-    let inside = rest.strip_prefix('"')?;
-    let mut escaped = false;
-    let end = inside.find(|c| {
-        let closes = c == '"' && !escaped;
-        escaped = c == '\\' && !escaped;
-        closes
-    })?;
-    Some(end + 2)
-}
-
-/// The code without blanks that separate no two words.
-fn squeezed(code: &str) -> String {
-    let mut squeezed = String::new();
-    let mut words = code.split_whitespace().peekable();
-    let is_word = |c: char| c.is_alphanumeric() || c == '_';
-    while let Some(word) = words.next() {
-        squeezed.push_str(word);
-        if word.ends_with(is_word) && words.peek().is_some_and(|next| next.starts_with(is_word)) {
-            squeezed.push(' ');
-        }
-    }
-    squeezed
 }

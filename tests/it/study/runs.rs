@@ -187,7 +187,7 @@ fn on_a_taut_garment_the_methods_agree_and_meshes_are_compared() {
     };
     assert!(coarse.reference.confirmed, "{:?}", coarse.reference);
     assert!(coarse.vertices < fine.vertices);
-    // Meshes of 60 and 50 mm cannot agree to a tenth of a millimetre round a body, nor differ by more than an edge.
+    // Meshes of 60 and 50 mm cannot agree to a tenth of a millimeter round a body, nor differ by more than an edge.
     let error = coarse.mesh_error_m.unwrap();
     assert!((1e-4..0.05).contains(&error), "{error}");
     assert_eq!(fine.mesh_error_m, None);

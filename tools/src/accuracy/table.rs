@@ -62,12 +62,12 @@ fn rows(lines: &[&AccuracyLine]) -> String {
             line.vertices,
             line.cpu_s,
             line.residual,
-            millimetres(line.estimate_m),
+            millimeters(line.estimate_m),
             if line.valid { "yes" } else { "no" },
-            millimetres(Some(line.error_m)),
+            millimeters(Some(line.error_m)),
             line.ratio()
                 .map_or("–".to_owned(), |ratio| format!("{ratio:.2}")),
-            millimetres(line.mesh_error_m),
+            millimeters(line.mesh_error_m),
         );
         text
     })
@@ -78,8 +78,8 @@ pub(crate) fn short(line: &AccuracyLine) -> String {
     rows(&[line]).trim().to_owned()
 }
 
-fn millimetres(metres: Option<f64>) -> String {
-    match metres.map(|m| 1e3 * m) {
+fn millimeters(meters: Option<f64>) -> String {
+    match meters.map(|m| 1e3 * m) {
         None => "–".to_owned(),
         Some(mm) if mm < 0.01 => format!("{mm:.1e}"),
         Some(mm) => format!("{mm:.2}"),

@@ -31,9 +31,9 @@ fn markdown(lines: &[BenchLine]) -> String {
             iterations,
             residual,
             error(line),
-            millimetres(line.estimate_m.filter(|_| line.estimate_valid)),
-            millimetres(Some(line.gap_m)),
-            millimetres(Some(line.penetration_m)),
+            millimeters(line.estimate_m.filter(|_| line.estimate_valid)),
+            millimeters(Some(line.gap_m)),
+            millimeters(Some(line.penetration_m)),
             figures(100.0 * line.strain_max),
             format!("{:.5}", line.energy_j),
             format!("{:.0}", line.memory_peak_bytes as f64 / 1e6),
@@ -53,9 +53,9 @@ pub(crate) fn short(line: &BenchLine) -> String {
         line.method,
         setting(&line.setting),
         error(line),
-        millimetres(line.estimate_m.filter(|_| line.estimate_valid)),
-        millimetres(Some(line.gap_m)),
-        millimetres(Some(line.penetration_m)),
+        millimeters(line.estimate_m.filter(|_| line.estimate_valid)),
+        millimeters(Some(line.gap_m)),
+        millimeters(Some(line.penetration_m)),
         figures(100.0 * line.strain_max),
         line.energy_j,
         line.memory_peak_bytes as f64 / 1e6,
@@ -89,15 +89,15 @@ fn setting(setting: &Value) -> String {
     told.collect::<Vec<_>>().join(", ")
 }
 
-/// The error in millimetres, with a sign where only a bound is known.
+/// The error in millimeters, with a sign where only a bound is known.
 pub(crate) fn error(line: &BenchLine) -> String {
     let bound = line.reference_moved_m < line.error_m;
     let sign = if bound { "≤ " } else { "" };
-    format!("{sign}{}", millimetres(line.error_m))
+    format!("{sign}{}", millimeters(line.error_m))
 }
 
-fn millimetres(metres: Option<f64>) -> String {
-    metres.map_or("–".to_owned(), |metres| figures(1e3 * metres))
+fn millimeters(meters: Option<f64>) -> String {
+    meters.map_or("–".to_owned(), |meters| figures(1e3 * meters))
 }
 
 /// Two figures that count.

@@ -82,8 +82,8 @@ fn cells(line: &StabilityLine) -> [String; 13] {
             (None, Some(why)) => why.clone(),
             (None, None) => "–".to_owned(),
         },
-        millimetres(valid),
-        millimetres(line.error_m),
+        millimeters(valid),
+        millimeters(line.error_m),
     ]
 }
 
@@ -94,8 +94,8 @@ fn work(line: &StabilityLine) -> String {
     }
 }
 
-fn millimetres(metres: Option<f64>) -> String {
-    metres.map_or("–".to_owned(), |m| format!("{:.1e}", 1e3 * m))
+fn millimeters(meters: Option<f64>) -> String {
+    meters.map_or("–".to_owned(), |m| format!("{:.1e}", 1e3 * m))
 }
 
 /// One line of plain text.
