@@ -10,15 +10,17 @@ use crate::solver::options::SolverOptions;
 
 /// One level of a drape: its scene, and what all levels share.
 pub(crate) struct Level<'a, 'c, 'w> {
+    /// Scene of this level.
     pub(crate) scene: &'a Scene,
     pub(crate) options: &'a SolverOptions,
+    /// The only clock \[CPU s\].
     pub(crate) clock: &'w dyn Fn() -> f64,
     pub(crate) limits: IterationLimits,
     pub(crate) monitor: &'a mut Monitor<'c, 'w>,
     /// Residual to reach, unless the floor is above it.
     pub(crate) tolerance: f64,
-    /// Residual that is not gone below, in round-off floors.
-    pub(crate) floors: f64,
+    /// Least residual that is asked for, over its round-off floor.
+    pub(crate) floor_multiple: f64,
     /// True on the level that was asked for.
     pub(crate) is_finest: bool,
     /// True if its seams are closed before it begins, so that the start is near the end already.
@@ -28,7 +30,7 @@ pub(crate) struct Level<'a, 'c, 'w> {
 }
 
 impl Level<'_, '_, '_> {
-    /// Returns how a stage is run whose motion, if it is one, is `motion`.
+    /// Returns the method of a stage; `motion` is its motion if it is run by one.
     pub(crate) fn stage_method(&self, motion: DynamicRelaxation) -> StageMethod {
         StageMethod {
             motion: self

@@ -14,11 +14,14 @@ pub(crate) const SEWING_SHARE: f64 = 0.4;
 /// Monitor of a drape.
 pub(crate) struct Monitor<'c, 'w> {
     context: &'c mut Context<'w>,
+    /// CPU time at the start \[s\].
     began: f64,
+    /// CPU time allowed \[s\].
     time_limit: f64,
+    /// Progress reported so far, 0 to 1.
     fraction: f64,
     pace: IterationPace,
-    /// Shapes on the way.
+    /// Shapes kept of every level.
     pub(crate) history: ConvergenceHistory,
     /// True if the cancel token was raised.
     pub(crate) canceled: bool,
@@ -30,6 +33,7 @@ pub(crate) struct Monitor<'c, 'w> {
 
 /// Record of one iteration.
 pub(crate) struct IterationRecord<'a> {
+    /// Name of the stage in the progress.
     pub(crate) stage: &'static str,
     /// Share of the drape that is done, 0 to 1.
     pub(crate) fraction: f64,
@@ -37,7 +41,7 @@ pub(crate) struct IterationRecord<'a> {
     pub(crate) seam_gap: f64,
     /// Estimated distance of the shape of the iteration before from the solution \[m\].
     pub(crate) estimate_before: Option<f64>,
-    /// Position of each vertex.
+    /// Returns the position of each vertex \[m\].
     pub(crate) shape: &'a dyn Fn() -> Vec<Vector3<f64>>,
 }
 
@@ -45,11 +49,13 @@ pub(crate) struct IterationRecord<'a> {
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct IterationPace {
     began: f64,
+    /// Time of the last iteration.
     last: Option<f64>,
-    /// From the start of the level to its first iteration.
+    /// From the start of the stage to its first iteration.
     pub(crate) set_up: f64,
     /// The longer of the last two iterations.
     pub(crate) iteration: f64,
+    /// The last iteration.
     before: f64,
 }
 
@@ -67,6 +73,7 @@ impl IterationPace {
 }
 
 impl<'c, 'w> Monitor<'c, 'w> {
+    /// Begins to monitor a drape with so much CPU time \[s\].
     pub(crate) fn new(context: &'c mut Context<'w>, time_limit: Option<f64>) -> Self {
         let began = (context.cpu_s)();
         let time_limit = time_limit

@@ -25,10 +25,10 @@ use nalgebra::Vector3;
 /// Residual to which the coarser levels are solved: their shapes are off by their mesh error anyway.
 const COARSE_TOLERANCE: f64 = 1e-3;
 
-/// Residual at which a drape stops at the latest, in round-off floors; a continued one goes on to the lower of the two, below
-/// which rounding decides.
-const FLOORS: f64 = 10.0;
-const LEAST_FLOORS: f64 = 3.0;
+/// Residual at which a drape stops at the latest, over its round-off floor; below a few floors rounding decides.
+const FLOOR_MULTIPLE: f64 = 10.0;
+/// The same of a drape that is continued.
+const CONTINUED_FLOOR_MULTIPLE: f64 = 3.0;
 
 /// Sews and drapes.
 ///
@@ -119,6 +119,7 @@ impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
         }
     }
 
+    /// Drapes, unless it cannot end.
     fn run(mut self) -> DrapeOutcome {
         let scene = self.hierarchy.scene(0);
         let last = match feasibility::refuse(scene, self.options, self.limits.steps, self.clock) {
@@ -170,6 +171,7 @@ impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
         }
     }
 
+    /// Solves one level from `x`, which becomes its shape.
     fn solve_level(&mut self, number: usize, x: &mut Vec<Vector3<f64>>) -> LevelOutcome {
         let coarsest = self.hierarchy.coarsest();
         self.monitor.begin_level(number, coarsest - number, x.len());
@@ -185,10 +187,10 @@ impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
             } else {
                 self.options.tolerance.max(COARSE_TOLERANCE)
             },
-            floors: if self.from.is_some() {
-                LEAST_FLOORS
+            floor_multiple: if self.from.is_some() {
+                CONTINUED_FLOOR_MULTIPLE
             } else {
-                FLOORS
+                FLOOR_MULTIPLE
             },
             is_finest: number == 0,
             is_sewn: self.is_sewn,
@@ -200,7 +202,7 @@ impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
         outcome
     }
 
-    /// Returns true if there is time for the level after `number`; else the time is up.
+    /// Returns true if there is time for the next finer level; else the time is up.
     fn has_time_after(&mut self, number: usize) -> bool {
         let [next, this] = [number - 1, number].map(|n| self.hierarchy.scene(n).start.len());
         let times = next as f64 / this as f64;
@@ -209,6 +211,7 @@ impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
         enough
     }
 
+    /// Returns the reason of an end after `number`.
     fn no_time_after(&self, number: usize) -> Unfinished {
         Unfinished::NoTimeForFinerMesh {
             vertices: self.hierarchy.scene(number).start.len(),

@@ -54,7 +54,7 @@ pub(crate) fn relax(
     let gravity = level.scene.gravity;
     let first_height = mean_height(&gravity, &shape);
     let floor = system.residual_floor(&shape);
-    let tolerance = level.tolerance.max(level.floors * floor);
+    let tolerance = level.tolerance.max(level.floor_multiple * floor);
     let mut relaxation = Relaxation {
         method: level.stage_method(DynamicRelaxation {
             drag: level.scene.drag.unwrap_or(MOTION.drag),
@@ -116,6 +116,7 @@ struct Relaxation<'a, 'c, 'w> {
 }
 
 impl Relaxation<'_, '_, '_> {
+    /// Runs to rest, or until the garment falls.
     fn run(
         &mut self,
         system: &mut System<'_>,

@@ -11,9 +11,11 @@ use nalgebra::Vector3;
 /// Outcome of one stage.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StageOutcome {
+    /// Reason of its end, as the method tells it.
     pub(crate) termination: Termination,
     /// Residual of the last iterate; NaN if there was none.
     pub(crate) residual: f64,
+    /// Fallbacks used.
     pub(crate) fallbacks: Fallbacks,
     /// Newton iterations.
     pub(crate) iterations: usize,

@@ -3,32 +3,33 @@
 use crate::solver::drape::monitor::IterationPace;
 use crate::solver::outcome::DrapeOutcome;
 
-/// Power of its vertices with which the CPU time of a level grows, and with the next that of one iteration: medians of 18 levels
-/// of 13 garments of up to 3900 vertices (finer meshes also take more iterations, as more folds form).
-const GROWTH: f64 = 1.9;
-const ITERATION_GROWTH: f64 = 1.5;
-/// The same of setting one up.
-const SET_UP_GROWTH: f64 = 1.2;
+/// Exponent with which the CPU time of a level grows with its vertices: median of 18 levels of 13 garments of up to 3900 vertices
+/// (finer meshes also take more iterations, as more folds form).
+const LEVEL_TIME_EXPONENT: f64 = 1.9;
+/// Exponent of the CPU time of one iteration, of the same levels.
+const ITERATION_TIME_EXPONENT: f64 = 1.5;
+/// Exponent of the CPU time of setting a level up.
+const SETUP_TIME_EXPONENT: f64 = 1.2;
 /// Iterations that a level must have time for to be begun.
-const WORTH: f64 = 3.0;
+const LEAST_ITERATIONS: f64 = 3.0;
 /// Ratio of the moves on a level to those on the one before it, if there is none to tell: levels have a third of the next one's
 /// vertices, and folds moved 0.4 to 1.1 times as far from one to the next on the five garments with three levels.
 const MOVE_RATIO: f64 = 0.8;
 /// Order in the length of mesh edges of the error of smooth shapes.
-const ORDER: f64 = 2.0;
+const MESH_ERROR_ORDER: f64 = 2.0;
 
 /// Returns the CPU time that all levels take together \[s\] if the first of them took `first`; their vertices, coarsest first.
 pub(crate) fn expected_cpu_s(vertices: &[usize], first: f64) -> f64 {
     let of_first = vertices.first().map_or(1.0, |&v| v as f64);
-    let share = |&v: &usize| (v as f64 / of_first).powf(GROWTH);
+    let share = |&v: &usize| (v as f64 / of_first).powf(LEVEL_TIME_EXPONENT);
     first * vertices.iter().map(share).sum::<f64>()
 }
 
 /// Returns true if `left_s` \[CPU s\] is enough to begin on a level `times` as large as the one that ran at `pace`.
 pub(crate) fn has_time(left_s: f64, pace: IterationPace, times: f64) -> bool {
     left_s
-        > pace.set_up * times.powf(SET_UP_GROWTH)
-            + WORTH * pace.iteration * times.powf(ITERATION_GROWTH)
+        > pace.set_up * times.powf(SETUP_TIME_EXPONENT)
+            + LEAST_ITERATIONS * pace.iteration * times.powf(ITERATION_TIME_EXPONENT)
 }
 
 /// Returns how far the shape would still move on `left` finer levels \[m\], from how far it `moved` on those that ran.
@@ -59,7 +60,7 @@ impl ErrorHalving {
     pub(crate) fn factor(self) -> f64 {
         match self {
             Self::Tolerance { .. } => 0.5,
-            Self::EdgeLength { .. } => 0.5_f64.powf(1.0 / ORDER),
+            Self::EdgeLength { .. } => 0.5_f64.powf(1.0 / MESH_ERROR_ORDER),
             Self::TimeLimit { factor, .. } => factor,
         }
     }
@@ -83,7 +84,7 @@ pub(crate) fn error_halving(outcome: &DrapeOutcome) -> Option<ErrorHalving> {
     }
 }
 
-/// As long as halving takes, or else as all levels were expected to take.
+/// Returns more time: as long as halving takes, or else as all levels were expected to take.
 fn by_time(outcome: &DrapeOutcome) -> Option<ErrorHalving> {
     let total = outcome.cpu_s;
     let all = outcome.plan.expected_cpu_s.map(|all| all - total);
@@ -94,6 +95,7 @@ fn by_time(outcome: &DrapeOutcome) -> Option<ErrorHalving> {
     })
 }
 
+/// Returns a lower tolerance or shorter mesh edges, whichever error is larger.
 fn by_accuracy(outcome: &DrapeOutcome) -> ErrorHalving {
     let total = outcome.cpu_s;
     let of_solver = outcome.estimate.and_then(|estimate| estimate.distance_m);
@@ -108,7 +110,7 @@ fn by_accuracy(outcome: &DrapeOutcome) -> ErrorHalving {
         }
         of_mesh => ErrorHalving::EdgeLength {
             is_error_known: of_mesh.is_some(),
-            cpu_s: total * 2.0_f64.powf(2.0 * GROWTH / ORDER),
+            cpu_s: total * 2.0_f64.powf(2.0 * LEVEL_TIME_EXPONENT / MESH_ERROR_ORDER),
         },
     }
 }
@@ -127,10 +129,11 @@ mod tests {
     #[test]
     fn time_grows_with_the_power_of_vertices() {
         let told = expected_cpu_s(&[100, 1000], 1.0);
-        assert!((told - 1.0 - 10.0_f64.powf(GROWTH)).abs() < 1e-12);
+        assert!((told - 1.0 - 10.0_f64.powf(LEVEL_TIME_EXPONENT)).abs() < 1e-12);
         let mut pace = IterationPace::default();
         (pace.set_up, pace.iteration) = (1.0, 1.0);
-        let needed = 10.0_f64.powf(SET_UP_GROWTH) + WORTH * 10.0_f64.powf(ITERATION_GROWTH);
+        let needed = 10.0_f64.powf(SETUP_TIME_EXPONENT)
+            + LEAST_ITERATIONS * 10.0_f64.powf(ITERATION_TIME_EXPONENT);
         assert!(has_time(needed * 1.01, pace, 10.0) && !has_time(needed * 0.99, pace, 10.0));
     }
 }

@@ -6,13 +6,14 @@ use crate::solver::report::schema::ErrorPoint;
 use nalgebra::Vector3;
 
 /// Largest number of shapes kept of one level, the finest and the others; when there are more, every other one is dropped.
-const OF_FINEST: usize = 48;
-const OF_COARSER: usize = 12;
+const FINEST_SHAPES: usize = 48;
+const COARSER_SHAPES: usize = 12;
 /// Largest number of positions kept of one level: bounds the memory of large meshes.
-const POSITIONS: usize = 4_000_000;
+const POSITION_LIMIT: usize = 4_000_000;
 /// Largest ratio of two successive distances that is taken for convergence.
-const SLOWEST: f64 = 0.9;
+const SLOWEST_CONVERGENCE: f64 = 0.9;
 
+/// A shape that is kept.
 struct Snapshot {
     cpu_s: f64,
     residual: f64,
@@ -25,28 +26,36 @@ struct Snapshot {
 #[derive(Default)]
 pub(crate) struct ConvergenceHistory {
     snapshots: Vec<Snapshot>,
-    /// Index of the first snapshot of the level that runs now.
-    first: usize,
+    /// Index of the first snapshot of the current level.
+    level_start: usize,
+    /// Current level; 0 is the finest.
     level: usize,
-    most: usize,
+    /// Largest number of snapshots of the current level.
+    capacity: usize,
+    /// Iterations from one kept shape to the next.
     stride: usize,
-    seen: usize,
+    /// Iterations on the current level.
+    iterations: usize,
     /// True if the last shape was kept.
-    kept: bool,
+    is_last_kept: bool,
 }
 
 impl ConvergenceHistory {
     /// Begins a level of so many vertices; number 0 is the finest.
     pub(crate) fn begin_level(&mut self, level: usize, vertices: usize) {
-        let most = if level == 0 { OF_FINEST } else { OF_COARSER };
+        let shapes = if level == 0 {
+            FINEST_SHAPES
+        } else {
+            COARSER_SHAPES
+        };
         *self = Self {
-            first: self.snapshots.len(),
+            level_start: self.snapshots.len(),
             snapshots: std::mem::take(&mut self.snapshots),
             level,
-            most: most.min(POSITIONS / vertices.max(1)).max(4),
+            capacity: shapes.min(POSITION_LIMIT / vertices.max(1)).max(4),
             stride: 1,
-            seen: 0,
-            kept: false,
+            iterations: 0,
+            is_last_kept: false,
         };
     }
 
@@ -57,9 +66,9 @@ impl ConvergenceHistory {
         residual: f64,
         shape: &dyn Fn() -> Vec<Vector3<f64>>,
     ) {
-        self.kept = self.seen.is_multiple_of(self.stride);
-        self.seen += 1;
-        if !self.kept {
+        self.is_last_kept = self.iterations.is_multiple_of(self.stride);
+        self.iterations += 1;
+        if !self.is_last_kept {
             return;
         }
         self.snapshots.push(Snapshot {
@@ -69,25 +78,25 @@ impl ConvergenceHistory {
             estimate: None,
             positions: shape(),
         });
-        if self.snapshots.len() - self.first > self.most {
+        if self.snapshots.len() - self.level_start > self.capacity {
             self.thin_out();
         }
     }
 
     /// Drops every other shape of this level; the first stays.
     fn thin_out(&mut self) {
-        let (first, mut index) = (self.first, 0);
+        let (first, mut index) = (self.level_start, 0);
         self.snapshots.retain(|_| {
             index += 1;
             index <= first || (index - first) % 2 == 1
         });
-        self.kept = (self.seen - 1).is_multiple_of(2 * self.stride);
+        self.is_last_kept = (self.iterations - 1).is_multiple_of(2 * self.stride);
         self.stride *= 2;
     }
 
     /// Sets the estimated distance of the last shape from the solution \[m\].
     pub(crate) fn estimate_last(&mut self, estimate: Option<f64>) {
-        if self.kept
+        if self.is_last_kept
             && let Some(last) = self.snapshots.last_mut()
         {
             last.estimate = estimate;
@@ -102,7 +111,7 @@ impl ConvergenceHistory {
         r: f64,
         now: &[Vector3<f64>],
     ) -> Option<RemainingError> {
-        let of_level = self.snapshots[self.first..].iter();
+        let of_level = self.snapshots[self.level_start..].iter();
         let mut shapes: Vec<_> = of_level.map(Snapshot::moment).collect();
         shapes.push((cpu_s, now));
         remaining_error(r, &shapes)
@@ -133,6 +142,7 @@ impl ConvergenceHistory {
 }
 
 impl Snapshot {
+    /// Returns its time \[s\] and positions \[m\].
     fn moment(&self) -> (f64, &[Vector3<f64>]) {
         (self.cpu_s, &self.positions)
     }
@@ -155,7 +165,7 @@ fn remaining_error(r: f64, shapes: &[(f64, &[Vector3<f64>])]) -> Option<Remainin
     let took = shapes[last].0 - shapes[last - third].0;
     Some(RemainingError {
         distance_m: 0.45e-3 * r.powf(0.75) * (moved / 1e-3).powf(0.25),
-        halving_s: (ratio < SLOWEST).then(|| took * 0.5_f64.ln() / ratio.ln()),
+        halving_s: (ratio < SLOWEST_CONVERGENCE).then(|| took * 0.5_f64.ln() / ratio.ln()),
     })
 }
 
@@ -200,7 +210,7 @@ mod tests {
         }
         let points = history.points(&|_, x| x, &at(0.0));
         let of = |level: usize| history.snapshots.iter().filter(move |s| s.level == level);
-        assert!(of(1).count() <= OF_COARSER && of(0).count() <= OF_FINEST);
+        assert!(of(1).count() <= COARSER_SHAPES && of(0).count() <= FINEST_SHAPES);
         for level in [0, 1] {
             let times: Vec<f64> = of(level).map(|s| s.cpu_s).collect();
             let step = times[1] - times[0];
