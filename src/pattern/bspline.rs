@@ -1,6 +1,6 @@
-//! B-splines as polylines. Spans are halved until the curve bulges over each chord by less than 0.22 %
-//! of its length, as an arc of one degree does: a chord error below 4e-5 of the radius of curvature, a
-//! length error below 1.3e-5 of the length.
+//! B-splines as polylines. Spans are halved until the curve bulges over each chord by less than
+//! 0.22 % of its length, as an arc of one degree does: a chord error below 4e-5 of the radius of
+//! curvature, a length error below 1.3e-5 of the length.
 
 use super::point::{Point2, cross, sub};
 
@@ -40,7 +40,8 @@ impl BSpline<'_> {
         points
     }
 
-    /// Evaluates it by de Boor's algorithm in homogeneous coordinates, `t` within the knot span `span`.
+    /// Evaluates it by de Boor's algorithm in homogeneous coordinates, `t` within the knot span
+    /// `span`.
     fn at(&self, span: usize, t: f64) -> Point2 {
         let p = self.degree;
         let mut d: Vec<[f64; 3]> = (span - p..=span)

@@ -7,9 +7,9 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 impl Pattern {
-    /// Returns the pattern with those mirrored copies that are named: `X~mirror` for each panel X that
-    /// is there and no copy itself. They come after all other panels, in the pattern's order, placed as
-    /// the mirror images of their sources; names of anything else are left to others.
+    /// Returns the pattern with those mirrored copies that are named: `X~mirror` for each panel X
+    /// that is there and no copy itself. They come after all other panels, in the pattern's order,
+    /// placed as the mirror images of their sources; names of anything else are left to others.
     pub fn with_copies<'a>(&self, names: impl IntoIterator<Item = &'a str>) -> Cow<'_, Self> {
         let wanted = names
             .into_iter()

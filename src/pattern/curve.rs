@@ -1,5 +1,5 @@
-//! Arcs and ellipses as polylines, cut every degree: the chord error stays below 4e-5 of the (larger)
-//! radius, the length error below 1.3e-5 of the length.
+//! Arcs and ellipses as polylines, cut every degree: the chord error stays below 4e-5 of the
+//! (larger) radius, the length error below 1.3e-5 of the length.
 
 use super::point::Point2;
 use std::f64::consts::{PI, TAU};
@@ -7,12 +7,14 @@ use std::f64::consts::{PI, TAU};
 /// Largest turn between two chords \[rad\].
 const STEP: f64 = PI / 180.0;
 
-/// Returns the points of an arc from `from` over `sweep` (radians, counter-clockwise positive), both ends included.
+/// Returns the points of an arc from `from` over `sweep` (radians, counter-clockwise positive),
+/// both ends included.
 pub(super) fn arc(center: Point2, radius: f64, from: f64, sweep: f64) -> Vec<Point2> {
     ellipse(center, [radius, 0.0], [0.0, radius], [from, sweep])
 }
 
-/// Returns the points of the ellipse `center + cos(t) major + sin(t) minor`, `t` from `range[0]` over `range[1]`, both ends included.
+/// Returns the points of the ellipse `center + cos(t) major + sin(t) minor`, `t` from `range[0]`
+/// over `range[1]`, both ends included.
 pub(super) fn ellipse(
     center: Point2,
     major: Point2,
@@ -31,7 +33,8 @@ pub(super) fn ellipse(
         .collect()
 }
 
-/// Returns the points of the arc from `a` to `b` with a bulge (tangent of a quarter of its sweep), `b` left out.
+/// Returns the points of the arc from `a` to `b` with a bulge (tangent of a quarter of its sweep),
+/// `b` left out.
 pub(super) fn bulge(a: Point2, b: Point2, bulge: f64) -> Vec<Point2> {
     let chord = [b[0] - a[0], b[1] - a[1]];
     if bulge == 0.0 || chord == [0.0, 0.0] {

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 /// Makes unique ids of names: lower case, what is neither letter, digit nor `_` becomes one `-`, a
-/// beginning that all names share with the style's name is left off, and a number is added where two
-/// would be equal.
+/// beginning that all names share with the style's name is left off, and a number is added where
+/// two would be equal.
 pub(crate) fn from_names(names: &[String], style: &str) -> Vec<String> {
     let slugs: Vec<String> = names.iter().map(|name| slug(name)).collect();
     let prefix = slug(style);

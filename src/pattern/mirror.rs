@@ -1,8 +1,8 @@
 //! Mirror images: the panel `sleeve~mirror` is `sleeve` reflected x -> -x.
 //!
 //! Corners, edges and notches keep their numbers and `cw` still means increasing index, so that the
-//! outline of a copy runs counter-clockwise in its coordinates and its holes clockwise. The drawn side
-//! stays the drawn side: a copy has the face that its source has.
+//! outline of a copy runs counter-clockwise in its coordinates and its holes clockwise. The drawn
+//! side stays the drawn side: a copy has the face that its source has.
 
 use super::point::Point2;
 use super::{Corner, Edge, Grain, Hole, Panel, Placement, PlacementAnchor};

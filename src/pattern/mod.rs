@@ -1,8 +1,9 @@
-//! From the bytes of a pattern file to a [`Pattern`]: panels with outlines, corners, edges, notches and
-//! grain, in meters.
+//! From the bytes of a pattern file to a [`Pattern`]: panels with outlines, corners, edges, notches
+//! and grain, in meters.
 //!
-//! [`import`] reads DXF (`dxf`) and `GarmentCode` specifications (`garmentcode`); [`checked`] checks a
-//! pattern that came as JSON. Outlines are simple and clockwise, y up; a [`Point2`] is `[x, y]`.
+//! [`import`] reads DXF (`dxf`) and `GarmentCode` specifications (`garmentcode`); [`checked`]
+//! checks a pattern that came as JSON. Outlines are simple and clockwise, y up; a [`Point2`] is
+//! `[x, y]`.
 
 mod allowance;
 mod bspline;
@@ -51,7 +52,8 @@ pub fn import(bytes: &[u8], options: &ImportOptions, limits: &Limits) -> Result<
 /// Checks a pattern that came as JSON and recomputes what is derived in it (lengths, areas).
 ///
 /// # Errors
-/// Every place where it is not a pattern: open, crossing or anticlockwise outlines, numbers that are not finite, double ids.
+/// Every place where it is not a pattern: open, crossing or anticlockwise outlines, numbers that
+/// are not finite, double ids.
 pub fn checked(pattern: Pattern, limits: &Limits) -> Result<Pattern, Faults> {
     check::checked(pattern, limits)
 }

@@ -2,10 +2,10 @@
 //!
 //! Every segment of the outline moves in parallel, neighbors meet where their lines do (a miter, as
 //! patterns are marked), and a segment that has shrunk to nothing is left out from then on: the
-//! edge events of the straight skeleton (O. Aichholzer, F. Aurenhammer, "Straight skeletons for general
-//! polygonal figures", COCOON 1996), in the order in which they happen. Its other events, parts of the
-//! outline that run into each other, are found as crossings at the end and refused. For a smooth convex
-//! outline of area A and length L the area left is A - p L + pi p² (Steiner).
+//! edge events of the straight skeleton (O. Aichholzer, F. Aurenhammer, "Straight skeletons for
+//! general polygonal figures", COCOON 1996), in the order in which they happen. Its other events,
+//! parts of the outline that run into each other, are found as crossings at the end and refused.
+//! For a smooth convex outline of area A and length L the area left is A - p L + pi p² (Steiner).
 //!
 //! O(n log n) for n points, besides the search for crossings.
 
@@ -23,13 +23,13 @@ use faults::{nothing_left, refuse};
 use moving_outline::MovingOutline;
 
 impl Panel {
-    /// Returns the panel with `allowance_m` cut away inside its outline, which becomes its cut line.
-    /// Corners, edges and notches keep their numbers; holes, internal lines and drill holes stay where
-    /// they are.
+    /// Returns the panel with `allowance_m` cut away inside its outline, which becomes its cut
+    /// line. Corners, edges and notches keep their numbers; holes, internal lines and drill holes
+    /// stay where they are.
     ///
     /// # Errors
-    /// A panel that has a cut line already, an edge of which nothing is left, parts that run into each
-    /// other, a corner that juts in too sharply. The pointer is empty.
+    /// A panel that has a cut line already, an edge of which nothing is left, parts that run into
+    /// each other, a corner that juts in too sharply. The pointer is empty.
     pub fn without_allowance(&self, allowance_m: f64) -> Result<Self, Fault> {
         if allowance_m == 0.0 {
             return Ok(self.clone());

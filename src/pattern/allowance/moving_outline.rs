@@ -81,7 +81,8 @@ impl MovingOutline {
         Ok(())
     }
 
-    /// Returns the point where segments `i` and `k`, neighbors, meet when the outline has moved by `t`.
+    /// Returns the point where segments `i` and `k`, neighbors, meet when the outline has moved by
+    /// `t`.
     fn meeting(&self, i: usize, k: usize, t: f64) -> Point2 {
         let (a, b) = (&self.0[i], &self.0[k]);
         let (p, q) = (a.end_at(1, t), b.end_at(0, t));
@@ -135,7 +136,7 @@ impl MovingOutline {
             self.0[next].previous = previous;
             remaining -= 1;
             for k in [previous, next] {
-                // What would have ended before now ends now: its neighbor was in the way.
+                // A segment whose end has passed ends now: its neighbor was in between.
                 ends[k] = self.collapse_distance(k).max(t);
                 if ends[k] <= width {
                     events.push(event(ends[k], k));

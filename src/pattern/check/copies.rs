@@ -4,8 +4,8 @@ use crate::fault::{Fault, PatternCode};
 use crate::pattern::mirror::{MIRROR, mirrored};
 use crate::pattern::{Edge, Panel, Pattern, Point2};
 
-/// Checks the copies of a pattern and makes each the exact image of its source: a copy is named after
-/// its source and is its mirror image to `tolerance` \[m\], which is how JSON writers round.
+/// Checks the copies of a pattern and makes each the exact image of its source: a copy is named
+/// after its source and is its mirror image to `tolerance` \[m\], which is how JSON writers round.
 pub(super) fn check_copies(pattern: &mut Pattern, tolerance: f64) -> Vec<Fault> {
     let mut faults = Vec::new();
     for i in 0..pattern.panels.len() {
@@ -50,8 +50,8 @@ fn exact_image(pattern: &Pattern, copy: &Panel, tolerance: f64) -> Result<Panel,
     Ok(Panel { name, ..image })
 }
 
-/// Returns the first field in which two panels differ. Coordinates are compared to `tolerance` \[m\];
-/// lengths and areas, which follow from them, are not.
+/// Returns the first field in which two panels differ. Coordinates are compared to `tolerance`
+/// \[m\]; lengths and areas, which follow from them, are not.
 fn difference(a: &Panel, b: &Panel, tolerance: f64) -> Option<&'static str> {
     let is_line = |a: &Vec<Point2>, b: &Vec<Point2>| is_same_line(a, b, tolerance);
     let is_outline = |a: &[Edge], b: &[Edge]| {

@@ -1,4 +1,5 @@
-//! A pattern that came as JSON: checked as a whole, all faults at once; lengths and areas computed anew.
+//! A pattern that came as JSON: checked as a whole, all faults at once; lengths and areas computed
+//! anew.
 
 mod copies;
 mod panel;

@@ -3,7 +3,7 @@
 use crate::fault::{Fault, Faults, PatternCode, Warning};
 use std::collections::BTreeMap;
 
-/// At most this many faults, and as many warnings, are told of one file.
+/// Largest number of faults, and of warnings, that are reported of one file.
 const MOST: usize = 100;
 
 /// Returns the pointer of a line of the file.
@@ -104,7 +104,8 @@ impl DxfFindings {
         Faults(capped(faults))
     }
 
-    /// Returns the fault of a file without pieces: an outline that is wrong, else that there is none.
+    /// Returns the fault of a file without pieces: an outline that is wrong, else that there is
+    /// none.
     pub(super) fn no_outline(&mut self) -> Fault {
         if let Some(last) = self.faults.pop() {
             return last;

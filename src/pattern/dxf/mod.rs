@@ -105,7 +105,7 @@ fn build_panels(
 }
 
 /// Returns `SewLine` where sew lines became the outlines of all panels. Where only some panels have
-/// one, the user is told.
+/// one, the user is warned.
 fn allowance(pieces: &[DxfPiece], panels: &[Panel], findings: &mut DxfFindings) -> Allowance {
     let sewn = pieces.iter().zip(panels).filter(|(piece, panel)| {
         piece.is_sewn || piece.sew.is_some() && !panel.cut_line.is_empty()

@@ -2,7 +2,7 @@
 
 use crate::fault::{Fault, PatternCode, Warning};
 
-/// At most this many faults, and as many warnings, are told of one file.
+/// Largest number of faults, and of warnings, that are reported of one file.
 const MOST: usize = 100;
 
 /// The faults and warnings of one file.

@@ -104,7 +104,7 @@ fn read_side(
         findings.fault(name.fault(PatternCode::UnknownPanel, detail, fix));
         return None;
     };
-    // A panel that could not be read has told its own faults.
+    // The faults of a panel that could not be read are noted already.
     let drawn = found.as_ref()?;
     let Some((from, to, direction)) = drawn.corners_of(index) else {
         let fix = format!("its edges are 0 to {}", drawn.panel.edges.len() - 1);
@@ -124,7 +124,7 @@ fn read_side(
     })
 }
 
-/// Returns the same run the other way.
+/// Returns a run from its end to its beginning.
 fn reversed(run: OutlineRun) -> OutlineRun {
     use crate::pattern::Direction::{Ccw, Cw};
     let turn = |way| if way == Cw { Ccw } else { Cw };

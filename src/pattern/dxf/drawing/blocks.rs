@@ -55,7 +55,7 @@ fn loose_entities(model: &[DxfEntity], to_meters: &AffineMap) -> Option<DxfSheet
         })
 }
 
-/// The blocks of a drawing on their way to sheets.
+/// The state of putting the blocks of a drawing in place.
 struct BlockPlacer<'a> {
     blocks: &'a [DxfBlock],
     to_meters: AffineMap,

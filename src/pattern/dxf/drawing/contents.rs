@@ -1,4 +1,5 @@
-//! A drawing as its file holds it, in drawing units: the blocks, and the entities of the model space.
+//! A drawing as its file holds it, in drawing units: the blocks, and the entities of the model
+//! space.
 
 use crate::config::Limits;
 use crate::fault::Fault;

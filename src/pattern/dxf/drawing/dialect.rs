@@ -1,4 +1,4 @@
-//! The dialect of a drawing, told from its labels and layers.
+//! The dialect of a drawing, from its labels and layers.
 
 use super::contents::DxfDrawing;
 use super::labels::DxfLabels;

@@ -25,7 +25,8 @@ pub(crate) enum LayerRole {
     Sew,
     /// Names and notes.
     Annotation,
-    /// Nothing that a pattern needs: curve points, grading, plaid, and 84-87, which repeat 1, 8, 11 and 14.
+    /// Nothing that a pattern needs: curve points, grading, plaid, and 84-87, which repeat 1, 8, 11
+    /// and 14.
     Ignored,
     /// A layer without a meaning of its own.
     General,

@@ -1,4 +1,5 @@
-//! Entities to sheets in meters: blocks put in place, units, and the meaning of layers, labels and sizes.
+//! Entities to sheets in meters: blocks put in place, units, and the meaning of layers, labels and
+//! sizes.
 
 pub(super) mod blocks;
 pub(super) mod contents;

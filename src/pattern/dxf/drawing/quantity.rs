@@ -42,7 +42,8 @@ pub(super) fn from_note(note: &str) -> Option<Quantity> {
     Some(Quantity { left, right: 0 })
 }
 
-/// Splits a text into lower-case words and numbers: `L1/R1` is `l`, `1`, `r`, `1`, but `x2` stays whole.
+/// Splits a text into lower-case words and numbers: `L1/R1` is `l`, `1`, `r`, `1`, but `x2` stays
+/// whole.
 fn words(text: &str) -> Vec<String> {
     let lower = text.to_lowercase();
     let split = lower.split(|c: char| !c.is_alphanumeric());

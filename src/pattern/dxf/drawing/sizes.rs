@@ -13,7 +13,8 @@ pub(crate) struct SizeChoice {
     pub(crate) chosen: Option<String>,
 }
 
-/// Chooses the size: the one that is wanted, else the sample size, else the only one, else the first with a warning.
+/// Chooses the size: the one that is wanted, else the sample size, else the only one, else the
+/// first with a warning.
 pub(crate) fn choose(
     wanted: Option<&str>,
     file: &DxfLabels,
@@ -68,8 +69,8 @@ fn unknown_size(wanted: &str, all: &[String]) -> Fault {
     Fault::new(PatternCode::UnknownSize, "line 1", detail).fix(fix)
 }
 
-/// Returns piece by piece true if it is imported: those of the chosen size, those without a size, and
-/// those that exist in one size only. `pieces`: their names and sizes.
+/// Returns piece by piece true if it is imported: those of the chosen size, those without a size,
+/// and those that exist in one size only. `pieces`: their names and sizes.
 pub(crate) fn is_imported(choice: &SizeChoice, pieces: &[(&str, Option<&str>)]) -> Vec<bool> {
     let Some(chosen) = choice.chosen.as_deref() else {
         return vec![true; pieces.len()];

@@ -1,12 +1,13 @@
-//! The unit of the coordinates: what the caller says, else the `Units:` text, else `$INSUNITS`, else
-//! millimeters.
+//! The unit of the coordinates: what the caller says, else the `Units:` text, else `$INSUNITS`,
+//! else millimeters.
 
 use super::labels::DxfLabels;
 use crate::fault::{Fault, PatternCode};
 use crate::pattern::Units;
 use crate::pattern::dxf::findings::DxfFindings;
 
-/// Returns the unit of a file; statements that are unknown or contradict each other become warnings.
+/// Returns the unit of a file; statements that are unknown or contradict each other become
+/// warnings.
 pub(crate) fn determine(
     wanted: Option<Units>,
     labels: &DxfLabels,

@@ -1,6 +1,7 @@
 //! Cubic splines through given points, as polylines.
 //!
-//! Source: C. de Boor, "A Practical Guide to Splines", chapter IV (complete and natural cubic splines).
+//! Source: C. de Boor, "A Practical Guide to Splines", chapter IV (complete and natural cubic
+//! splines).
 
 use crate::pattern::Point2;
 use crate::pattern::bspline::flatten;
@@ -11,8 +12,8 @@ use std::ops::Range;
 /// twice over.
 const WRAP: usize = 12;
 
-/// Returns the points of the cubic spline through `fit`, both ends included: twice differentiable in
-/// the length of chords, its ends along the tangents where those are not zero, else without
+/// Returns the points of the cubic spline through `fit`, both ends included: twice differentiable
+/// in the length of chords, its ends along the tangents where those are not zero, else without
 /// curvature. A closed one goes round.
 pub(super) fn through(
     fit: &[Point2],

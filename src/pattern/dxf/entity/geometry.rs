@@ -1,4 +1,5 @@
-//! The entities that a pattern is made of: points, texts, paths and inserts, with curves as polylines.
+//! The entities that a pattern is made of: points, texts, paths and inserts, with curves as
+//! polylines.
 
 use crate::pattern::Point2;
 

@@ -75,8 +75,8 @@ pub(super) fn batches<'r, 'a, 't>(
     })
 }
 
-/// Writes `records` for the crate. Kinds that hold no pattern geometry are left out, with one warning
-/// a kind.
+/// Writes `records` for the crate. Kinds that hold no pattern geometry are left out, with one
+/// warning a kind.
 pub(super) fn sanitize(
     records: &[EntityRecord<'_, '_>],
     findings: &mut DxfFindings,

@@ -1,4 +1,5 @@
-//! Checks of records before the `dxf` crate reads them: numbers, and group codes that belong together.
+//! Checks of records before the `dxf` crate reads them: numbers, and group codes that belong
+//! together.
 
 use crate::fault::{Fault, PatternCode};
 use crate::pattern::dxf::findings::{DxfFindings, at_line, excerpt};

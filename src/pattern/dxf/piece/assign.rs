@@ -8,7 +8,8 @@ use crate::fault::PatternCode;
 use crate::pattern::dxf::findings::DxfFindings;
 use std::collections::BTreeSet;
 
-/// At most this many lines are compared with the outlines about them; more are taken as drawn lines.
+/// At most this many lines are compared with the outlines about them; more are taken as drawn
+/// lines.
 const COMPARED: usize = 1000;
 
 /// Gives every line that is not among the outlines to the piece that it lies in; one that lies in
@@ -65,8 +66,8 @@ impl LineAssigner<'_> {
         true
     }
 
-    /// Gives a chain to the piece that it lies in. Without a kind, it is a sew line where its course
-    /// is that of one.
+    /// Gives a chain to the piece that it lies in. Without a kind, it is a sew line where its
+    /// course is that of one.
     fn give(&mut self, chain: &PathChain, kind: Option<InnerLine>) {
         let middle = chain.points.get(chain.points.len() / 2).copied();
         let owner = middle.and_then(|p| owner(outlines(self.pieces), p, self.is_alone));
@@ -86,8 +87,8 @@ impl LineAssigner<'_> {
         self.pieces[owner].add_line(chain.clone(), kind);
     }
 
-    /// Warns of a gap in a line that no outline is made of; those of outlines are told with their
-    /// panel.
+    /// Warns of a gap in a line that no outline is made of; those of outlines are reported with
+    /// their panel.
     fn warn_of_gap(&mut self, chain: &PathChain) {
         if let Some(gap) = chain.closed_gap {
             let detail = format!("a gap of {:.3} mm in a line was closed", 1000.0 * gap);

@@ -4,11 +4,12 @@ use crate::pattern::Point2;
 use crate::pattern::dxf::entity::geometry::EntityPath;
 use crate::pattern::point::distance;
 
-/// Ends closer than this are one point: CAD rounds coordinates to 1e-4 mm or 1e-4 inch (3 um) \[m\].
+/// Ends closer than this are one point: CAD rounds coordinates to 1e-4 mm or 1e-4 inch (3 um)
+/// \[m\].
 pub(super) const JOINED: f64 = 3e-6;
 
-/// The key that tells one chain of a sheet from all others: the line of its first path and its first
-/// point (a block that is put in twice has the same lines again).
+/// The key that tells one chain of a sheet from all others: the line of its first path and its
+/// first point (a block that is put in twice has the same lines again).
 pub(super) type ChainKey = (usize, Option<[u64; 2]>);
 
 /// Paths joined to one polyline.

@@ -1,4 +1,4 @@
-//! A closed outline on its way to a panel: points, of which some are corners.
+//! The corners of a closed outline.
 
 use super::chain::PathChain;
 use super::shallow_corners::shallow_corners;
@@ -143,7 +143,8 @@ fn marked(points: &[Point2], marks: &[Point2]) -> Vec<bool> {
     points.iter().map(|p| has_mark_near(cell(*p))).collect()
 }
 
-/// Returns the cell of 10 um that a point lies in: marks are rounded like outlines, to 3 um at worst.
+/// Returns the cell of 10 um that a point lies in: marks are rounded like outlines, to 3 um at
+/// worst.
 #[expect(
     clippy::cast_possible_truncation,
     reason = "outlines are checked to be smaller than 20 m and near the origin"

@@ -125,9 +125,9 @@ fn first_name(texts: &[&DxfEntity]) -> Option<String> {
     })
 }
 
-/// Returns the index of the outline that a place lies in: the only one, the first that holds it, the
-/// first that it lies beside, or the smallest whose box holds it (the middle of a piece that is bent
-/// like a skirt lies outside its outline).
+/// Returns the index of the outline that a place lies in: the only one, the first that holds it,
+/// the first that it lies beside, or the smallest whose box holds it (the middle of a piece that is
+/// bent like a skirt lies outside its outline).
 pub(super) fn owner<'a>(
     outlines: impl Iterator<Item = &'a MeasuredChain> + Clone,
     place: Point2,

@@ -65,9 +65,9 @@ impl FoldLine {
         points.extend(images);
     }
 
-    /// Returns the whole outline of which `half` is drawn: without its stretch on the fold, joined to
-    /// its mirror image. Where both halves go on straight over the fold there is no corner. `None`
-    /// where no stretch of `half` lies on the fold, or `half` lies on both sides of it.
+    /// Returns the whole outline of which `half` is drawn: without its stretch on the fold, joined
+    /// to its mirror image. Where both halves go on straight over the fold there is no corner.
+    /// `None` where no stretch of `half` lies on the fold, or `half` lies on both sides of it.
     pub(super) fn unfold(&self, half: &CorneredRing) -> Option<CorneredRing> {
         let n = half.points.len();
         let (start, count) = self.stretch(half)?;

@@ -38,8 +38,8 @@ impl SheetLines {
         }
     }
 
-    /// Returns the outlines: closed chains on the boundary layer, with sew lines that lie in none of
-    /// them (where the seam comes first, the other way round); where there are neither, closed
+    /// Returns the outlines: closed chains on the boundary layer, with sew lines that lie in none
+    /// of them (where the seam comes first, the other way round); where there are neither, closed
     /// chains on layers without a meaning. Chains that should be outlines and are open are faults.
     pub(super) fn outlines(
         &self,

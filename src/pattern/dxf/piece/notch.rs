@@ -1,5 +1,5 @@
-//! Notches put on the edges of a panel. A notch drawn on the cut line belongs to the sew line inside it;
-//! drawn on both, it is one.
+//! Notches put on the edges of a panel. A notch drawn on the cut line belongs to the sew line
+//! inside it; drawn on both, it is one.
 
 use super::dxf_piece::{DxfPiece, NotchMark};
 use super::fold::FoldLine;
@@ -19,14 +19,14 @@ const BESIDE: f64 = 0.005;
 /// A notch that lies on a line is at most this far from it \[m\].
 const ON: f64 = 1e-4;
 
-/// A notch on the cut line and one on the sew line are one where the feet of both on the sew line are this near \[m\]:
-/// they face each other along the cut line's normal, not the sew line's.
+/// A notch on the cut line and one on the sew line are one where the feet of both on the sew line
+/// are this near \[m\]: they face each other along the cut line's normal, not the sew line's.
 const TWINS: f64 = 0.002;
 
 /// At most this many notches of a piece are read.
 const MOST: usize = 1000;
 
-/// A notch on its way to the outline.
+/// A notch with its foot on the outline.
 struct PlacedNotch {
     /// Index of its mark.
     mark: usize,

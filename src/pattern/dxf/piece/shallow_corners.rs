@@ -1,12 +1,13 @@
-//! Shallow corners that a polyline gives away: where its curves were sampled anew, and where it turns
-//! more than nearby.
+//! Shallow corners that a polyline gives away: where its curves were sampled anew, and where it
+//! turns more than nearby.
 //!
-//! Assumption: each curve was sampled in even or slowly changing steps. A place where two curves run
-//! smoothly into each other, sampled alike, shows in nothing and is not found.
+//! Assumption: each curve was sampled in even or slowly changing steps. A place where two curves
+//! run smoothly into each other, sampled alike, shows in nothing and is not found.
 
 use crate::pattern::point::{Point2, distance, turn};
 
-/// Steps of one curve grow or shrink by less than this from one to the next; where curves join they jump by more.
+/// Steps of one curve grow or shrink by less than this from one to the next; where curves join they
+/// jump by more.
 const JUMP: f64 = 1.35;
 
 /// Beside a corner, steps and turns change by less than this share of what they change at it.
@@ -18,10 +19,12 @@ const KINK: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// A step this many times as long as those of the curve beside it is a straight line.
 const LINE: f64 = 5.0;
 
-/// A straight line beside a curve is at least this long \[m\]: below, it may be the curve drawn coarsely.
+/// A straight line beside a curve is at least this long \[m\]: below, it may be the curve drawn
+/// coarsely.
 const LEAST_LINE: f64 = 0.05;
 
-/// Steps beside a kink are at least this long \[m\]: below, they are how a corner was rounded or a curve ended.
+/// Steps beside a kink are at least this long \[m\]: below, they are how a corner was rounded or a
+/// curve ended.
 const LEAST_STEP: f64 = 0.002;
 
 /// The turns and steps of a closed polyline.
@@ -127,7 +130,8 @@ mod tests {
 
     const SHARP: f64 = 0.349;
 
-    /// A half disc of radius 0.2 m: its round side sampled in `counts` stretches of equal sweep, then straight back.
+    /// A half disc of radius 0.2 m: its round side sampled in `counts` stretches of equal sweep,
+    /// then straight back.
     fn half_disc(counts: &[usize]) -> Vec<Point2> {
         let sweep = std::f64::consts::PI / counts.len() as f64;
         let mut points = Vec::new();

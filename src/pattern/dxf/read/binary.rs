@@ -2,13 +2,14 @@
 
 use crate::fault::{Fault, PatternCode};
 
-/// Converts a binary DXF, given without its sentinel, to text. Lines then count tags: tag `n` stands in
-/// lines `2n - 1` and `2n`.
+/// Converts a binary DXF, given without its sentinel, to text. Lines then count tags: tag `n`
+/// stands in lines `2n - 1` and `2n`.
 ///
 /// # Errors
 /// A group code or value that is cut off or unknown.
 pub(crate) fn to_text(bytes: &[u8]) -> Result<Vec<u8>, Fault> {
-    // Since R13 group codes have two bytes, so the first tag begins 0, 0, "SECTION"; before, 0, "SECTION".
+    // Since R13 group codes have two bytes, so the first tag begins 0, 0, "SECTION"; before, 0,
+    // "SECTION".
     let wide = bytes.get(1) == Some(&0);
     let mut reader = BinaryReader {
         rest: bytes,

@@ -17,8 +17,8 @@ pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
     }
 }
 
-/// Returns the encoding of bytes that are not UTF-8: what the header says, else GBK where every pair
-/// of high bytes is a common Chinese character, else Windows-1252.
+/// Returns the encoding of bytes that are not UTF-8: what the header says, else GBK where every
+/// pair of high bytes is a common Chinese character, else Windows-1252.
 fn encoding_of(bytes: &[u8]) -> &'static Encoding {
     let head = &bytes[..bytes.len().min(20_000)];
     if header_value(head, b"$ACADVER").is_some_and(|v| v >= b"AC1021".as_slice()) {
@@ -43,9 +43,9 @@ fn header_value<'a>(head: &'a [u8], name: &[u8]) -> Option<&'a [u8]> {
     lines.nth(1)
 }
 
-/// Returns true if text that is valid UTF-8 must be GBK all the same: some pairs of GBK bytes make up
-/// the African and phonetic letters of U+0180..=U+02AF, and a name with nothing but those among its
-/// letters beyond ASCII is none.
+/// Returns true if text that is valid UTF-8 must be GBK all the same: some pairs of GBK bytes make
+/// up the African and phonetic letters of U+0180..=U+02AF, and a name with nothing but those among
+/// its letters beyond ASCII is none.
 fn is_gbk_by_chance(text: &str) -> bool {
     let mut letters = text.chars().filter(|c| !c.is_ascii()).peekable();
     letters.peek().is_some()

@@ -1,4 +1,5 @@
-//! Files that are no DXF, told by their first bytes: the user learns what the file is and what to send.
+//! Files that are no DXF, recognized by their first bytes: the fault names the kind of file and the
+//! fix.
 
 use crate::fault::{Fault, PatternCode};
 

@@ -1,4 +1,5 @@
-//! Tags to records: a variable of the header, the blocks one by one (never by name), and the entities.
+//! Tags to records: a variable of the header, the blocks one by one (never by name), and the
+//! entities.
 
 use super::tags::{DxfTag, DxfTags};
 use crate::config::Limits;
@@ -59,7 +60,8 @@ pub(crate) struct DxfRecords<'a, 't> {
 /// Sorts the tags of a file into records.
 ///
 /// # Errors
-/// A file that is cut off, that does not begin with a section, or that has more entities than `limits` allow.
+/// A file that is cut off, that does not begin with a section, or that has more entities than
+/// `limits` allow.
 pub(crate) fn read<'a, 't>(
     file: &'t DxfTags<'a>,
     limits: &Limits,
@@ -114,8 +116,8 @@ fn too_many(what: &str, count: usize, limit: usize) -> Fault {
     .fix("export fewer pieces or sizes, or fewer points to a curve")
 }
 
-/// Checks the end of a file: one that ends inside a section was cut off, one that only lacks its EOF
-/// is whole.
+/// Checks the end of a file: one that ends inside a section was cut off, one that only lacks its
+/// EOF is whole.
 fn check_end(file: &DxfTags<'_>, findings: &mut DxfFindings) -> Result<(), Fault> {
     let last_line = file.tags.last().map_or(1, |tag| tag.line);
     if file.tags.iter().any(|tag| tag.opens("EOF")) {
@@ -158,7 +160,7 @@ fn records<'a, 't>(tags: &'t [DxfTag<'a>]) -> Vec<EntityRecord<'a, 't>> {
         .collect()
 }
 
-/// Records on their way into sections.
+/// The state of sorting records into sections.
 #[derive(Default)]
 struct RecordSorter<'a, 't> {
     found: DxfRecords<'a, 't>,

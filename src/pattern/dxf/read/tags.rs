@@ -33,7 +33,8 @@ pub(crate) struct DxfTags<'a> {
 /// Splits `text` into tags.
 ///
 /// # Errors
-/// A line longer than `limits.dxf_line_bytes`, a NUL character, or a group code that is not a whole number in -5..=1071.
+/// A line longer than `limits.dxf_line_bytes`, a NUL character, or a group code that is not a whole
+/// number in -5..=1071.
 pub(crate) fn read<'a>(text: &'a str, limits: &Limits) -> Result<DxfTags<'a>, Fault> {
     let mut tags = Vec::with_capacity(text.len() / 16);
     let mut lines = NumberedLines {
