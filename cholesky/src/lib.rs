@@ -32,7 +32,7 @@ pub struct NotPositiveDefinite;
 pub struct OutOfMemory;
 
 impl Cholesky {
-    /// Analyses the lower triangle of a matrix: the rows of column `j` are `rows[column_start[j]..column_start[j + 1]]`,
+    /// Analyzes the lower triangle of a matrix: the rows of column `j` are `rows[column_start[j]..column_start[j + 1]]`,
     /// ascending. Columns are eliminated as `order` lists them; approximate minimum degree if it is absent.
     ///
     /// # Errors
@@ -70,7 +70,7 @@ impl Cholesky {
         })
     }
 
-    /// Numbers stored in the factor.
+    /// Returns the count of numbers stored in the factor.
     pub fn factor_len(&self) -> usize {
         self.factor.len()
     }
@@ -110,7 +110,7 @@ impl Cholesky {
     }
 }
 
-/// The place of each column in `order`.
+/// Returns the place of each column in `order`.
 fn inverse(order: &[usize]) -> Vec<usize> {
     let mut place = vec![0; order.len()];
     order

@@ -1,4 +1,4 @@
-//! Quadratic bending, orthotropic: a triangle bends as the quadratic surface through it and its neighbours.
+//! Quadratic bending, orthotropic: a triangle bends as the quadratic surface through it and its neighbors.
 //!
 //! The curvatures `κ_warp`, `κ_weft` and `κ_twist` of a triangle are those of the quadratic function through its three corners and
 //! the far corners of the three triangles that share an edge with it (E. Grinspun, Y. Gingold, J. Reisman, D. Zorin, "Computing
@@ -8,7 +8,7 @@
 //! semidefinite.
 //!
 //! With A the area, the energy is `A/2 (Bw |κ_warp|² + Bf |κ_weft|² + (Bw + Bf) |κ_twist|²)`: a plate without Poisson coupling, of which
-//! a strip cut at an angle a to the warp has the rigidity Bw cos² a + Bf sin² a. Where a neighbour is missing, the energy is
+//! a strip cut at an angle a to the warp has the rigidity Bw cos² a + Bf sin² a. Where a neighbor is missing, the energy is
 //! the least that the others allow, which is what a free edge does.
 //!
 //! # Limitations
@@ -19,23 +19,23 @@ use crate::solver::forces::{PairForce, PairForces, Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
-/// Least stiffness against bending in one way, over that in another, that a triangle's neighbours may be too badly placed to
+/// Least stiffness against bending in one way, over that in another, that a triangle's neighbors may be too badly placed to
 /// tell apart: below it they are taken to say nothing more. Meshes of garments stay above 0.3.
 const SINGULAR: f64 = 0.03;
 
-/// A triangle with its neighbours: its corners, then the far corner of the neighbour across from each.
+/// A triangle with its neighbors: its corners, then the far corner of the neighbor across from each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BendPatch {
-    /// The first corner again where there is no neighbour.
+    /// The first corner again where there is no neighbor.
     pub(crate) particles: [usize; 6],
     /// Energy is half the sum of |sum of weight times position|² over the rows \[(N/m)^½\].
     pub(crate) weights: [[f64; 6]; 3],
 }
 
-/// The far corner of a neighbour: a particle, and where it lies when the neighbour is unfolded into the triangle's plane \[m\].
+/// The far corner of a neighbor: a particle, and its place when the neighbor is unfolded into the triangle's plane \[m\].
 type Wing = (usize, [f64; 2]);
 
-/// Half the squares and the product of the coordinates: the functions of unit curvature along warp, weft and twist.
+/// Returns half the squares and the product of the coordinates: the functions of unit curvature along warp, weft and twist.
 fn unit_curvatures([x, y]: [f64; 2]) -> [f64; 3] {
     [0.5 * x * x, 0.5 * y * y, x * y]
 }
@@ -45,8 +45,8 @@ fn twice_area(p: [f64; 2], q: [f64; 2], r: [f64; 2]) -> f64 {
 }
 
 impl BendPatch {
-    /// The patch of a triangle at `rest` in warp-weft coordinates \[m\], with bending rigidities along warp and weft \[N m\].
-    /// `None` if it has no area or no neighbour.
+    /// Returns the patch of a triangle at `rest` in warp-weft coordinates \[m\], with bending rigidities along warp and weft \[N m\].
+    /// `None` if it has no area or no neighbor.
     pub(crate) fn new(
         corners: [usize; 3],
         rest: [[f64; 2]; 3],
@@ -88,7 +88,7 @@ impl BendPatch {
                 .iter()
                 .zip(eigen.eigenvectors.column_iter()),
         ) {
-            // Rows without a neighbour are zero in M, and in the standoffs.
+            // Rows without a neighbor are zero in M, and in the standoffs.
             let scale = (area / value.max(SINGULAR)).sqrt();
             for i in 0..6 {
                 row[i] = scale * (0..3).map(|k| vector[k] * standoff[k][i]).sum::<f64>();
@@ -98,7 +98,7 @@ impl BendPatch {
     }
 }
 
-/// Height of wing `k` at `at` over the plane of the triangle: by the six positions, and for unit curvatures.
+/// Returns the height of wing `k` at `at` over the plane of the triangle: by the six positions, and for unit curvatures.
 fn above_plane(rest: [[f64; 2]; 3], at: [f64; 2], k: usize) -> ([f64; 6], Vector3<f64>) {
     let [p, q, r] = rest;
     let whole = twice_area(p, q, r);
@@ -116,7 +116,7 @@ fn above_plane(rest: [[f64; 2]; 3], at: [f64; 2], k: usize) -> ([f64; 6], Vector
     (row, curved)
 }
 
-/// All patches.
+/// Bending of all patches.
 pub(crate) struct BendForce {
     patches: Vec<BendPatch>,
     slots: Vec<[Slot; 21]>,

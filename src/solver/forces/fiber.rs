@@ -1,9 +1,10 @@
-//! Springs between points of a triangle: what a net of springs is on a coarser mesh.
+//! Springs between points of a triangle, into which a net of springs turns on a coarser mesh.
 
 use crate::scene::FiberSpring;
+use crate::solver::forces::central::CentralSpring;
 use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 /// Fibers, with energy k/2 (|d| - rest)², d = sum of weights times positions.
 pub(crate) struct FiberForce {
@@ -14,7 +15,7 @@ pub(crate) struct FiberForce {
 const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 impl FiberForce {
-    /// Fibers whose corners are particles.
+    /// Returns the force of fibers whose corners are particles.
     pub(crate) fn new(fibers: Vec<FiberSpring>) -> Self {
         Self {
             fibers,
@@ -23,6 +24,14 @@ impl FiberForce {
     }
 }
 
+fn law(fiber: &FiberSpring) -> CentralSpring {
+    CentralSpring {
+        stiffness: fiber.stiffness_n_m,
+        rest_length: fiber.rest_length_m,
+    }
+}
+
+/// Returns the vector along a fiber, whose length is the fiber's.
 fn image(fiber: &FiberSpring, x: &[Vector3<f64>]) -> Vector3<f64> {
     let [a, b, c] = fiber.corners;
     let [wa, wb, wc] = fiber.weights;
@@ -48,17 +57,13 @@ impl Potential for FiberForce {
     fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
         self.fibers
             .iter()
-            .map(|f| 0.5 * f.stiffness_n_m * (image(f, x).norm() - f.rest_length_m).powi(2))
+            .map(|f| law(f).energy(&image(f, x)))
             .sum()
     }
 
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
         for f in &self.fibers {
-            let d = image(f, x);
-            let length = d.norm();
-            // A fiber of no length has no direction to push in.
-            if length > 0.0 {
-                let pull = d * (f.stiffness_n_m * (1.0 - f.rest_length_m / length));
+            if let Some(pull) = law(f).tension(&image(f, x)) {
                 for (&corner, &weight) in f.corners.iter().zip(&f.weights) {
                     force[corner] -= pull * weight;
                 }
@@ -73,20 +78,9 @@ impl Potential for FiberForce {
         hessian: &mut BlockMatrix,
     ) {
         for (f, slots) in self.fibers.iter().zip(&self.slots) {
-            let d = image(f, x);
-            let length = d.norm();
-            if length == 0.0 {
+            let Some(block) = law(f).hessian(&image(f, x), hessian_modification) else {
                 continue;
-            }
-            let n = d / length;
-            let along = n * n.transpose();
-            let across = 1.0 - f.rest_length_m / length;
-            let across = if across < 0.0 {
-                across * (1.0 - hessian_modification)
-            } else {
-                across
             };
-            let block = (along + (Matrix3::identity() - along) * across) * f.stiffness_n_m;
             for (&(i, j), &slot) in PAIRS.iter().zip(slots) {
                 hessian.add(slot, &(block * (f.weights[i] * f.weights[j])));
             }

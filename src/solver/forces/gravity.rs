@@ -1,10 +1,10 @@
-//! Weight.
+//! Weight of the particles.
 
 use crate::solver::forces::{PairForces, Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use nalgebra::Vector3;
 
-/// Energy -m g·(x - x0): zero at the start, so that little is lost to rounding.
+/// Weight, of energy -m g·(x - x0): zero at the start, so that little is lost to rounding.
 pub(crate) struct Gravity {
     pub(crate) weight: Vec<Vector3<f64>>,
     pub(crate) start: Vec<Vector3<f64>>,

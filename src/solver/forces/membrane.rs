@@ -32,7 +32,7 @@ pub(crate) struct MembraneTriangle {
 }
 
 impl MembraneTriangle {
-    /// The triangle with these rest positions in warp-weft coordinates \[m\]; `None` if it has no area.
+    /// Returns the triangle with these rest positions in warp-weft coordinates \[m\]; `None` if it has no area.
     pub(crate) fn new(
         particles: [usize; 3],
         rest: [[f64; 2]; 3],
@@ -55,7 +55,7 @@ impl MembraneTriangle {
         })
     }
 
-    /// The same, of a cloth of these bending rigidities along warp and weft \[N m\], that buckles where it is pressed together
+    /// Returns the same triangle of a cloth of these bending rigidities along warp and weft \[N m\], that buckles where it is pressed together
     /// into folds as wide as the edges of the mesh \[m\]. With one width for all, even strain is even stress.
     pub(crate) fn with_buckling(mut self, rigidity: [f64; 2], edge: f64) -> Self {
         let euler = (std::f64::consts::PI / edge).powi(2);
@@ -63,7 +63,7 @@ impl MembraneTriangle {
         self
     }
 
-    /// Images of the unit vectors along warp and weft.
+    /// Returns the images of the unit vectors along warp and weft.
     pub(crate) fn deformation(&self, x: &[Vector3<f64>]) -> [Vector3<f64>; 2] {
         let mut f = [Vector3::zeros(); 2];
         for (&particle, g) in self.particles.iter().zip(&self.gradients) {
@@ -73,7 +73,7 @@ impl MembraneTriangle {
         f
     }
 
-    /// Green strain: warp, weft, and twice the shear.
+    /// Returns the Green strain: warp, weft, and twice the shear.
     fn strain(f: &[Vector3<f64>; 2]) -> [f64; 3] {
         [
             0.5 * (f[0].norm_squared() - 1.0),
@@ -82,7 +82,7 @@ impl MembraneTriangle {
         ]
     }
 
-    /// Energy per area \[J/m²\].
+    /// Returns the energy per area \[J/m²\].
     fn energy(&self, strain: [f64; 3]) -> f64 {
         let along = |i: usize| {
             let (e, limit) = (strain[i], self.critical[i]);
@@ -98,6 +98,7 @@ impl MembraneTriangle {
             + 0.5 * self.moduli[2] * strain[2].powi(2)
     }
 
+    /// Returns the stress \[N/m\]: warp, weft, shear.
     fn stress(&self, strain: [f64; 3]) -> [f64; 3] {
         let along = |i: usize| {
             let beyond = -strain[i] - self.critical[i];
@@ -114,7 +115,7 @@ impl MembraneTriangle {
         ]
     }
 
-    /// Derivatives of the stresses by their strains \[N/m\].
+    /// Returns the derivatives of the stresses by their strains \[N/m\].
     fn tangent(&self, strain: [f64; 3]) -> [f64; 3] {
         let along = |i: usize| {
             if strain[i] < -self.critical[i] {
@@ -131,11 +132,11 @@ impl MembraneTriangle {
     }
 }
 
-/// All triangles.
+/// Membrane of all triangles.
 pub(crate) struct ContinuumForce {
     triangles: Vec<MembraneTriangle>,
     slots: Vec<[Slot; 6]>,
-    /// Whether no triangle folds.
+    /// True while no triangle is taken to buckle.
     taut: bool,
 }
 
@@ -253,7 +254,7 @@ impl Potential for ContinuumForce {
     }
 }
 
-/// The part of a stress (warp, weft, shear) that pulls: its negative principal values become zero.
+/// Returns the tensile part of a stress (warp, weft, shear): its negative principal values become zero.
 fn tension(s: [f64; 3]) -> [f64; 3] {
     let eigen = Matrix2::new(s[0], s[2], s[2], s[1]).symmetric_eigen();
     let positive = eigen.eigenvalues.map(|v| v.max(0.0));

@@ -1,6 +1,7 @@
 //! The force terms, one file each: an energy, its force and its Hessian on particle positions.
 
 pub(crate) mod bending;
+pub(crate) mod central;
 pub(crate) mod contact;
 pub(crate) mod fiber;
 pub(crate) mod gravity;

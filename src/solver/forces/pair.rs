@@ -1,13 +1,13 @@
-//! What a force term is to an explicit step: links between two particles, and constant pushes.
+//! Pair forces: forces between two particles and constant forces.
 //!
-//! A link pulls particle `a` with (`straight` - `bent` / |d|) d, d = xb - xa, and `b` with the opposite. A spring of stiffness k and
-//! rest length L is the link (k, k L). A row of quadratic bending, energy `|sum w_i x_i|² / 2` with `sum w_i = 0`, is the links
+//! A pair force pulls particle `a` with (`stiffness` - `stiffness_times_rest` / |d|) d, d = xb - xa, and `b` with the opposite. A spring of stiffness k and
+//! rest length L is the pair (k, k L). A row of quadratic bending, energy `|sum w_i x_i|² / 2` with `sum w_i = 0`, is the pairs
 //! `(-w_i w_j, 0)` of all pairs: its force `-w_i sum w_j x_j` is the same as `-sum w_i w_j (x_j - x_i)`. So springs and bending between the same two
 //! particles are one pair, and the differences lose less to rounding than the positions would.
 
 use nalgebra::Vector3;
 
-/// Links and pushes of the terms that are nothing else.
+/// Pair forces and constant forces of the terms that consist of them.
 #[derive(Clone, Debug)]
 pub(crate) struct PairForces {
     /// In any order; several may join the same two particles.
@@ -16,7 +16,7 @@ pub(crate) struct PairForces {
     pub(crate) constant: Vec<Vector3<f64>>,
 }
 
-/// What acts between two particles.
+/// Central force between two particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct PairForce {
     pub(crate) a: usize,
@@ -28,7 +28,7 @@ pub(crate) struct PairForce {
 }
 
 impl PairForces {
-    /// Nothing, for this many particles.
+    /// Returns no forces, for this many particles.
     pub(crate) fn new(particle_count: usize) -> Self {
         Self {
             pairs: Vec::new(),
@@ -36,7 +36,7 @@ impl PairForces {
         }
     }
 
-    /// One link for each two particles that are linked, the lower index first, in order.
+    /// Returns one force for each two particles, the lower index first, in order.
     pub(crate) fn merged(&self) -> Vec<PairForce> {
         let mut pairs: Vec<PairForce> = self
             .pairs

@@ -67,6 +67,7 @@ impl Potential for SewingForce {
         _hessian_modification: f64,
         hessian: &mut BlockMatrix,
     ) {
+        // A central spring of rest length 0, without its rounding: n nᵀ + (I - n nᵀ) is not I to the last bit.
         let block = Matrix3::identity() * self.stiffness;
         for &[aa, bb, ab] in &self.slots {
             hessian.add(aa, &block);

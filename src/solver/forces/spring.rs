@@ -1,8 +1,9 @@
 //! Linear springs on mesh edges: the membrane of the paper (P8).
 
+use crate::solver::forces::central::CentralSpring;
 use crate::solver::forces::{PairForce, PairForces, Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 /// A linear spring: energy k/2 (|xa - xb| - rest)².
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,6 +14,15 @@ pub(crate) struct Spring {
     pub(crate) rest_length: f64,
     /// \[N/m\]
     pub(crate) stiffness: f64,
+}
+
+impl Spring {
+    fn law(&self) -> CentralSpring {
+        CentralSpring {
+            stiffness: self.stiffness,
+            rest_length: self.rest_length,
+        }
+    }
 }
 
 /// Springs, all of the same law.
@@ -55,17 +65,13 @@ impl Potential for SpringForce {
     fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
         self.springs
             .iter()
-            .map(|s| 0.5 * s.stiffness * ((x[s.a] - x[s.b]).norm() - s.rest_length).powi(2))
+            .map(|s| s.law().energy(&(x[s.a] - x[s.b])))
             .sum()
     }
 
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
         for s in &self.springs {
-            let d = x[s.b] - x[s.a];
-            let length = d.norm();
-            // A spring of no length has no direction to push in.
-            if length > 0.0 {
-                let f = d * (s.stiffness * (1.0 - s.rest_length / length));
+            if let Some(f) = s.law().tension(&(x[s.b] - x[s.a])) {
                 force[s.a] += f;
                 force[s.b] -= f;
             }
@@ -80,20 +86,9 @@ impl Potential for SpringForce {
     ) {
         for (s, &slot) in self.springs.iter().zip(&self.slots) {
             let d = x[s.b] - x[s.a];
-            let length = d.norm();
-            if length == 0.0 {
+            let Some(block) = s.law().hessian(&d, hessian_modification) else {
                 continue;
-            }
-            let n = d / length;
-            let along = n * n.transpose();
-            // Across the spring the stiffness is its tension over its length: negative when it is pressed together.
-            let across = 1.0 - s.rest_length / length;
-            let across = if across < 0.0 {
-                across * (1.0 - hessian_modification)
-            } else {
-                across
             };
-            let block = (along + (Matrix3::identity() - along) * across) * s.stiffness;
             hessian.add_diagonal(self.diagonals[s.a], &block);
             hessian.add_diagonal(self.diagonals[s.b], &block);
             hessian.add(slot, &-block);

@@ -10,10 +10,10 @@
 //! Cloth does not shelter cloth, and the body does not shelter it either; the air does not feel the cloth.
 //!
 //! # Energy
-//! The force follows the cloth, so it has none. Since the last accepted shape x0 it has done the work
+//! The force follows the cloth, so it is not conservative. Since the last accepted shape x0 it has done the work
 //! (f(x0) + f(x))·(x - x0) / 2 along the straight way, to third order; less that is the energy here. At x0 its gradient is -f
 //! exactly and its second derivative the symmetric part of -df/dx, so that Newton's steps, which start there, find the shape where
-//! the true forces balance. The skew part, which is as large where cloth streams in the wind, goes into the step by `skew.rs`.
+//! the true forces balance. The antisymmetric part, as large where cloth streams in the wind, goes into the step by `linalg/nonsymmetric.rs`.
 
 use crate::scene::Wind;
 use crate::solver::forces::{Potential, TermKind};
@@ -45,7 +45,7 @@ pub(crate) struct WindForce {
 const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 impl WindForce {
-    /// The mean of `wind` on `triangles` of particles, its work counted from `start` \[m\].
+    /// Returns the force of the mean of `wind` on `triangles` of particles, its work counted from `start` \[m\].
     pub(crate) fn new(wind: Wind, triangles: Vec<[usize; 3]>, start: &[Vector3<f64>]) -> Self {
         let mut force = Self {
             wind,
@@ -61,7 +61,7 @@ impl WindForce {
         force
     }
 
-    /// Velocity of the air against a triangle.
+    /// Returns the velocity of the air relative to a triangle.
     fn relative(&self, triangle: &[usize; 3]) -> Vector3<f64> {
         if self.velocity.is_empty() {
             return self.air;
@@ -70,7 +70,7 @@ impl WindForce {
         self.air - (a + b + c) / 3.0
     }
 
-    /// Derivative of a third of the force on triangle `t` by each of its corners.
+    /// Returns the derivative of a third of the force on triangle `t` by each of its corners.
     fn third_by_corner(&self, t: &[usize; 3], x: &[Vector3<f64>]) -> [Matrix3<f64>; 3] {
         let by_area = drag_by_area(&area(t, x), &self.relative(t));
         // A corner moved by d changes the area vector by half of (the edge across from it) x d.
@@ -90,13 +90,13 @@ impl WindForce {
     }
 }
 
-/// Half the cross product of two edges: the normal times the area \[m²\].
+/// Returns half the cross product of two edges: the normal times the area \[m²\].
 fn area(triangle: &[usize; 3], x: &[Vector3<f64>]) -> Vector3<f64> {
     let [p, q, r] = triangle.map(|v| x[v]);
     (q - p).cross(&(r - p)) * 0.5
 }
 
-/// Force on a triangle of area vector `a` in air that passes it at `v` \[N\].
+/// Returns the force on a triangle of area vector `a` in air that passes it at `v` \[N\].
 fn drag(a: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
     let square = a.norm_squared();
     if square < f64::MIN_POSITIVE {
@@ -108,7 +108,7 @@ fn drag(a: &Vector3<f64>, v: &Vector3<f64>) -> Vector3<f64> {
     (across + along * (ALONG * square.sqrt() * along.norm())) * (0.5 * AIR_DENSITY)
 }
 
-/// Derivative of [`drag`] by the area vector \[N/m²\].
+/// Returns the derivative of [`drag`] by the area vector \[N/m²\].
 fn drag_by_area(a: &Vector3<f64>, v: &Vector3<f64>) -> Matrix3<f64> {
     let square = a.norm_squared();
     if square < f64::MIN_POSITIVE {

@@ -1,4 +1,4 @@
-//! Which particles act on which, and the symmetric matrix of 3 x 3 blocks laid out after it.
+//! Sparsity of the Hessian, and the symmetric matrix of 3 x 3 blocks laid out after it.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -10,7 +10,7 @@ pub(crate) struct Sparsity {
 }
 
 impl Sparsity {
-    /// The sparsity in which all particles of a clique act on each other.
+    /// Returns the sparsity in which the particles of each pair act on each other, and each on itself.
     pub(crate) fn from_pairs(particle_count: usize, mut pairs: Vec<(usize, usize)>) -> Self {
         // (column, row) with column <= row: the lower triangle.
         for pair in &mut pairs {
@@ -32,17 +32,17 @@ impl Sparsity {
         }
     }
 
-    /// Number of particles.
+    /// Returns the number of particles.
     pub(crate) fn particle_count(&self) -> usize {
         self.column_start.len() - 1
     }
 
-    /// Number of blocks stored.
+    /// Returns the number of blocks stored.
     pub(crate) fn block_count(&self) -> usize {
         self.rows.len()
     }
 
-    /// The block of particles `a` and `b`.
+    /// Returns the place of the block of particles `a` and `b`.
     pub(crate) fn slot(&self, a: usize, b: usize) -> Slot {
         let (column, row) = (a.min(b), a.max(b));
         let start = self.column_start[column];
@@ -56,18 +56,18 @@ impl Sparsity {
         }
     }
 
-    /// The diagonal block of particle `i`.
+    /// Returns the index of the diagonal block of particle `i`.
     pub(crate) fn diagonal(&self, i: usize) -> usize {
         self.column_start[i]
     }
 
-    /// The blocks of one column: row and position.
+    /// Returns the blocks of one column: row and index.
     pub(crate) fn column(&self, column: usize) -> impl Iterator<Item = (usize, usize)> + '_ {
         (self.column_start[column]..self.column_start[column + 1]).map(|k| (self.rows[k], k))
     }
 }
 
-/// Where the block of two particles is stored, and whether it stands there transposed.
+/// Place of the block of two particles, and whether it is stored there transposed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Slot {
     index: usize,
@@ -107,7 +107,7 @@ impl BlockMatrix {
         self.blocks[index] += block;
     }
 
-    /// Takes particles out of the system: their rows and columns become those of the identity.
+    /// Removes fixed particles from the system: their rows and columns become those of the identity.
     pub(crate) fn constrain(&mut self, sparsity: &Sparsity, is_fixed: &[bool]) {
         for column in 0..sparsity.particle_count() {
             for (row, k) in sparsity.column(column) {
@@ -122,7 +122,7 @@ impl BlockMatrix {
         }
     }
 
-    /// Takes one coordinate of every particle out of the system, likewise.
+    /// Removes one coordinate of every particle from the system, likewise.
     pub(crate) fn constrain_axis(&mut self, sparsity: &Sparsity, axis: usize) {
         for column in 0..sparsity.particle_count() {
             for (row, k) in sparsity.column(column) {
@@ -134,7 +134,7 @@ impl BlockMatrix {
         }
     }
 
-    /// `x` times the matrix times `x`.
+    /// Returns `x` times the matrix times `x`.
     pub(crate) fn quadratic_form(&self, sparsity: &Sparsity, x: &[Vector3<f64>]) -> f64 {
         let mut sum = 0.0;
         for column in 0..sparsity.particle_count() {

@@ -13,7 +13,7 @@ pub(crate) struct BlockCholesky {
 }
 
 impl BlockCholesky {
-    /// Orders (nested dissection) and analyses the sparsity.
+    /// Orders (nested dissection) and analyzes the sparsity.
     pub(crate) fn new(sparsity: &Sparsity) -> Result<Self, OutOfMemory> {
         let (column_start, rows) = scalar_pattern(sparsity);
         let (size, stored) = (column_start.len() - 1, rows.len());
@@ -30,7 +30,7 @@ impl BlockCholesky {
         })
     }
 
-    /// Numbers stored in the factor.
+    /// Returns the count of numbers stored in the factor.
     pub(crate) fn factor_len(&self) -> usize {
         self.cholesky.factor_len()
     }
@@ -73,7 +73,7 @@ impl BlockCholesky {
     }
 }
 
-/// Column starts and rows of the lower triangle, number by number, in the order in which [`BlockCholesky::gather`] walks it.
+/// Returns column starts and rows of the lower triangle, number by number, in the order in which [`BlockCholesky::gather`] walks it.
 fn scalar_pattern(sparsity: &Sparsity) -> (Vec<usize>, Vec<usize>) {
     let mut column_start = vec![0];
     let mut rows = Vec::with_capacity(9 * sparsity.block_count());

@@ -1,4 +1,4 @@
-//! The linear system of a Newton step where some force has no energy: P + N, P the symmetric part, N the skew one.
+//! The linear system of a Newton step where some force is not conservative: P + N, P the symmetric part, N the antisymmetric one.
 //!
 //! The conjugate gradient method for a positive definite symmetric part that can be factored (P. Concus, G. H. Golub, "A generalized
 //! conjugate gradient method for nonsymmetric systems of linear equations", 1976; O. Widlund, "A Lanczos method for a class of
@@ -15,7 +15,7 @@ const MOST: usize = 60;
 /// Writes a matrix times its first argument into its second.
 type Apply<'a> = dyn FnMut(&[Vector3<f64>], &mut [Vector3<f64>]) + 'a;
 
-/// Scratch of the method.
+/// Solver for such a system, with its scratch memory.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct NonsymmetricSolver {
     /// Residuals of the last two iterates.
@@ -85,7 +85,7 @@ mod tests {
 
     /// P the identity and N rotations by unlike rates: (1 + N) x = f in closed form, pair of coordinates by pair.
     #[test]
-    fn it_solves_a_system_with_a_large_skew_part() {
+    fn it_solves_a_system_with_a_large_antisymmetric_part() {
         let rate = |i: usize| 0.5 + i as f64;
         let mut apply = |x: &[Vector3<f64>], y: &mut [Vector3<f64>]| {
             for (i, (x, y)) in x.iter().zip(y).enumerate() {

@@ -1,4 +1,4 @@
-//! An order of elimination with little fill: nested dissection of the graph of which particle acts on which.
+//! An order of elimination with little fill: nested dissection of the graph of particles that act on each other.
 //!
 //! A. George, "Nested dissection of a regular finite element mesh", SIAM J. Numer. Anal. 10(2), 1973. A part of the graph is
 //! halved along the distance from a vertex at its rim (as A. George and J. W.-H. Liu do in "An automatic nested dissection
@@ -10,7 +10,7 @@ use crate::solver::linalg::block_matrix::Sparsity;
 /// Parts with fewer particles are left as they come.
 const LEAF: usize = 12;
 
-/// Particles in the order in which to eliminate them.
+/// Returns the particles in the order in which to eliminate them.
 pub(crate) fn order(sparsity: &Sparsity) -> Vec<usize> {
     let graph = Graph::new(sparsity);
     let count = sparsity.particle_count();
@@ -25,10 +25,10 @@ pub(crate) fn order(sparsity: &Sparsity) -> Vec<usize> {
     work.order
 }
 
-/// The neighbours of each particle.
+/// Graph of particles: the neighbors of each.
 struct Graph {
     start: Vec<usize>,
-    neighbours: Vec<usize>,
+    neighbors: Vec<usize>,
 }
 
 impl Graph {
@@ -50,18 +50,18 @@ impl Graph {
             start[i + 1] += start[i];
         }
         let mut next = start.clone();
-        let mut neighbours = vec![0; start[count]];
+        let mut neighbors = vec![0; start[count]];
         for (a, b) in pairs() {
-            neighbours[next[a]] = b;
-            neighbours[next[b]] = a;
+            neighbors[next[a]] = b;
+            neighbors[next[b]] = a;
             next[a] += 1;
             next[b] += 1;
         }
-        Self { start, neighbours }
+        Self { start, neighbors }
     }
 
     fn of(&self, v: usize) -> &[usize] {
-        &self.neighbours[self.start[v]..self.start[v + 1]]
+        &self.neighbors[self.start[v]..self.start[v + 1]]
     }
 }
 
@@ -123,7 +123,7 @@ impl Work {
         part
     }
 
-    /// The vertices of a part that hang together with `root`, nearest first.
+    /// Returns the vertices of a part that hang together with `root`, nearest first.
     fn reach(&mut self, graph: &Graph, root: usize, part: usize, search: usize) -> Vec<usize> {
         let mut reached = vec![root];
         self.seen[root] = search;

@@ -1,4 +1,4 @@
-//! The triangles of a scene with their neighbours, as they bend.
+//! Bend patches of a scene: each triangle with its neighbors.
 
 use crate::scene::{Fabric, Scene};
 use crate::solver::forces::BendPatch;
@@ -6,7 +6,7 @@ use crate::solver::model::dof_map::DofMap;
 use crate::solver::model::rest_shape::rest_triangles;
 use std::collections::BTreeMap;
 
-/// Every triangle with its neighbours, across seams that are welded too: a seam pressed open bends like the cloth.
+/// Returns every triangle with its neighbors, also across welded seams: a seam pressed open bends like the cloth.
 pub(crate) fn bend_patches(scene: &Scene, dof_map: &DofMap) -> Vec<BendPatch> {
     let sides = sides(scene, dof_map);
     let least = scene.least_bending_n_m;
@@ -34,7 +34,7 @@ pub(crate) fn bend_patches(scene: &Scene, dof_map: &DofMap) -> Vec<BendPatch> {
 struct BendSide {
     /// The particle that is not on the edge.
     far: usize,
-    /// Where it lies from the middle of the edge: along it, from its lower to its higher particle, and across \[m\].
+    /// Its place from the middle of the edge: along it, from its lower to its higher particle, and across \[m\].
     along: f64,
     across: f64,
     /// Whether the edge runs from its lower to its higher particle round the triangle.
@@ -52,7 +52,7 @@ fn sides(scene: &Scene, dof_map: &DofMap) -> BTreeMap<(usize, usize), Vec<BendSi
     sides
 }
 
-/// The edge across from corner `k`, and the triangle seen from it.
+/// Returns the edge across from corner `k`, and the triangle seen from it.
 fn side(corners: [usize; 3], rest: [[f64; 2]; 3], k: usize) -> ((usize, usize), BendSide) {
     let (i, j) = ((k + 1) % 3, (k + 2) % 3);
     let (a, b) = (corners[i], corners[j]);
@@ -69,7 +69,7 @@ fn side(corners: [usize; 3], rest: [[f64; 2]; 3], k: usize) -> ((usize, usize), 
     ((a.min(b), a.max(b)), side)
 }
 
-/// Middle and direction of the edge across from corner `k`, as it runs round the triangle.
+/// Returns middle and direction of the edge across from corner `k`, as it runs round the triangle.
 fn edge_frame(rest: [[f64; 2]; 3], k: usize) -> ([f64; 2], [f64; 2]) {
     let (p, q) = (rest[(k + 1) % 3], rest[(k + 2) % 3]);
     let d = [q[0] - p[0], q[1] - p[1]];
@@ -80,7 +80,7 @@ fn edge_frame(rest: [[f64; 2]; 3], k: usize) -> ([f64; 2], [f64; 2]) {
     )
 }
 
-/// Where the far corner of the neighbour across from corner `k` lies in the plane of the triangle.
+/// Returns the far corner of the neighbor across from corner `k`, unfolded into the plane of the triangle.
 fn unfolded(rest: [[f64; 2]; 3], k: usize, mine: &BendSide, other: &BendSide) -> [f64; 2] {
     let (middle, along) = edge_frame(rest, k);
     let forward = if mine.rising {

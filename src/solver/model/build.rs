@@ -27,7 +27,7 @@ pub(crate) struct BuildOptions<'a> {
     pub(crate) seams: Seams,
     /// Whether weight and wind act.
     pub(crate) gravity: bool,
-    /// Where the body holds cloth by friction to begin with; none without friction.
+    /// Friction anchors to begin with; none without friction.
     pub(crate) friction: Option<&'a FrictionAnchors>,
     /// Whether steps are many and small.
     pub(crate) explicit: bool,
@@ -106,7 +106,7 @@ pub(crate) fn build<'a>(
     Model { dof_map, system }
 }
 
-/// Whether anything of the scene resists bending.
+/// Returns true if anything of the scene resists bending.
 pub(crate) fn bends(scene: &Scene) -> bool {
     let rigidity = |f: &Fabric| f.bending_warp_n_m.max(f.bending_weft_n_m);
     let fabrics = scene.fabrics.iter().map(rigidity);
@@ -114,12 +114,13 @@ pub(crate) fn bends(scene: &Scene) -> bool {
     has_triangles && fabrics.fold(scene.least_bending_n_m, f64::max) > 0.0
 }
 
-/// Distance that cloth is kept from the skin \[m\].
+/// Returns the distance that cloth is kept from the skin \[m\].
 pub fn kept_distance(scene: &Scene) -> f64 {
     let thickness = scene.fabrics.iter().map(|f| f.thickness_m);
     SKIN_OFFSET + 0.5 * thickness.fold(0.0, f64::max)
 }
 
+/// Returns the triangles of the mesh with particles for their corners.
 pub(crate) fn particle_triangles(scene: &Scene, dof_map: &DofMap) -> Vec<[usize; 3]> {
     let of_vertex = |t: &[usize; 3]| t.map(|v| dof_map.of_vertex[v]);
     scene.mesh.triangles.iter().map(of_vertex).collect()

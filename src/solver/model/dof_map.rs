@@ -1,18 +1,18 @@
-//! Which vertices are one particle: all apart while sewing, those of a stitch together once it is welded.
+//! The particle of each vertex: one of its own while sewing, one for all vertices of a stitch once it is welded.
 
 use nalgebra::Vector3;
 
-/// The particle that each vertex is.
+/// Map from vertices to particles, the degrees of freedom.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct DofMap {
-    /// `#V`
+    /// Particle of each vertex; `#V`.
     pub(crate) of_vertex: Vec<usize>,
     /// Number of particles.
     pub(crate) count: usize,
 }
 
 impl DofMap {
-    /// Every vertex a particle of its own.
+    /// Returns the map that makes every vertex a particle of its own.
     pub(crate) fn identity(vertex_count: usize) -> Self {
         Self {
             of_vertex: (0..vertex_count).collect(),
@@ -20,7 +20,7 @@ impl DofMap {
         }
     }
 
-    /// The vertices of each pair, and all that hang together through pairs, one particle.
+    /// Returns the map that makes vertices one particle which are connected by `pairs`.
     pub(crate) fn welded(vertex_count: usize, pairs: impl Iterator<Item = (usize, usize)>) -> Self {
         let mut parent: Vec<usize> = (0..vertex_count).collect();
         for (a, b) in pairs {
@@ -42,7 +42,7 @@ impl DofMap {
         Self { of_vertex, count }
     }
 
-    /// The pairs of vertices that are two particles.
+    /// Returns the particles of each pair of vertices, without pairs that are one particle.
     pub(crate) fn pairs(&self, of_vertices: &[(usize, usize)]) -> Vec<(usize, usize)> {
         let pairs = of_vertices.iter();
         pairs
@@ -51,7 +51,7 @@ impl DofMap {
             .collect()
     }
 
-    /// Sum over the vertices of each particle.
+    /// Returns the sum over the vertices of each particle; `#P`.
     pub(crate) fn sum(&self, of_vertex: &[f64]) -> Vec<f64> {
         let mut sum = vec![0.0; self.count];
         for (&particle, value) in self.of_vertex.iter().zip(of_vertex) {
@@ -60,7 +60,7 @@ impl DofMap {
         sum
     }
 
-    /// Mean over the vertices of each particle.
+    /// Returns the mean over the vertices of each particle; `#P`.
     pub(crate) fn average(&self, of_vertex: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
         let mut mean = vec![Vector3::zeros(); self.count];
         let mut number = vec![0.0; self.count];
@@ -72,7 +72,7 @@ impl DofMap {
         mean
     }
 
-    /// The value of each vertex's particle.
+    /// Returns the value of each vertex's particle; `#V`.
     pub(crate) fn scatter(&self, of_particle: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
         self.of_vertex
             .iter()

@@ -10,9 +10,9 @@ pub(crate) const STANDARD_GRAVITY: f64 = 9.80665;
 
 /// Particles and the terms that act on them.
 pub(crate) struct System<'a> {
-    /// \[kg\]; one per particle.
+    /// Mass of each particle \[kg\]; `#P`.
     pub(crate) mass: Vec<f64>,
-    /// Particles that do not move.
+    /// True for each particle that does not move; `#P`.
     pub(crate) is_fixed: Vec<bool>,
     /// The coordinate in which no particle moves.
     pub(crate) fixed_axis: Option<usize>,
@@ -33,12 +33,12 @@ pub(crate) struct TimedTerm {
 }
 
 impl System<'_> {
-    /// Number of particles.
+    /// Returns the number of particles.
     pub(crate) fn particle_count(&self) -> usize {
         self.mass.len()
     }
 
-    /// Lays out the second derivatives and tells every term its place in them.
+    /// Returns the sparsity of the Hessian, after every term has looked up its blocks in it.
     pub(crate) fn bind(&mut self) -> Sparsity {
         let mut pairs = Vec::new();
         for term in &self.terms {
@@ -70,7 +70,7 @@ impl System<'_> {
         self.zero_fixed(out);
     }
 
-    /// Tells the terms of an accepted shape. Whether anything slipped on the body.
+    /// Takes `x` as an accepted shape; returns true if anything slipped on the body.
     pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
         for term in &mut self.terms {
             term.potential.accept(x);
@@ -78,14 +78,14 @@ impl System<'_> {
         self.contact.as_mut().is_some_and(|c| c.accept(x))
     }
 
-    /// Tells the terms how the particles move \[m/s\] at `time` \[s\]; without it they rest in the mean wind.
+    /// Sets the velocities of the particles \[m/s\] at `time` \[s\]; without it they rest in the mean wind.
     pub(crate) fn set_motion(&mut self, velocity: &[Vector3<f64>], time: f64) {
         for term in &mut self.terms {
             term.potential.set_motion(velocity, time);
         }
     }
 
-    /// Energy of all terms \[J\].
+    /// Returns the energy of all terms \[J\].
     pub(crate) fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
         let mut sum = 0.0;
         self.for_each(|force| sum += force.energy(x));
@@ -103,7 +103,7 @@ impl System<'_> {
         sum
     }
 
-    /// Net force on each particle, zero on those that are held \[N\].
+    /// Computes the net force on each particle \[N\], zero on those that are fixed.
     pub(crate) fn net_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
         force.fill(Vector3::zeros());
         self.for_each(|term| term.add_force(x, force));
@@ -125,7 +125,7 @@ impl System<'_> {
         });
     }
 
-    /// Makes zero what would move a particle that does not move.
+    /// Sets to zero the vectors of fixed particles, and the coordinate along the fixed axis.
     pub(crate) fn zero_fixed(&self, vectors: &mut [Vector3<f64>]) {
         for (v, _) in vectors
             .iter_mut()
@@ -139,7 +139,7 @@ impl System<'_> {
         }
     }
 
-    /// Takes what does not move out of `hessian`: its rows and columns become those of the identity.
+    /// Removes what is fixed from `hessian`: its rows and columns become those of the identity.
     pub(crate) fn constrain(&self, sparsity: &Sparsity, hessian: &mut BlockMatrix) {
         hessian.constrain(sparsity, &self.is_fixed);
         if let Some(axis) = self.fixed_axis {
@@ -147,7 +147,7 @@ impl System<'_> {
         }
     }
 
-    /// Second derivative of the energy, less the share `hessian_modification` of what may make it indefinite.
+    /// Computes the Hessian of the energy, less the share `hessian_modification` of the part that may be indefinite.
     pub(crate) fn hessian(
         &mut self,
         x: &[Vector3<f64>],
@@ -158,26 +158,26 @@ impl System<'_> {
         self.for_each(|force| force.add_hessian(x, hessian_modification, hessian));
     }
 
-    /// Bound on the stiffness that each particle feels in the rest shape \[N/m\].
+    /// Returns a bound on the stiffness of each particle in the rest shape \[N/m\].
     pub(crate) fn stiffness(&mut self) -> Vec<f64> {
         let mut sum = vec![0.0; self.particle_count()];
         self.for_each(|force| force.add_stiffness_bound(&mut sum));
         sum
     }
 
-    /// Mean weight of a particle under standard gravity \[N\].
+    /// Returns the mean weight of a particle under standard gravity \[N\].
     fn mean_weight(&self) -> f64 {
         self.mass.iter().sum::<f64>() * STANDARD_GRAVITY / self.particle_count().max(1) as f64
     }
 
-    /// `r = sqrt(sum |f_i|² / n) / (M 9.80665 / n)`: the net force on a particle over its weight.
+    /// Returns `r = sqrt(sum |f_i|² / n) / (M 9.80665 / n)`: the net force on a particle over its weight.
     pub(crate) fn residual(&self, force: &[Vector3<f64>]) -> f64 {
         let count = force.len() as f64;
         let weight = self.mean_weight();
         (force.iter().map(Vector3::norm_squared).sum::<f64>() / count).sqrt() / weight
     }
 
-    /// The residual below which forces are rounding: k eps |x| / (m g), k the stiffness a particle feels.
+    /// Returns the residual below which forces are rounding: k eps |x| / (m g), k the stiffness of a particle.
     pub(crate) fn residual_floor(&mut self, x: &[Vector3<f64>]) -> f64 {
         let stiffness = self.stiffness();
         let count = x.len() as f64;

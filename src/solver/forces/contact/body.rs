@@ -22,7 +22,8 @@ pub(crate) struct Friction {
     anchors: Vec<Option<FrictionAnchor>>,
 }
 
-/// Where friction holds the particles of a shape; empty where there is none. A drape that goes on from the shape needs it.
+/// Points that friction holds the particles of a shape by; empty where there is none. A drape that continues from the shape needs
+/// them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FrictionAnchors(Vec<Option<FrictionAnchor>>);
 
@@ -32,7 +33,7 @@ struct FrictionAnchor {
     normal: Vector3<f64>,
     /// Largest tangential force: μ N \[N\].
     limit: f64,
-    /// Whether the last step slipped: then the next is taken to slip on, or it would creep by the spring's give at a time.
+    /// True if the last step slipped: then the next is taken to slip on, or it would creep by the spring's give at a time.
     slipping: bool,
 }
 
@@ -44,7 +45,7 @@ impl Friction {
         }
     }
 
-    /// The same friction that holds on where it held; with anchors of another number of particles it begins anew.
+    /// Returns the same friction that holds on where it held; with anchors of another number of particles it begins anew.
     pub(crate) fn with_anchors(mut self, held: &FrictionAnchors) -> Self {
         if held.0.len() == self.anchors.len() {
             self.anchors.clone_from(&held.0);
@@ -53,12 +54,12 @@ impl Friction {
     }
 }
 
-/// A remembered sample of the body: good for positions within `reuse` of where it was taken.
+/// A sample of the body that is used again: good for positions within `reuse` of where it was taken.
 #[derive(Clone, Copy, Debug)]
 struct CachedSample {
     at: Vector3<f64>,
     sample: Option<BodySample>,
-    /// How far a particle may move before the sample says nothing of it any more \[m\].
+    /// Distance that a particle may move before the sample is of no use any more \[m\].
     reach: f64,
 }
 
@@ -70,14 +71,14 @@ pub(crate) struct BodyContact {
     /// Cloth area of each particle \[m²\].
     area: Vec<f64>,
     cache: Vec<CachedSample>,
-    /// How far a sample is carried on by its second-order expansion \[m\]; 0 takes a new one each time.
+    /// Distance for which a sample is carried on by its second-order expansion \[m\]; 0 takes a new one each time.
     reuse: f64,
     friction: Option<Friction>,
     diagonals: Vec<usize>,
 }
 
 impl BodyContact {
-    /// Contact that keeps particles of cloth area `area` \[m²\] at `offset` \[m\] from the body.
+    /// Returns contact that keeps particles of cloth area `area` \[m²\] at `offset` \[m\] from the body.
     pub(crate) fn new(body: Body, offset: f64, area: &[f64]) -> Self {
         let never = CachedSample {
             at: Vector3::repeat(f64::INFINITY),
@@ -95,19 +96,19 @@ impl BodyContact {
         }
     }
 
-    /// The same contact with friction.
+    /// Returns the same contact with friction.
     pub(crate) fn with_friction(mut self, friction: Option<Friction>) -> Self {
         self.friction = friction;
         self
     }
 
-    /// The same contact that carries each sample on for `reuse` \[m\]: for explicit steps, which are many and small.
+    /// Returns the same contact that carries each sample on for `reuse` \[m\]: for explicit steps, which are many and small.
     pub(crate) fn with_reuse(mut self, reuse: f64) -> Self {
         self.reuse = reuse;
         self
     }
 
-    /// The sample of particle `i` if it is in the layer, its distance being that at `x`.
+    /// Returns the sample of particle `i` if it is in the layer, its distance being that at `x`.
     fn touch(&mut self, i: usize, x: &Vector3<f64>) -> Option<BodySample> {
         let cached = &mut self.cache[i];
         let moved = x - cached.at;
@@ -135,7 +136,7 @@ impl BodyContact {
         (sample.distance < self.offset).then_some(sample)
     }
 
-    /// Takes the state at an accepted step: new normal forces, and anchors dragged along by what slipped. Whether any did.
+    /// Takes the state at an accepted step: new normal forces, and anchors dragged along by what slipped. Returns true if any did.
     pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
         let mut slipped = false;
         let Some(mut friction) = self.friction.take() else {
@@ -168,13 +169,13 @@ impl BodyContact {
         slipped
     }
 
-    /// Where friction holds the particles.
+    /// Returns the points that friction holds the particles by.
     pub(crate) fn anchors(&self) -> FrictionAnchors {
         let anchors = self.friction.as_ref().map(|f| f.anchors.clone());
         FrictionAnchors(anchors.unwrap_or_default())
     }
 
-    /// Particles in contact at `x`.
+    /// Returns true for each particle in contact at `x`.
     pub(crate) fn touching(&mut self, x: &[Vector3<f64>]) -> Vec<bool> {
         (0..x.len())
             .map(|i| self.touch(i, &x[i]).is_some())
