@@ -1,5 +1,6 @@
 //! Outcome of a drape as typed values. [`crate::solver::report::describe`] puts it into words.
 
+use crate::solver::integrate::outcome::Infeasibility;
 use crate::solver::forces::contact::FrictionAnchors;
 use crate::solver::options::Method;
 use crate::solver::report::measure::ShapeMeasures;
@@ -172,7 +173,7 @@ pub(crate) enum AtRest {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Unfinished {
     /// The drape was not begun since its method could not end.
-    Refused(String),
+    Refused(Infeasibility),
     /// The seams up to a stage did not close.
     SeamsOpen {
         stage: u32,

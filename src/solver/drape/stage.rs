@@ -80,7 +80,7 @@ fn run_motion(
                 smaller_step: moved.shorter,
                 ..Fallbacks::default()
             },
-            ..StageOutcome::new(moved.stop)
+            ..StageOutcome::new(moved.termination)
         },
         Err(limit) => StageOutcome {
             stability_limit: Some(limit),

@@ -1,6 +1,6 @@
 //! Drag from the fabric.
 //!
-//! A fabric gives a share ζ of critical damping. It is that of the slowest swing of the cloth hung by one end under standard
+//! A fabric gives a share ζ of critical damping. It is that of the fundamental mode of the cloth hung by one end under standard
 //! gravity: a hanging strip of length L swings with ω = j₀₁/2 √(g/L), j₀₁ = 2.4048 (D. Bernoulli 1732; the first zero of J₀), and
 //! drag F = -c m v damps a mode of frequency ω by c / (2 ω), so c = 2 ζ ω. L is the longest side of the largest panel.
 //!
@@ -12,9 +12,9 @@ use crate::scene::Scene;
 use crate::solver::model::system::STANDARD_GRAVITY;
 
 /// Half the first zero of the Bessel function J₀.
-const SLOWEST_SWING: f64 = 0.5 * 2.404_825_557_695_773;
+const HALF_BESSEL_ZERO: f64 = 0.5 * 2.404_825_557_695_773;
 
-/// Slowest swing of the cloth of `scene` \[rad/s\]; 0 if it has no length.
+/// Returns the fundamental frequency of the cloth of `scene` \[rad/s\]; 0 if it has no length.
 pub(crate) fn fundamental_frequency(scene: &Scene) -> f64 {
     let mut longest = 0.0_f64;
     for panel in &scene.mesh.panels {
@@ -29,13 +29,13 @@ pub(crate) fn fundamental_frequency(scene: &Scene) -> f64 {
         }
     }
     if longest > 0.0 {
-        SLOWEST_SWING * (STANDARD_GRAVITY / longest).sqrt()
+        HALF_BESSEL_ZERO * (STANDARD_GRAVITY / longest).sqrt()
     } else {
         0.0
     }
 }
 
-/// Drag per mass `C_d / m` of the cloth of `scene` \[1/s\], by the mean ζ of its panels' mass.
+/// Returns the drag per mass `C_d / m` of the cloth of `scene` \[1/s\], by the mean ζ of its panels' mass.
 pub(crate) fn drag(scene: &Scene) -> f64 {
     let (mut mass, mut damped) = (0.0, 0.0);
     for (panel, cut) in scene.mesh.panels.iter().zip(&scene.cut) {

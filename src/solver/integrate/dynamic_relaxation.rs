@@ -1,4 +1,7 @@
-//! The shape at rest by motion: steps with drag until nothing moves any more.
+//! The shape at rest by dynamic relaxation (A. S. Day, The Engineer 219, 1965): steps with drag until nothing moves any more.
+//!
+//! The loop is not that of a motion ([`crate::solver::integrate::simulation`]): steps follow stability and growth, not a
+//! tolerance and frames; every block is shown to the caller; and what goes wrong is begun anew from rest in shorter steps.
 
 use crate::solver::integrate::energy_monitor::EnergyMonitor;
 use crate::solver::integrate::integrator::{ParticleState, StepError};
@@ -16,7 +19,7 @@ const FIRST_IMPLICIT: f64 = 0.01;
 const LONGEST_IMPLICIT: f64 = 0.05;
 /// Shortest implicit step \[s\]; where that has no solution, none has.
 const SHORTEST_IMPLICIT: f64 = 1e-7;
-/// How much longer an implicit step may be than the one before it.
+/// Factor by which an implicit step may be longer than the one before it.
 const GROWTH: f64 = 1.5;
 /// Residual to which implicit steps are solved, against the one that is to be reached.
 const SOLVED: f64 = 0.1;
@@ -26,7 +29,7 @@ const LEAST_SHARE: f64 = 1e-3;
 /// Blocks of steps after which the stability limit is looked at again, since cloth stiffens as it stretches.
 const BLOCKS_A_LIMIT: usize = 40;
 
-/// How a motion to rest is damped and bounded.
+/// Damping and bounds of a motion to rest.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct DynamicRelaxation {
     /// A method that steps.
@@ -42,15 +45,15 @@ pub(crate) struct DynamicRelaxation {
     pub(crate) tolerance: f64,
 }
 
-/// How a motion ended.
+/// End of a dynamic relaxation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct RelaxationEnd {
-    pub(crate) stop: Termination,
-    /// Whether steps were made shorter than stability of small motions asks for.
+    pub(crate) termination: Termination,
+    /// True if steps were made shorter than stability of small motions asks for.
     pub(crate) shorter: bool,
 }
 
-/// Steps from `x` at rest until `callback` says so, at most `limit` steps.
+/// Steps from `x` at rest until `callback` breaks, at most `limit` steps.
 ///
 /// # Errors
 /// The largest stable step, if the one asked for is above it.
@@ -62,8 +65,11 @@ pub(crate) fn run(
     callback: &mut Callback<'_>,
 ) -> Result<RelaxationEnd, f64> {
     let mut shorter = false;
-    let stop = steps(system, x, motion, limit, (callback, &mut shorter))?;
-    Ok(RelaxationEnd { stop, shorter })
+    let termination = steps(system, x, motion, limit, (callback, &mut shorter))?;
+    Ok(RelaxationEnd {
+        termination,
+        shorter,
+    })
 }
 
 fn steps(

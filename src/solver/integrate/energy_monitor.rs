@@ -1,4 +1,4 @@
-//! Whether explicit steps give energy to the cloth that nothing gives it.
+//! Detection of explicit steps that drive the cloth: its energy must fall by what drag dissipates.
 //!
 //! Below the stability limit no mode of linear springs is driven; but cloth yields to pressure and pulls when taut, and an
 //! oscillator that is stiff to one side only is driven by some steps far below its limit (a parametric resonance of the steps: each
@@ -11,11 +11,11 @@ use crate::solver::model::system::System;
 /// Blocks of steps after which the balance is drawn.
 const WINDOW: usize = 20;
 /// Share of what drag takes by which the energy must have fallen.
-const LEAST: f64 = 0.5;
-/// What drag takes over the energy there is; below that it is rounding.
-const FELT: f64 = 1e-10;
+const LEAST_SHARE: f64 = 0.5;
+/// Dissipation over the whole energy below which it is rounding.
+const ROUNDING: f64 = 1e-10;
 
-/// The energy of a motion with drag, watched.
+/// Energy balance of a motion with drag.
 pub(crate) struct EnergyMonitor {
     /// \[1/s\]
     drag: f64,
@@ -23,7 +23,7 @@ pub(crate) struct EnergyMonitor {
     kinetic: f64,
     /// The whole energy when the window began; none if it is yet to begin \[J\].
     then: Option<f64>,
-    /// What drag took since \[J\].
+    /// Energy dissipated by drag since then \[J\].
     taken: f64,
     blocks: usize,
 }
@@ -39,7 +39,7 @@ impl EnergyMonitor {
         }
     }
 
-    /// After a block of steps that took `time` \[s\]: whether the steps drive the cloth.
+    /// Returns true if the cloth gained energy by its steps, the last block of which took `time` \[s\].
     pub(crate) fn gains_energy(
         &mut self,
         system: &mut System<'_>,
@@ -57,14 +57,14 @@ impl EnergyMonitor {
         let potential = system.energy(&state.x);
         let now = potential + kinetic;
         let driven = self.then.is_some_and(|then| {
-            self.taken > FELT * (potential.abs() + kinetic) && now > then - LEAST * self.taken
+            self.taken > ROUNDING * (potential.abs() + kinetic) && now > then - LEAST_SHARE * self.taken
         });
-        self.begin(Some(now));
+        self.restart(Some(now));
         driven
     }
 
-    /// Begins anew: the scene's energy is another.
-    pub(crate) fn begin(&mut self, now: Option<f64>) {
+    /// Restarts the window with the energy `now` \[J\].
+    pub(crate) fn restart(&mut self, now: Option<f64>) {
         (self.then, self.taken, self.blocks) = (now, 0.0, 0);
     }
 }

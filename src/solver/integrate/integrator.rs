@@ -1,4 +1,4 @@
-//! What every trajectory method has in common: a state, and steps that move it on.
+//! The interface of all time stepping methods: a state, and steps that advance it.
 
 use crate::solver::model::system::System;
 use nalgebra::Vector3;
@@ -10,12 +10,12 @@ pub(crate) struct ParticleState {
     pub(crate) v: Vec<Vector3<f64>>,
     /// \[s\]
     pub(crate) time: f64,
-    /// Whether wind gusts and feels how the cloth moves; what is to come to rest does so in the mean wind.
+    /// True if wind gusts and feels how the cloth moves; what is to come to rest does so in the mean wind.
     pub(crate) windy: bool,
 }
 
 impl ParticleState {
-    /// At rest at `x`.
+    /// Returns the state at rest at `x`.
     pub(crate) fn at_rest(x: &[Vector3<f64>]) -> Self {
         Self {
             x: x.to_vec(),
@@ -25,38 +25,38 @@ impl ParticleState {
         }
     }
 
-    /// Takes over another state of as many particles.
+    /// Copies another state of as many particles.
     pub(crate) fn copy_from(&mut self, other: &Self) {
         self.x.copy_from_slice(&other.x);
         self.v.copy_from_slice(&other.v);
         self.time = other.time;
     }
 
-    /// Whether all numbers are.
+    /// Returns true if all positions and velocities are finite.
     pub(crate) fn is_finite(&self) -> bool {
         let finite = |v: &Vector3<f64>| v.iter().all(|c| c.is_finite());
         self.x.iter().all(finite) && self.v.iter().all(finite)
     }
 }
 
-/// Why steps could not be taken.
+/// Reason why a step could not be taken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum StepError {
     /// The equations of an implicit step were not solved.
     NotConverged,
-    /// Numbers that are not finite.
+    /// Positions or velocities were not finite.
     NotFinite,
 }
 
-/// A trajectory method, with all scratch memory that it needs.
+/// A time stepping method, with all scratch memory that it needs.
 pub(crate) trait Integrator {
-    /// Order of the global error in the step.
+    /// Returns the order of the global error in the step.
     fn order(&self) -> i32;
 
-    /// Steps that are best taken at once, with one step length.
+    /// Returns the number of steps that are best taken at once, with one step length.
     fn block(&self) -> u64;
 
-    /// The longest stable step at `x` \[s\].
+    /// Returns the longest stable step at `x` \[s\].
     fn stable_step(&mut self, _system: &mut System<'_>, _x: &[Vector3<f64>]) -> f64 {
         f64::INFINITY
     }
@@ -75,21 +75,21 @@ pub(crate) trait Integrator {
     /// Remembers that the steps of `h` \[s\] that began at `before` are part of the trajectory.
     fn accept(&mut self, _before: &ParticleState, _h: f64) {}
 
-    /// Operations of one step, counted; what they cost a processor is about the same for all.
+    /// Returns the operations of one step, counted; what they cost a processor is about the same for all.
     fn operations(&self) -> f64;
 
-    /// Bytes of the arrays that an explicit step reads or writes, each counted once; 0 for an implicit one.
+    /// Returns the bytes of the arrays that an explicit step reads or writes, each counted once; 0 for an implicit one.
     fn step_bytes(&self) -> u64 {
         0
     }
 
-    /// Newton iterations so far.
+    /// Returns the Newton iterations so far.
     fn newton_iterations(&self) -> u64 {
         0
     }
 }
 
-/// Tells what remembers the way of the cloth where it is, and wind how it moves.
+/// Tells the terms with memory (friction, wind) of the state from which a step begins.
 ///
 /// Velocities are those that the step begins with (with Verlet, of the half step before): wind is lagged by a step.
 pub(crate) fn accept(system: &mut System<'_>, state: &ParticleState) {

@@ -10,6 +10,7 @@ pub(crate) mod energy_monitor;
 pub(crate) mod explicit;
 pub(crate) mod implicit;
 pub(crate) mod integrator;
+pub(crate) mod outcome;
 pub(crate) mod report;
 pub(crate) mod select;
 pub(crate) mod settings;

@@ -1,4 +1,4 @@
-//! A motion, and what is known about it.
+//! A motion and its report.
 
 use crate::solver::report::schema::{Energy, TermTime};
 use nalgebra::Vector3;
@@ -10,9 +10,9 @@ use utoipa::ToSchema;
 pub struct Trajectory {
     /// The first one is the start.
     pub frames: Vec<Frame>,
-    /// How far to trust them.
+    /// Counts, limits and errors by which to trust them.
     pub report: MotionReport,
-    /// Whether it was stopped by the cancel token.
+    /// True if it was stopped by the cancel token.
     pub canceled: bool,
 }
 
@@ -46,18 +46,18 @@ impl MotionEnergy {
     }
 }
 
-/// How far to trust a motion.
+/// Report by which to trust a motion.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct MotionReport {
-    /// Whether all of the time asked for was simulated.
+    /// True if all of the time asked for was simulated.
     pub complete: bool,
-    /// Whether every step was below the stability limit, which is looked at again as the cloth moves.
+    /// True if every step was below the stability limit, which is updated as the cloth moves.
     pub within_limits: bool,
-    /// Why it ended, in words.
+    /// Reason why it ended, in words.
     pub why: String,
     /// The method that was used, and how it was chosen.
     pub method: String,
-    /// Why that method, if the choice was the service's.
+    /// Reason for that method, if it was chosen automatically.
     pub method_because: Option<String>,
     /// Time simulated \[s\].
     pub simulated_s: f64,

@@ -11,7 +11,7 @@ use crate::solver::integrate::integrator::{Integrator, ParticleState, StepError}
 use crate::solver::integrate::report::{Frame, MotionEnergy, MotionReport};
 use crate::solver::integrate::select::integrator_for;
 use crate::solver::integrate::settings::{IntegratorSettings, SAFETY};
-use crate::solver::integrate::stability::feasibility::too_many;
+use crate::solver::integrate::outcome::{MethodReason, MotionTermination, StepExcess};
 use crate::solver::integrate::step_control::StepControl;
 use crate::solver::model::dof_map::DofMap;
 use crate::solver::model::system::System;
@@ -32,54 +32,64 @@ const SHORTEST: f64 = 1e-8;
 /// Blocks of steps after which the stability limit is looked at again, since cloth stiffens as it stretches.
 const BLOCKS_A_LIMIT: u64 = 40;
 
+/// A motion that is being simulated.
 pub(crate) struct MotionSimulation<'r, 'c, 'w> {
     pub(crate) options: &'r SolverOptions,
     pub(crate) began: f64,
     pub(crate) dof_map: &'r DofMap,
     pub(crate) frames: Vec<Frame>,
+    /// The method that steps, once it is set up.
+    pub(crate) method: Option<Method>,
+    /// The reason for it, if it was chosen automatically.
+    pub(crate) method_reason: Option<MethodReason>,
+    /// Counts, times and limits, but no words.
     pub(crate) report: MotionReport,
     pub(crate) canceled: bool,
     pub(crate) context: &'c mut Context<'w>,
 }
 
 impl MotionSimulation<'_, '_, '_> {
-    /// Steps from frame to frame; why it ended, if not at the end.
-    pub(crate) fn go(
+    /// Steps from frame to frame.
+    ///
+    /// # Errors
+    /// The reason why it ended before the last frame.
+    pub(crate) fn run(
         &mut self,
         system: &mut System<'_>,
         state: &mut ParticleState,
-        swing: f64,
-    ) -> Result<(), String> {
+        frequency: f64,
+    ) -> Result<(), MotionTermination> {
         let duration = self.options.duration_s.unwrap_or(DURATION);
         let rate = self.options.frame_rate_hz.unwrap_or(FRAME_RATE);
         let count = self.frame_count(duration, rate)?;
-        self.keep(system, state);
-        let (mut integrator, mut control) = self.set_up(system, state, swing)?;
+        self.add_frame(system, state);
+        let (mut integrator, mut control) = self.set_up(system, state, frequency)?;
         for frame in 1..=count {
             let end = (frame as f64 / rate).min(duration);
-            self.to(system, state, end, (integrator.as_mut(), &mut control))?;
+            self.step_to(system, state, end, (integrator.as_mut(), &mut control))?;
             state.time = end;
             self.report.simulated_s = end;
             self.report.newton_iterations = integrator.newton_iterations();
-            self.keep(system, state);
+            self.add_frame(system, state);
         }
         self.report.complete = true;
         Ok(())
     }
 
-    /// Frames after the first.
-    fn frame_count(&self, duration: f64, rate: f64) -> Result<u64, String> {
+    /// Returns the number of frames after the first.
+    fn frame_count(&self, duration: f64, rate: f64) -> Result<u64, MotionTermination> {
         let plausible = |v: f64| v.is_finite() && v > 0.0;
         if !(plausible(duration) && plausible(rate)) {
-            return Err("duration_s and frame_rate_hz must be above 0".to_owned());
+            return Err(MotionTermination::InvalidTimes);
         }
         // A share of 1e-9 is rounding, not another frame.
         let count = (duration * rate - 1e-9).ceil().max(1.0);
         let most = self.context.limits.trajectory_positions;
         if (count + 1.0) * self.dof_map.of_vertex.len() as f64 > most as f64 {
-            return Err(format!(
-                "{count} frames of this mesh are more than the {most} positions allowed: ask for fewer frames"
-            ));
+            return Err(MotionTermination::TooManyFrames {
+                count,
+                positions_allowed: most,
+            });
         }
         #[expect(
             clippy::cast_possible_truncation,
@@ -90,12 +100,13 @@ impl MotionSimulation<'_, '_, '_> {
         Ok(count)
     }
 
+    /// Makes the integrator and its step control.
     fn set_up(
         &mut self,
         system: &mut System<'_>,
         state: &ParticleState,
-        swing: f64,
-    ) -> Result<(Box<dyn Integrator>, StepControl), String> {
+        frequency: f64,
+    ) -> Result<(Box<dyn Integrator>, StepControl), MotionTermination> {
         let settings = IntegratorSettings {
             drag: self.report.drag_1_s,
             speed_limit: f64::INFINITY,
@@ -106,24 +117,22 @@ impl MotionSimulation<'_, '_, '_> {
             let criteria = MethodCriteria {
                 step: self.options.step_s,
                 tolerance: self.options.tolerance,
-                swing,
+                frequency,
             };
             let chosen = choose_method(system, &state.x, &settings, &criteria);
             method = chosen.0;
-            self.report.method_because = Some(chosen.1);
+            self.method_reason = Some(chosen.1);
         }
         let mut integrator = integrator_for(system, method, &settings)
-            .map_err(|_| "there is no memory for the matrix factor: ask for longer mesh edges")?
-            .ok_or("newton finds the shape at rest only: ask for another method, or a drape")?;
-        method.name().clone_into(&mut self.report.method);
+            .map_err(|_| MotionTermination::OutOfMemory)?
+            .ok_or(MotionTermination::NoTimeSteps)?;
+        self.method = Some(method);
         self.report.step_bytes = integrator.step_bytes();
         let stable = integrator.stable_step(system, &state.x);
         self.report.stability_limit_s = stable.is_finite().then_some(stable);
         let first = match self.options.step_s {
             Some(asked) if asked > stable => {
-                return Err(format!(
-                    "step_s is above the stability limit of {stable:.2e} s: give a shorter one or leave it out"
-                ));
+                return Err(MotionTermination::StepAboveLimit { limit_s: stable });
             }
             Some(asked) => asked,
             None => (SAFETY * stable).min(FIRST_IMPLICIT),
@@ -131,10 +140,8 @@ impl MotionSimulation<'_, '_, '_> {
         // What may be the longest step later on: chosen implicit steps have no such bound.
         let longest = self.options.step_s.unwrap_or(SAFETY * stable);
         let duration = self.options.duration_s.unwrap_or(DURATION);
-        if let Some(why) = too_many(duration, longest, self.context.limits.steps) {
-            return Err(format!(
-                "{why}: ask for bdf2 or implicit_euler, for less time, longer mesh edges or softer cloth"
-            ));
+        if let Some(excess) = StepExcess::of(duration, longest, self.context.limits.steps) {
+            return Err(MotionTermination::TooManySteps(excess));
         }
         let tolerance = self
             .options
@@ -147,19 +154,19 @@ impl MotionSimulation<'_, '_, '_> {
     }
 
     /// Steps to the time `end`.
-    fn to(
+    fn step_to(
         &mut self,
         system: &mut System<'_>,
         state: &mut ParticleState,
         end: f64,
         (integrator, control): (&mut dyn Integrator, &mut StepControl),
-    ) -> Result<(), String> {
+    ) -> Result<(), MotionTermination> {
         let mut before = state.clone();
         let mut blocks = 0;
         // What is left is counted in steps, so that rounding of times adds no step.
         let mut remaining = end - state.time;
         while remaining > 0.0 {
-            self.watch(state)?;
+            self.check_limits(state)?;
             let (h, parts) = control.next(remaining);
             let count = parts.min(integrator.block());
             before.copy_from(state);
@@ -167,9 +174,7 @@ impl MotionSimulation<'_, '_, '_> {
                 Ok(error) if state.is_finite() => error,
                 Ok(_) | Err(StepError::NotFinite) if self.options.step_s.is_some() => {
                     state.copy_from(&before);
-                    return Err(format!(
-                        "forces became infinite in steps of {h:.1e} s: give a shorter one or leave it out"
-                    ));
+                    return Err(MotionTermination::NotFinite { step_s: h });
                 }
                 Ok(_) | Err(_) => f64::INFINITY,
             };
@@ -182,7 +187,7 @@ impl MotionSimulation<'_, '_, '_> {
                     control.shorten(h);
                 }
                 if h < SHORTEST {
-                    return Err(format!("steps of {h:.0e} s are still too long"));
+                    return Err(MotionTermination::StepTooShort { step_s: h });
                 }
                 continue;
             }
@@ -203,6 +208,7 @@ impl MotionSimulation<'_, '_, '_> {
         Ok(())
     }
 
+    /// Adds accepted steps to the report.
     fn count(&mut self, h: f64, count: u64, error: f64) {
         let report = &mut self.report;
         report.steps += count;
@@ -211,8 +217,8 @@ impl MotionSimulation<'_, '_, '_> {
         report.local_errors_m += error * h * count as f64;
     }
 
-    /// Tells how far it is; why to stop, if there is a reason.
-    fn watch(&mut self, state: &ParticleState) -> Result<(), String> {
+    /// Reports progress, and ends the motion if it was canceled or has used up what it may.
+    fn check_limits(&mut self, state: &ParticleState) -> Result<(), MotionTermination> {
         let cpu_s = (self.context.cpu_s)() - self.began;
         let duration = self.options.duration_s.unwrap_or(DURATION);
         (self.context.progress)(Progress {
@@ -224,22 +230,20 @@ impl MotionSimulation<'_, '_, '_> {
         self.canceled = self.context.cancel.is_canceled();
         let limits = self.context.limits;
         let allowed = self.options.time_limit_s.unwrap_or(f64::INFINITY);
+        let time_s = state.time;
         if self.canceled {
-            Err(format!("canceled at {:.4} s", state.time))
+            Err(MotionTermination::Canceled { time_s })
         } else if cpu_s > allowed.min(limits.fit_cpu_s) {
-            Err(format!("the time allowed was up at {:.4} s", state.time))
+            Err(MotionTermination::OutOfTime { time_s })
         } else if self.report.steps + self.report.rejected >= limits.steps {
-            Err(format!(
-                "the limit of steps was reached at {:.4} s",
-                state.time
-            ))
+            Err(MotionTermination::StepLimit { time_s })
         } else {
             Ok(())
         }
     }
 
-    /// Keeps a frame.
-    fn keep(&mut self, system: &mut System<'_>, state: &ParticleState) {
+    /// Adds a frame.
+    fn add_frame(&mut self, system: &mut System<'_>, state: &ParticleState) {
         let moving = state.v.iter().zip(&system.mass);
         let kinetic = 0.5 * moving.map(|(v, m)| m * v.norm_squared()).sum::<f64>();
         self.frames.push(Frame {

@@ -10,11 +10,11 @@
 
 /// Share of the tolerance that is aimed at.
 const AIM: f64 = 0.7;
-/// How much a step may grow and shrink at once; more than twice would make BDF2 unstable.
+/// Factors by which a step may grow and shrink at once; more than twice would make BDF2 unstable.
 const GROWTH: f64 = 2.0;
 const SHRINKING: f64 = 0.2;
 
-/// Chooses steps.
+/// Controller of the step length.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct StepControl {
     /// The error allowed over the time that it is made in \[m/s\]; none for a fixed step.
@@ -29,7 +29,7 @@ pub(crate) struct StepControl {
 }
 
 impl StepControl {
-    /// Begins with the step `first` \[s\], and stays with it if there is no tolerance.
+    /// Starts with the step `first` \[s\], and stays with it if there is no tolerance.
     pub(crate) fn new(tolerance: Option<f64>, order: i32, first: f64) -> Self {
         Self {
             tolerance,
@@ -47,7 +47,7 @@ impl StepControl {
         }
     }
 
-    /// The next step \[s\], and how often it fits: `remaining` \[s\] is divided evenly by the longest step that may be taken.
+    /// Returns the next step \[s\], and how often it fits: `remaining` \[s\] is divided evenly by the longest step that may be taken.
     pub(crate) fn next(&self, remaining: f64) -> (f64, u64) {
         let wanted = self.wanted.min(self.longest);
         // A share of 1e-9 is rounding, not another step.
@@ -61,7 +61,7 @@ impl StepControl {
         (remaining / parts, count)
     }
 
-    /// Whether a step of `h` \[s\] with this error over its length \[m/s\] may stay; the next one is chosen by it.
+    /// Returns true if a step of `h` \[s\] with this error over its length \[m/s\] is accepted, and chooses the next one by it.
     pub(crate) fn accepts(&mut self, h: f64, error: f64) -> bool {
         let Some(tolerance) = self.tolerance else {
             self.wanted = self.fixed;
@@ -73,7 +73,7 @@ impl StepControl {
         error <= tolerance
     }
 
-    /// Asks for a shorter step than `h` \[s\], which could not be taken.
+    /// Requests a shorter step than `h` \[s\], which could not be taken.
     pub(crate) fn shorten(&mut self, h: f64) {
         self.wanted = 0.25 * h;
     }

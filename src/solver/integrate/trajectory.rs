@@ -12,9 +12,10 @@ use crate::solver::model::seams::Seams;
 use crate::solver::options::{Method, SolverOptions};
 use crate::solver::report::describe::term_times;
 use crate::solver::statistics::TermTimes;
+use crate::solver::report::motion::{describe_completion, describe_method, describe_termination};
 use nalgebra::Vector3;
 
-/// What a motion begins with.
+/// Initial state of a motion.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Start {
     /// Position of each vertex \[m\]; `#V`. The scene's start if absent.
@@ -56,7 +57,7 @@ pub fn trajectory(
         state.v = dof_map.average(velocities);
         system.zero_fixed(&mut state.v);
     }
-    let mut run = MotionSimulation {
+    let mut simulation = MotionSimulation {
         options,
         began,
         dof_map: &dof_map,
@@ -67,25 +68,31 @@ pub fn trajectory(
             drag_1_s: scene.drag.unwrap_or_else(|| damping::drag(scene)),
             ..MotionReport::default()
         },
+        method: None,
+        method_reason: None,
         canceled: false,
         context,
     };
-    run.report.why = match run.go(
+    let result = simulation.run(
         &mut system,
         &mut state,
         damping::fundamental_frequency(scene),
-    ) {
-        Ok(()) => format!("all of {:.4} s was simulated", run.report.simulated_s),
-        Err(why) => why,
+    );
+    let report = &mut simulation.report;
+    report.why = match result {
+        Ok(()) => describe_completion(report.simulated_s),
+        Err(termination) => describe_termination(&termination),
     };
-    run.report.terms = term_times(&TermTimes::of_system(&system));
-    run.report.cpu_s = (run.context.cpu_s)() - began;
-    if run.report.steps == 0 {
-        run.report.step_min_s = 0.0;
+    report.method = simulation.method.map_or(String::new(), |method| method.name().to_owned());
+    report.method_because = simulation.method_reason.as_ref().map(describe_method);
+    simulation.report.terms = term_times(&TermTimes::of_system(&system));
+    simulation.report.cpu_s = (simulation.context.cpu_s)() - began;
+    if simulation.report.steps == 0 {
+        simulation.report.step_min_s = 0.0;
     }
     Trajectory {
-        frames: run.frames,
-        report: run.report,
-        canceled: run.canceled,
+        frames: simulation.frames,
+        report: simulation.report,
+        canceled: simulation.canceled,
     }
 }

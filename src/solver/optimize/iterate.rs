@@ -1,4 +1,4 @@
-//! What an iteration toward rest shows of itself, and how it ends.
+//! The interface of iterations toward rest: iterates, the caller's test of them, and the reasons to end.
 
 use nalgebra::Vector3;
 use std::ops::ControlFlow;

@@ -1,6 +1,7 @@
 //! The report of a drape, from its outcome. Every sentence of the report is made here, after the solve.
 
 use crate::scene::Scene;
+use crate::solver::report::motion::describe_infeasibility;
 use crate::solver::forces::TermKind;
 use crate::solver::model::build::bends;
 use crate::solver::outcome::{
@@ -92,7 +93,7 @@ fn reason(outcome: &DrapeOutcome) -> String {
             "at rest: stopped by the round-off floor of {:.1e}, at r = {residual:.1e}",
             outcome.balance.residual_floor
         ),
-        Err(Unfinished::Refused(why)) => why.clone(),
+        Err(Unfinished::Refused(reason)) => describe_infeasibility(reason),
         Err(Unfinished::SeamsOpen {
             stage,
             gap_m,

@@ -4,4 +4,5 @@ pub(crate) mod cost_model;
 pub(crate) mod describe;
 pub(crate) mod history;
 pub(crate) mod measure;
+pub(crate) mod motion;
 pub(crate) mod schema;

@@ -1,4 +1,4 @@
-//! Explicit steps, whatever their rule: by the fused kernel for all terms that are links, by the terms themselves for the others.
+//! Explicit steps by a given rule: the fused kernel computes all terms that are links, the terms themselves the others.
 
 use crate::solver::forces::PairForces;
 use crate::solver::integrate::explicit::kernel::{Kernel, StepRule};
@@ -6,17 +6,17 @@ use crate::solver::integrate::integrator::{ParticleState, accept};
 use crate::solver::model::system::System;
 use nalgebra::Vector3;
 
-/// Operations of a force outside the kernel, for each two particles that it couples.
-const A_PAIR: f64 = 40.0;
+/// Operations of a force outside the kernel, for each pair of particles that it couples.
+const OPERATIONS_PER_PAIR: f64 = 40.0;
 /// Operations of contact, for each particle.
-const A_CONTACT: f64 = 60.0;
+const OPERATIONS_PER_CONTACT: f64 = 60.0;
 
 /// The kernel of a system, and the forces that are not in it.
 pub(crate) struct ExplicitStepper {
     kernel: Kernel,
-    /// Which terms the kernel works out.
+    /// True for each term that the kernel computes.
     in_kernel: Vec<bool>,
-    /// Whether there are others.
+    /// True if there are other forces.
     more: bool,
     more_operations: f64,
     force: Vec<Vector3<f64>>,
@@ -39,7 +39,7 @@ impl ExplicitStepper {
             term.potential.add_coupled_pairs(&mut pairs);
         }
         let touching = if system.contact.is_some() { count } else { 0 };
-        let more_operations = A_PAIR * pairs.len() as f64 + A_CONTACT * touching as f64;
+        let more_operations = OPERATIONS_PER_PAIR * pairs.len() as f64 + OPERATIONS_PER_CONTACT * touching as f64;
         Self {
             more_operations,
             kernel: Kernel::new(system, &pair_forces, more),
@@ -50,12 +50,12 @@ impl ExplicitStepper {
         }
     }
 
-    /// Operations of one step, those of the terms that are not in the kernel by the pairs of particles that they couple.
+    /// Returns the operations of one step, those of the terms that are not in the kernel by the pairs of particles that they couple.
     pub(crate) fn operations(&self) -> f64 {
         self.kernel.operations() + self.more_operations
     }
 
-    /// Bytes of the arrays of the kernel.
+    /// Returns the bytes of the arrays of the kernel.
     pub(crate) fn bytes(&self) -> u64 {
         self.kernel.bytes() as u64
     }
@@ -96,6 +96,7 @@ impl ExplicitStepper {
         }
     }
 
+    /// Computes the forces outside the kernel.
     fn other_forces(&mut self, system: &mut System<'_>, state: &ParticleState) {
         self.force.fill(Vector3::zeros());
         accept(system, state);

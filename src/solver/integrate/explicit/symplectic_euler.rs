@@ -8,10 +8,10 @@ use crate::solver::model::system::System;
 use crate::solver::report::measure::rms;
 use nalgebra::Vector3;
 
-/// Steps between two looks at the state.
-pub(crate) const BLOCK: u64 = 100;
+/// Steps taken at once.
+const BLOCK: u64 = 100;
 
-/// The paper's method.
+/// Symplectic Euler, the paper's method.
 pub(crate) struct SymplecticEuler {
     explicit: ExplicitStepper,
     drag: f64,
@@ -19,7 +19,7 @@ pub(crate) struct SymplecticEuler {
 }
 
 impl SymplecticEuler {
-    /// With drag per mass `drag` \[1/s\] and no speed above `speed_limit` \[m/s\].
+    /// Makes the method with drag per mass `drag` \[1/s\] and no speed above `speed_limit` \[m/s\].
     pub(crate) fn new(system: &System<'_>, drag: f64, speed_limit: f64) -> Self {
         Self {
             explicit: ExplicitStepper::new(system),

@@ -13,7 +13,7 @@ use crate::solver::integrate::stability::limit;
 use crate::solver::model::system::System;
 use nalgebra::Vector3;
 
-/// Steps taken between two looks at the state.
+/// Steps taken at once.
 const BLOCK: u64 = 100;
 
 /// Velocity Verlet.
@@ -25,7 +25,7 @@ pub(crate) struct Verlet {
 }
 
 impl Verlet {
-    /// With drag per mass `drag` \[1/s\] and no speed above `speed_limit` \[m/s\].
+    /// Makes the method with drag per mass `drag` \[1/s\] and no speed above `speed_limit` \[m/s\].
     pub(crate) fn new(system: &System<'_>, drag: f64, speed_limit: f64) -> Self {
         Self {
             explicit: ExplicitStepper::new(system),
@@ -35,6 +35,7 @@ impl Verlet {
         }
     }
 
+    /// Computes the acceleration of every particle into `force`.
     fn acceleration(&mut self, system: &mut System<'_>, state: &ParticleState) {
         accept(system, state);
         system.net_force(&state.x, &mut self.force);

@@ -8,7 +8,7 @@
 //!
 //! The first step has nothing before it: it is one of implicit Euler, whose local error, of order h², is made once.
 
-use crate::solver::integrate::implicit::euler::{ImplicitEuler, NEWTON_A_STEP};
+use crate::solver::integrate::implicit::euler::{ImplicitEuler, NEWTON_ITERATIONS_PER_STEP};
 use crate::solver::integrate::integrator::{Integrator, ParticleState, StepError, accept};
 use crate::solver::model::system::System;
 use nalgebra::Vector3;
@@ -17,7 +17,7 @@ use seamster_cholesky::OutOfMemory;
 /// Longest step over the one before it: twice, and rounding. Beyond, the formula would not be stable for long.
 const LARGEST_RATIO: f64 = 2.0 + 1e-9;
 
-/// BDF2.
+/// BDF2 with variable steps.
 pub(crate) struct Bdf2 {
     /// The first step's method, whose matrices serve every step.
     euler: ImplicitEuler,
@@ -26,7 +26,7 @@ pub(crate) struct Bdf2 {
 }
 
 impl Bdf2 {
-    /// With drag per mass `drag` \[1/s\], solved to `tolerance` (a residual, dimensionless).
+    /// Makes the method with drag per mass `drag` \[1/s\], solved to `tolerance` (a residual, dimensionless).
     pub(crate) fn new(
         system: &mut System<'_>,
         drag: f64,
@@ -39,9 +39,9 @@ impl Bdf2 {
     }
 }
 
-/// The formula for a step `ratio` times as long as the one before it.
+/// Coefficients for a step `ratio` times as long as the one before it.
 struct Bdf2Formula {
-    /// Of what is now; what was before has 1 less this.
+    /// Weight of the current state; the one before it has 1 less this.
     now: f64,
     gamma: f64,
 }
@@ -55,6 +55,7 @@ impl Bdf2Formula {
         }
     }
 
+    /// Returns the weighted sum of the two states.
     fn known(&self, now: &Vector3<f64>, before: &Vector3<f64>) -> Vector3<f64> {
         // The two weights add up to 1: written as a difference, what is large in both is rounded once.
         now + (now - before) * (self.now - 1.0)
@@ -120,7 +121,7 @@ impl Integrator for Bdf2 {
     }
 
     fn operations(&self) -> f64 {
-        NEWTON_A_STEP * self.euler.operations()
+        NEWTON_ITERATIONS_PER_STEP * self.euler.operations()
     }
 
     fn newton_iterations(&self) -> u64 {

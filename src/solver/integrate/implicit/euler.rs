@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 use seamster_cholesky::OutOfMemory;
 
 /// Newton iterations that a step takes where the step follows the motion.
-pub(crate) const NEWTON_A_STEP: f64 = 3.0;
+pub(crate) const NEWTON_ITERATIONS_PER_STEP: f64 = 3.0;
 
 /// Implicit Euler.
 pub(crate) struct ImplicitEuler {
@@ -19,12 +19,12 @@ pub(crate) struct ImplicitEuler {
     pub(crate) drag: f64,
     /// x̂ \[m\].
     pub(crate) target: Vec<Vector3<f64>>,
-    /// Where the step leads \[m\].
+    /// Positions after the step \[m\].
     pub(crate) next: Vec<Vector3<f64>>,
 }
 
 impl ImplicitEuler {
-    /// With drag per mass `drag` \[1/s\], solved to `tolerance` (a residual, dimensionless).
+    /// Makes the method with drag per mass `drag` \[1/s\], solved to `tolerance` (a residual, dimensionless).
     pub(crate) fn new(
         system: &mut System<'_>,
         drag: f64,
@@ -39,7 +39,7 @@ impl ImplicitEuler {
         })
     }
 
-    /// Operations of one Newton iteration.
+    /// Returns the operations of one Newton iteration.
     pub(crate) fn operations(&self) -> f64 {
         self.newton.operations()
     }
@@ -62,6 +62,7 @@ impl ImplicitEuler {
         self.newton.minimize(system, &inertia_term, &mut self.next)
     }
 
+    /// Takes one step; returns its error over its length \[m/s, RMS\].
     fn step(
         &mut self,
         system: &mut System<'_>,
@@ -111,7 +112,7 @@ impl Integrator for ImplicitEuler {
     }
 
     fn operations(&self) -> f64 {
-        NEWTON_A_STEP * self.operations()
+        NEWTON_ITERATIONS_PER_STEP * self.operations()
     }
 
     fn newton_iterations(&self) -> u64 {

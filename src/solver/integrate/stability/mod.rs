@@ -1,4 +1,4 @@
-//! How long a step may be, and whether the steps that a motion needs are within the limits.
+//! Limits of the step: by theory, by trial, and by the number of steps allowed.
 
 pub(crate) mod feasibility;
 pub(crate) mod limit;

@@ -7,14 +7,17 @@
 use crate::scene::Scene;
 use crate::solver::forces::contact::FrictionAnchors;
 use crate::solver::integrate::damping;
-use crate::solver::integrate::integrator::ParticleState;
+use crate::solver::integrate::integrator::{ParticleState, StepError};
+use crate::solver::integrate::outcome::StabilityFinding;
 use crate::solver::integrate::select::integrator_for;
 use crate::solver::integrate::settings::IntegratorSettings;
 use crate::solver::integrate::stability::limit;
 use crate::solver::linalg::lanczos::pseudo_random_vectors;
 use crate::solver::model::build::{BuildOptions, Model, build};
 use crate::solver::model::seams::Seams;
+use crate::solver::model::system::System;
 use crate::solver::options::{Method, SolverOptions};
+use crate::solver::report::motion::describe_stability;
 use crate::solver::{Context, Drape};
 use nalgebra::Vector3;
 
@@ -29,7 +32,7 @@ const GROWN: f64 = 1e-7;
 const STEPS: u64 = 400;
 /// The bracket is narrowed to this ratio.
 const NARROW: f64 = 1.01;
-/// How often a bracket is widened, and by how much.
+/// Number of times that a bracket is widened, and the factor.
 const WIDENINGS: u32 = 12;
 const WIDER: f64 = 1.5;
 /// Share of the guess below which no limit is looked for.
@@ -52,13 +55,13 @@ pub struct StableStep {
     pub found_s: Option<f64>,
     /// Longest step that was tried \[s\].
     pub tried_s: f64,
-    /// Whether it was stopped, by the cancel token or its time limit.
+    /// True if it was stopped, by the cancel token or its time limit.
     pub stopped: bool,
     /// In words.
     pub because: String,
 }
 
-/// What came of steps of one length.
+/// Result of steps of one length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum TrialOutcome {
     /// The disturbance stayed small.
@@ -93,17 +96,18 @@ pub fn stable_step(
         began: (context.cpu_s)(),
         context,
     };
-    match options.method {
-        Method::SymplecticEuler | Method::Verlet => trial.explicit(),
-        Method::ImplicitEuler | Method::Bdf2 => trial.implicit(),
-        Method::Auto | Method::Newton => StableStep {
-            because: "the method takes no steps of time".to_owned(),
-            ..StableStep::default()
-        },
-    }
+    let mut step = StableStep::default();
+    let finding = match options.method {
+        Method::SymplecticEuler | Method::Verlet => trial.search_explicit(&mut step),
+        Method::ImplicitEuler | Method::Bdf2 => trial.search_implicit(&mut step),
+        Method::Auto | Method::Newton => StabilityFinding::NoTimeSteps,
+    };
+    step.stopped = finding == StabilityFinding::Stopped;
+    step.because = describe_stability(&finding);
+    step
 }
 
-/// The longest step that `trajectory` allows the method of `options` at the shape `shape` \[m; `#V`\] of `scene` \[s\]; none for methods
+/// Returns the longest step that `trajectory` allows the method of `options` at the shape `shape` \[m; `#V`\] of `scene` \[s\]; none for methods
 /// that are stable with any step.
 pub fn allowed_step(
     scene: &Scene,
@@ -125,6 +129,7 @@ pub fn allowed_step(
     trial.kept_to()
 }
 
+/// Steps from one disturbed rest shape.
 struct StabilityTrial<'a, 'c, 'w> {
     scene: &'a Scene,
     options: &'a SolverOptions,
@@ -135,7 +140,8 @@ struct StabilityTrial<'a, 'c, 'w> {
 }
 
 impl StabilityTrial<'_, '_, '_> {
-    fn explicit(&mut self) -> StableStep {
+    /// Searches about the limit of theory, which it notes in `step`.
+    fn search_explicit(&mut self, step: &mut StableStep) -> StabilityFinding {
         let square = self.with_system(limit::local_max_eigenvalue);
         let drag = self.drag();
         let theory = match self.options.method {
@@ -143,22 +149,15 @@ impl StabilityTrial<'_, '_, '_> {
             _ => limit::symplectic_euler(square, drag),
         };
         if !(theory.is_finite() && theory > 0.0) {
-            return StableStep {
-                because: "nothing here is stiff: any step is stable".to_owned(),
-                ..StableStep::default()
-            };
+            return StabilityFinding::Unbounded;
         }
-        let mut step = StableStep {
-            theory_s: Some(theory),
-            kept_to_s: self.kept_to(),
-            ..StableStep::default()
-        };
-        self.bisect(theory, &mut step);
-        step
+        step.theory_s = Some(theory);
+        step.kept_to_s = self.kept_to();
+        self.bisect(theory, step)
     }
 
     /// Narrows a bracket round the limit that begins about `guess` \[s\] and is widened until it holds it.
-    fn bisect(&mut self, guess: f64, step: &mut StableStep) {
+    fn bisect(&mut self, guess: f64, step: &mut StableStep) -> StabilityFinding {
         let (mut low, mut high) = (guess / WIDER, guess * WIDER.powi(2));
         let (mut low_known, mut high_known) = (false, false);
         for _ in 0..2 * WIDENINGS {
@@ -169,7 +168,7 @@ impl StabilityTrial<'_, '_, '_> {
             let h = if low_known { high } else { low };
             step.tried_s = step.tried_s.max(h);
             match self.steps(h, STEPS, GROWN) {
-                TrialOutcome::Stopped => return stopped(step),
+                TrialOutcome::Stopped => return StabilityFinding::Stopped,
                 TrialOutcome::Stayed if low_known => (low, high) = (high, high * WIDER),
                 TrialOutcome::Stayed => low_known = true,
                 _ if low_known => high_known = true,
@@ -180,62 +179,61 @@ impl StabilityTrial<'_, '_, '_> {
             }
         }
         if !low_known {
-            step.because =
-                format!("even steps of {low:.1e} s let the shape move: it is not at rest");
-            return;
+            return StabilityFinding::NotAtRest { step_s: low };
         }
         if !high_known {
-            step.because = format!("none found up to {:.1e} s", step.tried_s);
-            return;
+            return StabilityFinding::NoneExplicit {
+                tried_s: step.tried_s,
+            };
         }
         while high > NARROW * low {
             let middle = (low * high).sqrt();
             match self.steps(middle, STEPS, GROWN) {
-                TrialOutcome::Stopped => return stopped(step),
+                TrialOutcome::Stopped => return StabilityFinding::Stopped,
                 TrialOutcome::Stayed => low = middle,
                 _ => high = middle,
             }
         }
         step.found_s = Some(low);
-        step.because = format!(
-            "{STEPS} steps of {low:.3e} s keep a disturbance of {DISTURBANCE:.0e} m small, steps of {high:.3e} s do not"
-        );
+        StabilityFinding::Bracketed {
+            steps: STEPS,
+            disturbance_m: DISTURBANCE,
+            stable_s: low,
+            unstable_s: high,
+        }
     }
 
-    fn implicit(&mut self) -> StableStep {
-        let mut step = StableStep::default();
+    /// Tries implicit steps, ever longer ones.
+    fn search_implicit(&mut self, step: &mut StableStep) -> StabilityFinding {
         for h in IMPLICIT {
             match self.steps(h, IMPLICIT_STEPS, LEFT) {
                 TrialOutcome::Stayed => step.tried_s = h,
-                TrialOutcome::Stopped => {
-                    stopped(&mut step);
-                    return step;
-                }
+                TrialOutcome::Stopped => return StabilityFinding::Stopped,
                 TrialOutcome::Grew => {
-                    step.because = format!(
-                        "{}with steps of {h} s the cloth left its rest shape, as it may by sliding",
-                        none_up_to(step.tried_s)
-                    );
-                    return step;
+                    return StabilityFinding::LeftRest {
+                        tried_s: step.tried_s,
+                        step_s: h,
+                    };
                 }
                 TrialOutcome::NotSolved => {
-                    step.because = format!(
-                        "{}the equations of steps of {h} s were not solved",
-                        none_up_to(step.tried_s)
-                    );
-                    return step;
+                    return StabilityFinding::NotSolved {
+                        tried_s: step.tried_s,
+                        step_s: h,
+                    };
                 }
             }
         }
-        step.because = format!("none found up to {} s", step.tried_s);
-        step
+        StabilityFinding::NoneImplicit {
+            tried_s: step.tried_s,
+        }
     }
 
+    /// Returns the drag per mass \[1/s\].
     fn drag(&self) -> f64 {
         self.scene.drag.unwrap_or_else(|| damping::drag(self.scene))
     }
 
-    /// The limit that `trajectory` keeps to \[s\].
+    /// Returns the limit that `trajectory` keeps to \[s\].
     fn kept_to(&self) -> Option<f64> {
         let (method, settings) = (self.options.method, self.settings());
         let step = self.with_system(
@@ -247,6 +245,7 @@ impl StabilityTrial<'_, '_, '_> {
         step.is_finite().then_some(step)
     }
 
+    /// Returns the parameters of the integrator.
     fn settings(&self) -> IntegratorSettings {
         IntegratorSettings {
             drag: self.drag(),
@@ -286,14 +285,14 @@ impl StabilityTrial<'_, '_, '_> {
                 let block = integrator.block().min(count - taken);
                 match integrator.advance(system, &mut state, h, block) {
                     Ok(_) if state.is_finite() => {}
-                    Err(crate::solver::integrate::integrator::StepError::NotConverged) => {
+                    Err(StepError::NotConverged) => {
                         return TrialOutcome::NotSolved;
                     }
                     _ => return TrialOutcome::Grew,
                 }
                 integrator.accept(&before, h);
                 taken += block;
-                if furthest(&state.x, rest) > grown {
+                if max_distance(&state.x, rest) > grown {
                     return TrialOutcome::Grew;
                 }
             }
@@ -304,7 +303,7 @@ impl StabilityTrial<'_, '_, '_> {
     /// Calls `f` with a system that remembers nothing of other trials, and the rest shape of its particles.
     fn with_system<T>(
         &self,
-        f: impl FnOnce(&mut crate::solver::model::system::System<'_>, &[Vector3<f64>]) -> T,
+        f: impl FnOnce(&mut System<'_>, &[Vector3<f64>]) -> T,
     ) -> T {
         let sewing = self.options.sewing_stiffness();
         let build_options = BuildOptions {
@@ -321,22 +320,8 @@ impl StabilityTrial<'_, '_, '_> {
     }
 }
 
-/// What was found before a step failed for another reason.
-fn none_up_to(tried_s: f64) -> String {
-    if tried_s > 0.0 {
-        format!("none found up to {tried_s} s; ")
-    } else {
-        String::new()
-    }
-}
-
-fn stopped(step: &mut StableStep) {
-    step.stopped = true;
-    step.because = "stopped before it was found".to_owned();
-}
-
-/// Largest distance of a particle between two shapes \[m\].
-fn furthest(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
+/// Returns the largest distance of a particle between two shapes \[m\].
+fn max_distance(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
     let apart = x.iter().zip(y).map(|(x, y)| (x - y).norm_squared());
     apart.fold(0.0, f64::max).sqrt()
 }

@@ -9,7 +9,7 @@
 //! No allocation in a step. The same bytes with and without AVX2: loops over lanes are written out, sums are never reordered,
 //! and nothing is contracted. Forces equal those of the terms to rounding.
 //!
-//! # What bounds it
+//! # Performance
 //! Positions are gathered number by number (24 loads for eight neighbours), and a square root and a division are taken for each
 //! end of a spring; from about 100 000 particles on, when the tables leave the caches, memory is the bound.
 
@@ -17,7 +17,6 @@ mod pass;
 mod rows;
 
 use crate::solver::forces::{PairForce, PairForces};
-use crate::solver::integrate::explicit::kernel::pass::KernelPass;
 use crate::solver::integrate::explicit::kernel::rows::PairRows;
 use crate::solver::model::system::System;
 use nalgebra::Vector3;
@@ -31,7 +30,7 @@ const SAME: f64 = 1e-12;
 
 type Lanes = [f64; LANES];
 
-/// How one step moves particles: V = `keep` V + `gain` F / m, at most `speed_limit`, then X += V `h`.
+/// Rule by which a step moves particles: V = `keep` V + `gain` F / m, at most `speed_limit`, then X += V `h`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct StepRule {
     /// Dimensionless.
@@ -44,7 +43,7 @@ pub(crate) struct StepRule {
     pub(crate) speed_limit: f64,
 }
 
-/// Where the links of eight particles lie.
+/// Ranges of the links of eight particles.
 #[derive(Clone, Debug)]
 struct LaneSlice {
     springs: Range<usize>,
@@ -158,7 +157,7 @@ impl Kernel {
         }
     }
 
-    /// Takes positions and velocities in; held particles stand still.
+    /// Copies positions and velocities from `x` and `v`; held particles stand still.
     pub(crate) fn load(&mut self, x: &[Vector3<f64>], v: &[Vector3<f64>]) {
         for (place, &p) in self.particle.iter().enumerate() {
             let (slice, lane) = (place / LANES, place % LANES);
@@ -170,14 +169,14 @@ impl Kernel {
         }
     }
 
-    /// Hands positions out.
+    /// Copies positions to `x`.
     pub(crate) fn positions(&self, x: &mut [Vector3<f64>]) {
         for (&p, from) in self.particle.iter().zip(&self.x) {
             x[p].copy_from_slice(&from[..3]);
         }
     }
 
-    /// Hands velocities out.
+    /// Copies velocities to `v`.
     pub(crate) fn velocities(&self, v: &mut [Vector3<f64>]) {
         for (place, &p) in self.particle.iter().enumerate() {
             let lanes = &self.v[place / LANES];
@@ -185,7 +184,7 @@ impl Kernel {
         }
     }
 
-    /// Takes in what pushes particles besides links and gravity in the next step \[N\].
+    /// Sets the forces on particles besides links and gravity in the next step \[N\].
     pub(crate) fn set_push(&mut self, more: &[Vector3<f64>]) {
         if self.push.is_empty() {
             return;
@@ -198,14 +197,7 @@ impl Kernel {
         }
     }
 
-    /// One step.
-    pub(crate) fn step(&mut self, rule: StepRule) {
-        let arch = self.arch;
-        arch.dispatch(KernelPass { kernel: self, rule });
-        std::mem::swap(&mut self.x, &mut self.x_next);
-    }
-
-    /// Operations of a step: a root and a division count as eight each.
+    /// Returns the operations of a step: a root and a division count as eight each.
     pub(crate) fn operations(&self) -> f64 {
         let lanes = LANES as f64;
         lanes
@@ -214,7 +206,7 @@ impl Kernel {
                 + 20.0 * self.slices.len() as f64)
     }
 
-    /// Bytes of all arrays that a step reads or writes, each counted once.
+    /// Returns the bytes of all arrays that a step reads or writes, each counted once.
     pub(crate) fn bytes(&self) -> usize {
         let slices = self.v.len();
         size_of::<[u32; LANES]>() * (self.spring_ends.len() + self.straight_ends.len())
@@ -229,7 +221,7 @@ fn lanes(value: impl Fn(usize) -> f64) -> Lanes {
     std::array::from_fn(value)
 }
 
-/// The acceleration that `push` is for every particle, if it is the same one.
+/// Returns the acceleration that `push` is for every particle, if it is the same one.
 fn shared_acceleration(push: &[Vector3<f64>], mass: &[f64]) -> Option<Vector3<f64>> {
     let first = push.first()? / *mass.first()?;
     let same = |(f, m): (&Vector3<f64>, &f64)| (f - first * *m).norm() <= SAME * f.norm();

@@ -3,10 +3,10 @@
 use crate::solver::integrate::explicit::kernel::{Kernel, LANES, Lanes, StepRule};
 use pulp::{Simd, WithSimd};
 
-/// One pass, compiled for each instruction set that the machine may have.
-pub(crate) struct KernelPass<'k> {
-    pub(crate) kernel: &'k mut Kernel,
-    pub(crate) rule: StepRule,
+/// A pass, compiled for each instruction set that the machine may have.
+struct KernelPass<'k> {
+    kernel: &'k mut Kernel,
+    rule: StepRule,
 }
 
 impl WithSimd for KernelPass<'_> {
@@ -35,7 +35,7 @@ fn transposed(points: &[[f64; 4]; LANES]) -> [Lanes; 3] {
     lanes
 }
 
-/// The ways from the particles at `at` to those at the places `ends`.
+/// Returns the differences from the particles at `at` to those at the places `ends`.
 #[inline(always)]
 fn differences(x: &[[f64; 4]], ends: &[u32; LANES], at: &[Lanes; 3]) -> [Lanes; 3] {
     let mut d = [[0.0; LANES]; 3];
@@ -74,7 +74,14 @@ fn limit(v: &mut [Lanes; 3], square_limit: f64) {
 }
 
 impl Kernel {
-    /// Every particle once: its links, its push, its motion.
+    /// Takes one step.
+    pub(crate) fn step(&mut self, rule: StepRule) {
+        let arch = self.arch;
+        arch.dispatch(KernelPass { kernel: self, rule });
+        std::mem::swap(&mut self.x, &mut self.x_next);
+    }
+
+    /// Moves every particle once: sums up its links and its push.
     #[inline(always)]
     fn pass<const PUSHED: bool, const LIMITED: bool>(&mut self, rule: StepRule) {
         let x = &self.x[..];
