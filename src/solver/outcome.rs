@@ -1,7 +1,7 @@
 //! Outcome of a drape as typed values. [`crate::solver::report::describe`] puts it into words.
 
-use crate::solver::integrate::outcome::Infeasibility;
 use crate::solver::forces::contact::FrictionAnchors;
+use crate::solver::integrate::outcome::Infeasibility;
 use crate::solver::options::Method;
 use crate::solver::report::measure::ShapeMeasures;
 use crate::solver::report::schema::{DrapeReport, Energy, ErrorPoint};

@@ -122,7 +122,12 @@ impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
     /// Drapes, unless it cannot end.
     fn run(mut self) -> DrapeOutcome {
         let scene = self.hierarchy.scene(0);
-        let last = match feasibility::find_infeasibility(scene, self.options, self.limits.steps, self.clock) {
+        let last = match feasibility::find_infeasibility(
+            scene,
+            self.options,
+            self.limits.steps,
+            self.clock,
+        ) {
             None => self.solve_levels(),
             Some(why) => LastShape {
                 positions: self

@@ -57,7 +57,8 @@ impl EnergyMonitor {
         let potential = system.energy(&state.x);
         let now = potential + kinetic;
         let driven = self.then.is_some_and(|then| {
-            self.taken > ROUNDING * (potential.abs() + kinetic) && now > then - LEAST_SHARE * self.taken
+            self.taken > ROUNDING * (potential.abs() + kinetic)
+                && now > then - LEAST_SHARE * self.taken
         });
         self.restart(Some(now));
         driven

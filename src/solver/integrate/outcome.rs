@@ -42,7 +42,10 @@ pub(crate) enum MotionTermination {
     /// Duration or frame rate is not a positive number.
     InvalidTimes,
     /// More frames than are allowed, which is bounded by positions.
-    TooManyFrames { count: f64, positions_allowed: usize },
+    TooManyFrames {
+        count: f64,
+        positions_allowed: usize,
+    },
     /// No memory for the matrix factor.
     OutOfMemory,
     /// The method takes no steps of time.

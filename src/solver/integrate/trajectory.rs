@@ -11,8 +11,8 @@ use crate::solver::model::build::{BuildOptions, Model, build};
 use crate::solver::model::seams::Seams;
 use crate::solver::options::{Method, SolverOptions};
 use crate::solver::report::describe::term_times;
-use crate::solver::statistics::TermTimes;
 use crate::solver::report::motion::{describe_completion, describe_method, describe_termination};
+use crate::solver::statistics::TermTimes;
 use nalgebra::Vector3;
 
 /// Initial state of a motion.
@@ -83,7 +83,9 @@ pub fn trajectory(
         Ok(()) => describe_completion(report.simulated_s),
         Err(termination) => describe_termination(&termination),
     };
-    report.method = simulation.method.map_or(String::new(), |method| method.name().to_owned());
+    report.method = simulation
+        .method
+        .map_or(String::new(), |method| method.name().to_owned());
     report.method_because = simulation.method_reason.as_ref().map(describe_method);
     simulation.report.terms = term_times(&TermTimes::of_system(&system));
     simulation.report.cpu_s = (simulation.context.cpu_s)() - began;

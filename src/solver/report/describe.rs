@@ -1,7 +1,6 @@
 //! The report of a drape, from its outcome. Every sentence of the report is made here, after the solve.
 
 use crate::scene::Scene;
-use crate::solver::report::motion::describe_infeasibility;
 use crate::solver::forces::TermKind;
 use crate::solver::model::build::bends;
 use crate::solver::outcome::{
@@ -9,6 +8,7 @@ use crate::solver::outcome::{
     Unfinished, Validity,
 };
 use crate::solver::report::cost_model::{ErrorHalving, error_halving};
+use crate::solver::report::motion::describe_infeasibility;
 use crate::solver::report::schema::{
     Advice, CpuSeconds, DrapeReport, LevelReport, Plan, SkippedTerm, Support, TermTime,
 };

@@ -7,7 +7,9 @@ use crate::solver::integrate::outcome::{
 /// Words the reason why a motion ended early.
 pub(crate) fn describe_termination(termination: &MotionTermination) -> String {
     match *termination {
-        MotionTermination::InvalidTimes => "duration_s and frame_rate_hz must be above 0".to_owned(),
+        MotionTermination::InvalidTimes => {
+            "duration_s and frame_rate_hz must be above 0".to_owned()
+        }
         MotionTermination::TooManyFrames {
             count,
             positions_allowed,

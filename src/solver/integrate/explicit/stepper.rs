@@ -39,7 +39,8 @@ impl ExplicitStepper {
             term.potential.add_coupled_pairs(&mut pairs);
         }
         let touching = if system.contact.is_some() { count } else { 0 };
-        let more_operations = OPERATIONS_PER_PAIR * pairs.len() as f64 + OPERATIONS_PER_CONTACT * touching as f64;
+        let more_operations =
+            OPERATIONS_PER_PAIR * pairs.len() as f64 + OPERATIONS_PER_CONTACT * touching as f64;
         Self {
             more_operations,
             kernel: Kernel::new(system, &pair_forces, more),

@@ -301,10 +301,7 @@ impl StabilityTrial<'_, '_, '_> {
     }
 
     /// Calls `f` with a system that remembers nothing of other trials, and the rest shape of its particles.
-    fn with_system<T>(
-        &self,
-        f: impl FnOnce(&mut System<'_>, &[Vector3<f64>]) -> T,
-    ) -> T {
+    fn with_system<T>(&self, f: impl FnOnce(&mut System<'_>, &[Vector3<f64>]) -> T) -> T {
         let sewing = self.options.sewing_stiffness();
         let build_options = BuildOptions {
             seams: Seams::closed(self.options, sewing),
