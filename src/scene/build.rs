@@ -4,12 +4,12 @@ use super::{Body, Cut, Fabric, Membrane, Placed, Scene};
 use crate::mesh::ClothMesh;
 use nalgebra::Vector3;
 
-/// What a scene is made of.
+/// Parts of a scene.
 #[derive(Clone, Debug)]
 pub struct Parts {
     /// The mesh of all panels.
     pub mesh: ClothMesh,
-    /// What is special about each panel, in the mesh's order.
+    /// Cut and start of each panel, in the mesh's order.
     pub panels: Vec<PanelParts>,
     /// Fabrics in use.
     pub fabrics: Vec<Fabric>,
@@ -21,12 +21,12 @@ pub struct Parts {
     pub pins: Vec<usize>,
 }
 
-/// What is special about one panel.
+/// Cut and start of one panel.
 #[derive(Clone, Debug)]
 pub struct PanelParts {
-    /// How it is cut.
+    /// Cut of the panel from its fabric.
     pub cut: Cut,
-    /// Where it starts.
+    /// Placement at the start.
     pub placed: Placed,
 }
 

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// What resists stretch and shear.
+/// Membrane of a scene: its resistance to stretch and shear.
 #[derive(Clone, Debug)]
 pub enum Membrane {
     /// The fabrics of the panels.

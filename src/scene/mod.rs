@@ -35,9 +35,9 @@ pub struct Scene {
     pub mass: Vec<f64>,
     /// Fabrics in use.
     pub fabrics: Vec<Fabric>,
-    /// What each panel is cut from: index into `fabrics` and the angle of the warp, counter-clockwise from +x \[rad\].
+    /// Cut of each panel from one of `fabrics`.
     pub cut: Vec<Cut>,
-    /// What resists stretch and shear.
+    /// Resistance to stretch and shear.
     pub membrane: Membrane,
     /// Bending rigidity that the cloth has at least, whatever its fabric \[N m\]: 0 but on coarser meshes, which cannot fold
     /// as finely.
@@ -58,13 +58,13 @@ pub struct Scene {
     pub wind: Option<Wind>,
 }
 
-/// How a panel is cut from its fabric.
+/// Cut of a panel from its fabric.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cut {
     /// Index of the fabric.
     pub fabric: usize,
     /// Angle of the warp in pattern coordinates, counter-clockwise from +x \[rad\].
     pub warp_angle: f64,
-    /// Whether the drawn side of the panel is in (its triangles are turned for export).
+    /// True if the drawn side of the panel is in (its triangles are turned for export).
     pub face_down: bool,
 }

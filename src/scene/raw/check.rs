@@ -1,4 +1,4 @@
-//! What can be wrong with a raw scene, all of it found at once.
+//! Validation of a raw scene: all of its faults at once.
 
 use super::RawScene;
 use crate::config::Limits;
@@ -59,7 +59,7 @@ impl Found {
         }
     }
 
-    /// Whether the lists are as long as each other and as the limits allow, so that their entries can be looked at.
+    /// Returns true if the lists are as long as each other and as the limits allow, so that their entries can be looked at.
     fn sizes(&mut self, scene: &RawScene, limits: &Limits) -> bool {
         let (count, most) = (self.vertex_count, limits.mesh_vertices);
         let longest = [
@@ -146,7 +146,7 @@ impl Found {
         });
     }
 
-    /// What does not belong to a vertex.
+    /// Checks what does not belong to a vertex.
     fn world(&mut self, scene: &RawScene) {
         if let Some(body) = &scene.body {
             self.faults.extend(body.check("/body"));

@@ -35,7 +35,7 @@ pub struct RawScene {
     /// Vertices that do not move.
     #[serde(default)]
     pub pins: Vec<usize>,
-    /// What the cloth falls on.
+    /// Body that the cloth falls on.
     #[serde(default)]
     pub body: Option<Analytic>,
     /// Coulomb coefficient against the body, 0 to 10.

@@ -132,7 +132,7 @@ fn membranes() -> ContinuumForce {
     ])
 }
 
-/// What springs are on a coarser mesh, pulled and pressed.
+/// Springs of a coarser mesh, pulled and pressed.
 fn fibers() -> FiberForce {
     let fiber = |corners, weights, rest_length_m| FiberSpring {
         corners,
@@ -171,7 +171,7 @@ fn a_triangle_pressed_together_carries_the_load_of_a_buckled_strip() {
     );
 }
 
-/// Two triangles that share an edge, one with a third neighbour, in a fabric stiffer along its warp.
+/// Two triangles that share an edge, one with a third neighbor, in a fabric stiffer along its warp.
 fn patches() -> BendForce {
     let rest = [[0.0, 0.0], [1.0, 0.1], [0.1, 1.1], [1.2, 1.2], [0.9, -0.8]];
     let wing = |v: usize| Some((v, rest[v]));

@@ -277,7 +277,7 @@ mod tests {
     }
 
     #[test]
-    fn its_second_derivative_and_its_skew_part_make_up_that_of_the_force() {
+    fn its_second_derivative_and_its_antisymmetric_part_make_up_that_of_the_force() {
         let (n, h) = (12, 1e-5);
         let mut force = on_shape(WIND);
         let differences = DMatrix::from_fn(n, n, |row, column| {
@@ -300,15 +300,15 @@ mod tests {
                 assert!(apart < 1e-7, "{row} {column}: {apart}");
             }
         }
-        let skew = (&differences - differences.transpose()) * 0.5;
-        assert!(skew.amax() > 0.1, "nothing is tested");
+        let antisymmetric = (&differences - differences.transpose()) * 0.5;
+        assert!(antisymmetric.amax() > 0.1, "nothing is tested");
         for column in 0..n {
             let mut unit = vec![Vector3::zeros(); 4];
             unit[column / 3][column % 3] = 1.0;
             let mut product = vec![Vector3::zeros(); 4];
             force.add_antisymmetric_product(&shape(), &unit, &mut product);
             for row in 0..n {
-                assert!((product[row / 3][row % 3] - skew[(row, column)]).abs() < 1e-7);
+                assert!((product[row / 3][row % 3] - antisymmetric[(row, column)]).abs() < 1e-7);
             }
         }
     }

@@ -37,7 +37,7 @@ struct BendSide {
     /// Its place from the middle of the edge: along it, from its lower to its higher particle, and across \[m\].
     along: f64,
     across: f64,
-    /// Whether the edge runs from its lower to its higher particle round the triangle.
+    /// True if the edge runs from its lower to its higher particle round the triangle.
     rising: bool,
 }
 

@@ -25,11 +25,11 @@ const EXPLICIT_REUSE: f64 = 2e-5;
 pub(crate) struct BuildOptions<'a> {
     /// Joint of the stitches.
     pub(crate) seams: Seams,
-    /// Whether weight and wind act.
+    /// True if weight and wind act.
     pub(crate) gravity: bool,
     /// Friction anchors to begin with; none without friction.
     pub(crate) friction: Option<&'a FrictionAnchors>,
-    /// Whether steps are many and small.
+    /// True for explicit steps, which are many and small.
     pub(crate) explicit: bool,
 }
 
@@ -76,9 +76,8 @@ pub(crate) fn build<'a>(
     }
     let contact = scene.body.as_ref().map(|body| {
         let area = dof_map.sum(&vertex_areas(scene));
-        let held = build_options.friction.filter(|_| scene.friction > 0.0);
-        let friction =
-            held.map(|held| Friction::new(scene.friction, mass.len()).with_anchors(held));
+        let anchors = build_options.friction.filter(|_| scene.friction > 0.0);
+        let friction = anchors.map(|a| Friction::new(scene.friction, mass.len()).with_anchors(a));
         BodyContact::new(body.clone(), kept_distance(scene), &area)
             .with_friction(friction)
             .with_reuse(if build_options.explicit {

@@ -56,7 +56,7 @@ impl System<'_> {
             .all(|term| term.potential.is_conservative())
     }
 
-    /// Writes to `out` the antisymmetric part of the negative derivative of all forces at `x`, times `d`, which is zero for what is held.
+    /// Writes to `out` the antisymmetric part of the negative derivative of all forces at `x`, times `d`, which is zero for fixed particles.
     pub(crate) fn antisymmetric_product(
         &self,
         x: &[Vector3<f64>],

@@ -45,10 +45,10 @@ impl Friction {
         }
     }
 
-    /// Returns the same friction that holds on where it held; with anchors of another number of particles it begins anew.
-    pub(crate) fn with_anchors(mut self, held: &FrictionAnchors) -> Self {
-        if held.0.len() == self.anchors.len() {
-            self.anchors.clone_from(&held.0);
+    /// Returns the same friction with these anchors; with anchors of another number of particles it begins anew.
+    pub(crate) fn with_anchors(mut self, anchors: &FrictionAnchors) -> Self {
+        if anchors.0.len() == self.anchors.len() {
+            self.anchors.clone_from(&anchors.0);
         }
         self
     }
