@@ -26,7 +26,7 @@ const SOLVED: f64 = 0.1;
 /// Least share of the stable step that is gone down to where steps drive the cloth, and where forces became infinite.
 const LEAST_DRIVEN: f64 = 0.05;
 const LEAST_SHARE: f64 = 1e-3;
-/// Blocks of steps after which the stability limit is looked at again, since cloth stiffens as it stretches.
+/// Blocks of steps after which the stability limit is computed anew, since cloth stiffens as it stretches.
 const BLOCKS_A_LIMIT: usize = 40;
 
 /// Damping and bounds of a motion to rest.

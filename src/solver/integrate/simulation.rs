@@ -29,7 +29,7 @@ const SOLVED: f64 = 2e-3;
 const FIRST_IMPLICIT: f64 = 1e-3;
 /// Shortest step \[s\]; what a step cannot follow then is no motion of cloth.
 const SHORTEST: f64 = 1e-8;
-/// Blocks of steps after which the stability limit is looked at again, since cloth stiffens as it stretches.
+/// Blocks of steps after which the stability limit is computed anew, since cloth stiffens as it stretches.
 const BLOCKS_A_LIMIT: u64 = 40;
 
 /// A motion that is being simulated.

@@ -1,4 +1,4 @@
-//! Explicit steps by a given rule: the fused kernel computes all terms that are links, the terms themselves the others.
+//! Explicit steps by a given rule: the fused kernel computes all terms that are pair forces, the terms themselves the others.
 
 use crate::solver::forces::PairForces;
 use crate::solver::integrate::explicit::kernel::{Kernel, StepRule};

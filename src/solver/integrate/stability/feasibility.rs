@@ -3,7 +3,7 @@
 //! A motion of known duration needs that over its longest step. A drape by motion has to come to rest: with drag c per mass the
 //! energy of a swing falls by 2 c K a second, K its kinetic energy, which is half of the whole on average; so amplitudes, and
 //! with them the residual, fall as exp(-c t / 2), and those of swings slower than c / 2 (overdamped) more slowly still. From the
-//! residual 1 of cloth that nothing holds up yet to ε that takes at least 2 ln(1 / ε) / c. The slowest swing
+//! residual 1 of cloth that nothing holds up yet to ε that takes at least 2 ln(1 / ε) / c. The fundamental frequency
 //! ([`crate::solver::integrate::damping::fundamental_frequency`]) would often ask for more, but taut cloth has none, and a refusal must be right.
 
 use crate::scene::Scene;

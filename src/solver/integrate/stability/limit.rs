@@ -22,7 +22,7 @@ const CONVERGED: LanczosLimits = LanczosLimits {
     products: 600,
     tolerance: 1e-5,
 };
-/// Share by which ω² may grow until the limit is looked at again.
+/// Share by which ω² may grow until the limit is computed anew.
 const STIFFENING: f64 = 0.05;
 /// Furthest that a particle is moved to take differences of forces \[m\]: far below an edge, far above rounding.
 const PROBE: f64 = 1e-7;

@@ -1,6 +1,6 @@
-//! The explicit step in one pass: links, weight, drag and motion of eight particles at a time.
+//! The explicit step in one pass: pair forces, weight, drag and motion of eight particles at a time.
 //!
-//! V = keep V + gain F / m, then X = X + V h. Every particle gathers from its neighbours (a link is worked out from both of its
+//! V = keep V + gain F / m, then X = X + V h. Every particle gathers from its neighbours (a pair force is computed from both of its
 //! ends: no two particles write to the same place, and forces on the two ends are exactly opposite), in slices of eight
 //! particles of about as many neighbours (SELL-C-σ: M. Kreutzer et al., "A unified sparse matrix data format...", SIAM J. Sci.
 //! Comput. 36(5), 2014, with C = 8, σ = 256). Old and new positions are two arrays, so that one pass does it all.
@@ -43,22 +43,22 @@ pub(crate) struct StepRule {
     pub(crate) speed_limit: f64,
 }
 
-/// Ranges of the links of eight particles.
+/// Ranges of the pair forces of eight particles.
 #[derive(Clone, Debug)]
 struct LaneSlice {
     springs: Range<usize>,
     straight: Range<usize>,
 }
 
-/// Particles, links and motion, laid out for the step.
+/// Particles, pair forces and motion, laid out for the step.
 pub(crate) struct Kernel {
     /// The particle in each place; places beyond the last particle hold none.
     particle: Vec<usize>,
     slices: Vec<LaneSlice>,
-    /// Links with a root to take: the places of the other ends, and their two coefficients.
+    /// Pair forces with a root to take: the places of the other ends, and their two coefficients.
     spring_ends: Vec<[u32; LANES]>,
     springs: Vec<[Lanes; 2]>,
-    /// Links without.
+    /// Pair forces without.
     straight_ends: Vec<[u32; LANES]>,
     straight: Vec<Lanes>,
     /// Positions before and after a step; the fourth number is not used.
@@ -184,7 +184,7 @@ impl Kernel {
         }
     }
 
-    /// Sets the forces on particles besides links and gravity in the next step \[N\].
+    /// Sets the forces on particles besides pair forces and gravity in the next step \[N\].
     pub(crate) fn set_push(&mut self, more: &[Vector3<f64>]) {
         if self.push.is_empty() {
             return;

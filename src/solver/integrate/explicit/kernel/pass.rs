@@ -81,7 +81,7 @@ impl Kernel {
         std::mem::swap(&mut self.x, &mut self.x_next);
     }
 
-    /// Moves every particle once: sums up its links and its push.
+    /// Moves every particle once: sums up its pair forces and its push.
     #[inline(always)]
     fn pass<const PUSHED: bool, const LIMITED: bool>(&mut self, rule: StepRule) {
         let x = &self.x[..];

@@ -1,11 +1,11 @@
-//! The links of each particle in one row, and an order in which particles next to each other have about as many.
+//! The pair forces of each particle in one row, and an order in which particles next to each other have about as many.
 
 use crate::solver::forces::PairForce;
 
 /// Particles among which those of like counts are put together; few enough to stay neighbours in memory.
 const WINDOW: usize = 256;
 
-/// The links of each particle, from its own end: springs first.
+/// The pair forces of each particle, from its own end: springs first.
 pub(crate) struct PairRows {
     start: Vec<[usize; 2]>,
     ends: Vec<PairForce>,
@@ -43,7 +43,7 @@ impl PairRows {
         Self { start, ends }
     }
 
-    /// The springs (`kind` 0) or the links without a root (1) of particle `p`.
+    /// Returns the springs (`kind` 0) or the pair forces without a root (1) of particle `p`.
     pub(crate) fn of(&self, p: usize, kind: usize) -> &[PairForce] {
         let [springs, straight] = self.start[p];
         match kind {
