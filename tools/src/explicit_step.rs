@@ -81,7 +81,7 @@ fn time(
 ) -> (f64, seamster::solver::MotionReport) {
     let step = 2e-6;
     let duration = step * steps as f64;
-    let ask = SolverOptions {
+    let options = SolverOptions {
         analysis: Analysis::Transient,
         method,
         membrane,
@@ -98,7 +98,7 @@ fn time(
         limits: &limits,
     };
     let began = cpu_s();
-    let motion = trajectory(scene, &ask, Start::default(), &mut context);
+    let motion = trajectory(scene, &options, Start::default(), &mut context);
     assert!(motion.report.complete, "{}", motion.report.why);
     let spent = cpu_s() - began;
     (spent, motion.report)

@@ -77,7 +77,7 @@ fn what_is_not_there_is_a_problem_that_names_what_is() {
     }
     server.get("/v1/fits/not-an-id").problem(404);
     server
-        .ask("DELETE", &format!("/v1/fits/{NO_ID}"), &[])
+        .request("DELETE", &format!("/v1/fits/{NO_ID}"), &[])
         .problem(404);
     for part in [
         "mesh",
@@ -96,10 +96,10 @@ fn what_is_not_there_is_a_problem_that_names_what_is() {
 #[test]
 fn a_method_that_is_not_there_is_a_problem_with_allow() {
     let server = Server::start();
-    let answer = server.ask("DELETE", "/v1/fits", &[]);
+    let answer = server.request("DELETE", "/v1/fits", &[]);
     answer.problem(405);
     assert!(answer.header("allow").contains("POST"), "{answer:?}");
-    server.ask("POST", "/index.html", &[]).problem(405);
+    server.request("POST", "/index.html", &[]).problem(405);
 }
 
 #[test]
@@ -116,7 +116,7 @@ fn every_answer_has_an_id_and_forbids_sniffing() {
             "{path}"
         );
     }
-    let answer = server.ask("GET", "/health/live", &[("x-request-id", "mine")]);
+    let answer = server.request("GET", "/health/live", &[("x-request-id", "mine")]);
     assert_eq!(answer.header("x-request-id"), "mine");
 }
 
@@ -154,7 +154,7 @@ fn a_writing_call_from_a_foreign_page_is_refused() {
         let answer = server.send("POST", "/v1/fabrics", &headers, b"{}");
         answer.problem(status);
     }
-    let reading = server.ask("GET", "/v1/fabrics", &[("origin", "https://evil.example")]);
+    let reading = server.request("GET", "/v1/fabrics", &[("origin", "https://evil.example")]);
     assert_eq!(reading.status, 200);
     assert_eq!(reading.header("access-control-allow-origin"), "");
 }
@@ -178,9 +178,9 @@ fn with_tokens_only_they_may_call() {
             "{path}"
         );
         server
-            .ask("GET", path, &[("authorization", "Bearer wrong")])
+            .request("GET", path, &[("authorization", "Bearer wrong")])
             .problem(401);
-        let let_in = server.ask("GET", path, &[("authorization", "Bearer secret")]);
+        let let_in = server.request("GET", path, &[("authorization", "Bearer secret")]);
         assert_eq!(let_in.status, 200, "{path}");
     }
     for path in [
@@ -234,7 +234,7 @@ fn the_page_is_whole_and_runs_under_its_policy() {
         );
         let etag = file.header("etag");
         assert!(etag.starts_with('"'), "{path}");
-        let again = server.ask("GET", &path, &[("if-none-match", etag)]);
+        let again = server.request("GET", &path, &[("if-none-match", etag)]);
         assert_eq!((again.status, again.bytes.len()), (304, 0), "{path}");
     }
 }
@@ -527,8 +527,8 @@ fn a_pattern_is_kept_until_it_is_removed() {
     assert_eq!(second["patterns"][0]["id"], pattern["id"]);
     assert_eq!(second["patterns"][0]["panel_count"], 3);
 
-    assert_eq!(server.ask("DELETE", at, &[]).status, 204);
-    server.ask("DELETE", at, &[]).problem(404);
+    assert_eq!(server.request("DELETE", at, &[]).status, 204);
+    server.request("DELETE", at, &[]).problem(404);
     server.get(at).problem(404);
 }
 
@@ -550,9 +550,9 @@ fn a_pattern_is_drawn() {
         assert!(svg.contains(&format!("<title>{name}</title>")), "{name}");
     }
     let etag = drawing.header("etag");
-    let again = server.ask("GET", &at, &[("if-none-match", etag)]);
+    let again = server.request("GET", &at, &[("if-none-match", etag)]);
     assert_eq!((again.status, again.bytes.len()), (304, 0));
-    server.ask("POST", &at, &[]).problem(405);
+    server.request("POST", &at, &[]).problem(405);
     server
         .get(&format!("/v1/patterns/{NO_ID}/drawing.svg"))
         .problem(404);
@@ -702,7 +702,7 @@ fn suggestions_are_asked_for_with_nothing_or_an_empty_object() {
     let server = Server::with(config(), 0);
     let kept = server.send("POST", "/v1/patterns", &[], &sample("skirt.dxf"));
     let path = format!("{}/seams/suggest", kept.header("location"));
-    let plain = server.ask("POST", &path, &[]);
+    let plain = server.request("POST", &path, &[]);
     assert_eq!(plain.status, 200, "{}", plain.text());
     assert_eq!(plain.bytes, server.post_json(&path, &json!({})).bytes);
     assert_eq!(
@@ -810,7 +810,7 @@ fn an_avatar_is_made_from_measurements() {
             .len(),
         1
     );
-    assert_eq!(server.ask("DELETE", at, &[]).status, 204);
+    assert_eq!(server.request("DELETE", at, &[]).status, 204);
     server.get(&format!("{at}/mesh")).problem(404);
 
     let faults = server
@@ -944,12 +944,12 @@ fn a_waiting_fit_is_listed_and_canceled_at_once() {
     let scene = server.get(&format!("{at}/scene"));
     assert_eq!(scene.json()["schema"], "seamster/scene/1");
 
-    let canceled = server.ask("DELETE", &at, &[]);
+    let canceled = server.request("DELETE", &at, &[]);
     assert_eq!(
         (canceled.status, &canceled.json()["status"]),
         (200, &json!("canceled"))
     );
-    assert_eq!(server.ask("DELETE", &at, &[]).json(), canceled.json());
+    assert_eq!(server.request("DELETE", &at, &[]).json(), canceled.json());
     assert_eq!(server.get(&at).json(), canceled.json());
     server.get(&format!("{at}/mesh")).problem(404);
     let events = server.get(&format!("{at}/events"));
@@ -981,12 +981,12 @@ fn a_fit_is_sewn_followed_and_fetched() {
 
     let last = ids.last().unwrap().to_string();
     let resumed = server
-        .ask("GET", &format!("{at}/events"), &[("last-event-id", "0")])
+        .request("GET", &format!("{at}/events"), &[("last-event-id", "0")])
         .text();
     assert!(resumed.contains("\"succeeded\""), "{resumed}");
     assert!(
         !server
-            .ask(
+            .request(
                 "GET",
                 &format!("{at}/events"),
                 &[("last-event-id", "9007199254740991")]
@@ -996,7 +996,7 @@ fn a_fit_is_sewn_followed_and_fetched() {
     );
     assert!(!last.is_empty());
     server
-        .ask("GET", &format!("{at}/events"), &[("last-event-id", "x")])
+        .request("GET", &format!("{at}/events"), &[("last-event-id", "x")])
         .problem(422);
 
     results_are_whole(&server, &at);
@@ -1011,17 +1011,17 @@ fn results_are_whole(server: &Server, at: &str) {
     );
     assert_eq!(server.get(&format!("{at}/mesh")).bytes, glb.bytes);
     for (accept, part) in [("model/obj", "mesh.obj"), ("application/json", "mesh.json")] {
-        let chosen = server.ask("GET", &format!("{at}/mesh"), &[("accept", accept)]);
+        let chosen = server.request("GET", &format!("{at}/mesh"), &[("accept", accept)]);
         assert_eq!(chosen.header("content-type"), accept);
         assert_eq!(chosen.bytes, server.get(&format!("{at}/{part}")).bytes);
     }
     server
-        .ask("GET", &format!("{at}/mesh"), &[("accept", "text/html")])
+        .request("GET", &format!("{at}/mesh"), &[("accept", "text/html")])
         .problem(406);
 
     let path = format!("{at}/mesh.glb");
     let etag = glb.header("etag");
-    let part = server.ask("GET", &path, &[("range", "bytes=4-11")]);
+    let part = server.request("GET", &path, &[("range", "bytes=4-11")]);
     assert_eq!(
         (part.status, part.bytes.as_slice()),
         (206, &glb.bytes[4..12])
@@ -1030,19 +1030,21 @@ fn results_are_whole(server: &Server, at: &str) {
         part.header("content-range"),
         format!("bytes 4-11/{}", glb.bytes.len())
     );
-    let outside = server.ask("GET", &path, &[("range", "bytes=999999999-")]);
+    let outside = server.request("GET", &path, &[("range", "bytes=999999999-")]);
     outside.problem(416);
     assert_eq!(
         outside.header("content-range"),
         format!("bytes */{}", glb.bytes.len())
     );
     assert_eq!(
-        server.ask("GET", &path, &[("if-none-match", etag)]).status,
+        server
+            .request("GET", &path, &[("if-none-match", etag)])
+            .status,
         304
     );
     assert_eq!(
         server
-            .ask(
+            .request(
                 "GET",
                 &path,
                 &[("range", "bytes=0-3"), ("if-range", "\"old\"")]
@@ -1050,7 +1052,7 @@ fn results_are_whole(server: &Server, at: &str) {
             .status,
         200
     );
-    let head = server.ask("HEAD", &path, &[]);
+    let head = server.request("HEAD", &path, &[]);
     assert_eq!(
         (head.status, head.bytes.len(), head.header("etag")),
         (200, 0, etag)
@@ -1126,7 +1128,7 @@ fn every_call_of_the_document_is_answered() {
     for (path, calls) in paths {
         for method in calls.as_object().unwrap().keys() {
             let path = path.replace("{id}", NO_ID);
-            let answer = server.ask(&method.to_uppercase(), &path, &[]);
+            let answer = server.request(&method.to_uppercase(), &path, &[]);
             let is_unknown = answer.status == 404 && answer.text().contains("/openapi.json");
             assert!(
                 answer.status != 405 && !is_unknown,

@@ -106,7 +106,7 @@ fn the_plot_is_drawn(server: &Server, at: &str) {
     assert_eq!(plot.status, 200, "{}", plot.text());
     assert_eq!(plot.header("content-type"), "image/svg+xml");
     assert!(plot.text().starts_with("<svg "), "{}", plot.text());
-    let again = server.ask("GET", &path, &[("if-none-match", plot.header("etag"))]);
+    let again = server.request("GET", &path, &[("if-none-match", plot.header("etag"))]);
     assert_eq!((again.status, again.bytes.len()), (304, 0));
 }
 
@@ -123,7 +123,7 @@ fn the_study_is_listed_alone(server: &Server, id: &str) {
         server.get(&format!("/v1/fits/{id}{part}")).problem(404);
     }
     let path = format!("/v1/fits/{id}");
-    server.ask("DELETE", &path, &[]).problem(404);
+    server.request("DELETE", &path, &[]).problem(404);
 }
 
 /// As the garment of a fit (P6): complete in itself, nothing left open.
@@ -167,7 +167,7 @@ fn a_waiting_study_has_no_report_and_is_canceled_at_once() {
         assert_eq!(study["links"][name], format!("{at}{path}"));
     }
     server.get(&format!("{at}/plot.svg")).problem(409);
-    let canceled = server.ask("DELETE", &at, &[]);
+    let canceled = server.request("DELETE", &at, &[]);
     assert_eq!(
         (canceled.status, &canceled.json()["status"]),
         (200, &json!("canceled"))
@@ -189,7 +189,7 @@ fn a_running_study_stops_within_a_second() {
         study["status"] == "running" && study["progress"]["cpu_s"].as_f64() > Some(0.0)
     });
     let asked = Instant::now();
-    assert_eq!(server.ask("DELETE", &at, &[]).status, 202);
+    assert_eq!(server.request("DELETE", &at, &[]).status, 202);
     let study = until(&server, &at, |study| study["status"] != "running");
     // A worker whose notice was lost finds the cancellation with the next renewal of its lease, after 6 s.
     assert!(
@@ -281,7 +281,7 @@ fn what_is_no_study_is_not_found() {
             server.get(&format!("/v1/studies/{id}{part}")).problem(404);
         }
         let path = format!("/v1/studies/{id}");
-        server.ask("DELETE", &path, &[]).problem(404);
+        server.request("DELETE", &path, &[]).problem(404);
     }
     assert_eq!(server.get("/v1/studies").json()["studies"], json!([]));
     let fits = server.get("/v1/fits").json();

@@ -139,11 +139,11 @@ fn garment(does: &str) -> Garment {
 fn work(kind: JobKind, does: &str) -> JobRequest {
     match kind {
         JobKind::Fit => JobRequest::Fit(Box::new(garment(does))),
-        JobKind::Study => JobRequest::Study(Box::new(asked(does))),
+        JobKind::Study => JobRequest::Study(Box::new(study_request(does))),
     }
 }
 
-fn asked(does: &str) -> StudyRequest {
+fn study_request(does: &str) -> StudyRequest {
     serde_json::from_value(serde_json::json!({"garment": garment(does)})).unwrap()
 }
 
@@ -277,7 +277,7 @@ fn study_succeeds_and_leaves_its_report() {
     let kept = queue.request(JobKind::Study, id).unwrap().unwrap();
     assert_eq!(
         serde_json::from_slice::<StudyRequest>(&kept).unwrap(),
-        asked("sew")
+        study_request("sew")
     );
     pool.shutdown(TIMEOUT);
 }

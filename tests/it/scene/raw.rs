@@ -16,7 +16,7 @@ fn made(value: &Value) -> Scene {
     raw.into_scene(&Limits::default()).unwrap()
 }
 
-fn draped(scene: &Scene, ask: &SolverOptions) -> Drape {
+fn draped(scene: &Scene, options: &SolverOptions) -> Drape {
     let (limits, cancel) = (Limits::default(), CancelToken::new());
     let mut context = Context {
         cpu_s: &|| 0.0,
@@ -24,7 +24,7 @@ fn draped(scene: &Scene, ask: &SolverOptions) -> Drape {
         progress: &mut |_| {},
         limits: &limits,
     };
-    solver::drape(scene, ask, &mut context)
+    solver::drape(scene, options, &mut context)
 }
 
 /// Codes and pointers of the faults of a raw scene.
@@ -140,11 +140,11 @@ fn a_raw_scene_is_the_same_after_writing_and_reading() {
 /// r times the mean weight over k at most, times sqrt(2) for the norm over two particles.
 #[test]
 fn a_hung_particle_stretches_its_spring_by_its_weight_over_the_stiffness() {
-    let ask = SolverOptions {
+    let options = SolverOptions {
         tolerance: 1e-9,
         ..SolverOptions::default()
     };
-    let drape = draped(&made(&hung()), &ask);
+    let drape = draped(&made(&hung()), &options);
     assert!(drape.report.converged, "{}", drape.report.why);
     let truth = -1.0 - 0.3 * 9.81 / 200.0;
     let bound = 2f64.sqrt() * 1e-9 * 0.2 * 9.81 / 200.0 + 4.0 * f64::EPSILON;
@@ -167,11 +167,11 @@ fn nothing_moves_along_a_held_axis() {
         "gravity_m_s2": [0.0, -2.0, -9.81],
         "held_axis": 1,
     });
-    let ask = SolverOptions {
+    let options = SolverOptions {
         tolerance: 1e-10,
         ..SolverOptions::default()
     };
-    let drape = draped(&made(&scene), &ask);
+    let drape = draped(&made(&scene), &options);
     assert!(drape.report.converged, "{}", drape.report.why);
     let [a, b, x] = [0, 1, 2].map(|v| drape.positions[v]);
     assert_eq!(x.y, 0.25);
@@ -228,13 +228,13 @@ fn the_planar_hang_has_one_rest_shape() {
         stiffer: 1.0,
     };
     let scene = net.scene().into_scene(&Limits::default()).unwrap();
-    let ask = |method| SolverOptions {
+    let options = |method| SolverOptions {
         method,
         tolerance: 1e-7,
         ..SolverOptions::default()
     };
     let [newton, paper] = [Method::Newton, Method::SymplecticEuler].map(|method| {
-        let drape = draped(&scene, &ask(method));
+        let drape = draped(&scene, &options(method));
         assert!(drape.report.converged, "{}", drape.report.why);
         drape
     });
@@ -258,11 +258,11 @@ fn two_panels_are_sewn_to_a_tube_round_the_capsule() {
         stiffer: 1.0,
     };
     let scene = net.scene().into_scene(&Limits::default()).unwrap();
-    let ask = SolverOptions {
+    let options = SolverOptions {
         seam_close: SeamClose::Weld,
         ..SolverOptions::default()
     };
-    let report = draped(&scene, &ask).report;
+    let report = draped(&scene, &options).report;
     assert!(report.converged, "{}", report.why);
     assert_eq!(report.seam_gap_max_m, 0.0);
     assert!(
@@ -357,12 +357,12 @@ fn gap_of_a_seam_spring_is_its_force_over_its_stiffness() {
         "pins": [0],
         "gravity_m_s2": [0.0, 0.0, -9.81],
     }));
-    let ask = SolverOptions {
+    let options = SolverOptions {
         seam_close: SeamClose::Spring,
         seam_stiffness_n_m: Some(500.0),
         ..SolverOptions::default()
     };
-    let drape = draped(&scene, &ask);
+    let drape = draped(&scene, &options);
     assert!(drape.report.converged, "{}", drape.report.why);
     let gap = 0.05 * 9.81 / 500.0;
     // The residual stops at 1e-5 of the mean weight, which is 1.5 times this vertex's.

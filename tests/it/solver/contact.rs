@@ -58,12 +58,12 @@ fn a_tight_band_presses_with_its_tension_over_the_radius() {
         (MembraneModel::Continuum, SheetGrid::Jittered),
     ] {
         let (scene, length) = band(0.05, grid);
-        let ask = SolverOptions {
+        let options = SolverOptions {
             membrane,
             tolerance: 1e-6,
             ..SolverOptions::default()
         };
-        let shape = drape(&scene, &ask);
+        let shape = drape(&scene, &options);
         assert!(shape.report.converged, "{}", shape.report.why);
         let x = &shape.positions;
         let radius = x.iter().map(|p| p.x.hypot(p.z)).sum::<f64>() / x.len() as f64;

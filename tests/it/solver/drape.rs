@@ -70,7 +70,7 @@ fn the_papers_method_finds_the_shape_that_newton_finds() {
     };
     let [newton, paper] = with_context(&Limits::default(), &CancelToken::new(), quiet, |context| {
         let scene = fit::scene(&prepared, context).unwrap();
-        [newton, paper].map(|ask| solver::drape(&scene, &ask, context))
+        [newton, paper].map(|options| solver::drape(&scene, &options, context))
     });
     for drape in [&newton, &paper] {
         assert!(

@@ -33,11 +33,11 @@ fn draped_on(name: &str, simulate: Value) -> [Drape; 2] {
     let prepared = prepared(name, simulate);
     with_clock(|context| {
         let scene = fit::scene(&prepared, context).expect("samples are sound");
-        let ask = prepared.garment().simulate.clone();
-        let drape = solver::drape(&scene, &ask, context);
+        let options = prepared.garment().simulate.clone();
+        let drape = solver::drape(&scene, &options, context);
         let on = SolverOptions {
             tolerance: TO_THE_FLOOR,
-            ..ask
+            ..options
         };
         let on = solver::drape_on(&scene, &on, &drape, context);
         [drape, on]

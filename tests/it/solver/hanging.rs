@@ -91,12 +91,12 @@ fn a_hanging_strip_stretches_by_its_weight_and_load_over_the_modulus() {
                 let share = if j == 0 || j == 4 { 0.125 } else { 0.25 };
                 scene.mass[v] += load / G * width * share;
             }
-            let ask = SolverOptions {
+            let options = SolverOptions {
                 membrane,
                 tolerance: 1e-8,
                 ..SolverOptions::default()
             };
-            let shape = drape(&scene, &ask);
+            let shape = drape(&scene, &options);
             assert!(shape.report.converged, "{}", shape.report.why);
             let longer = -mean(&shape.positions, &end).y - length;
             let exact = density * G * length * length / (2.0 * stretch) + load * length / stretch;

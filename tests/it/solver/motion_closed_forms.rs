@@ -5,7 +5,7 @@
 use nalgebra::Vector3;
 use seamster::scene::{Analytic, Body, Scene};
 use seamster::solver::{Frame, Method};
-use seamster_fixtures::motions::{METHODS, ask, net, period, run, upward_crossings};
+use seamster_fixtures::motions::{METHODS, motion_options, net, period, run, upward_crossings};
 use std::f64::consts::PI;
 
 const GRAVITY: f64 = 9.80665;
@@ -25,7 +25,7 @@ fn free_fall_matches_its_closed_form() {
     let scene = falling(net(vec![Vector3::new(0.1, 0.2, 0.3)], vec![0.01], &[]));
     let h = 1e-3;
     for method in METHODS {
-        let trajectory = run(&scene, &ask(method, h, 1.0, 10.0), None);
+        let trajectory = run(&scene, &motion_options(method, h, 1.0, 10.0), None);
         assert_eq!(trajectory.frames.len(), 11);
         for frame in &trajectory.frames {
             let t = frame.time_s;
@@ -57,7 +57,7 @@ fn fall_with_drag_matches_its_closed_form() {
             Method::Verlet | Method::Bdf2 => h * h * drag * drag,
             _ => h * drag,
         };
-        let trajectory = run(&scene, &ask(method, h, 1.0, 10.0), None);
+        let trajectory = run(&scene, &motion_options(method, h, 1.0, 10.0), None);
         let end = trajectory.frames[10].positions[0].y;
         assert!((end / exact(1.0) - 1.0).abs() < within, "{method:?}: {end}");
     }
@@ -80,7 +80,7 @@ fn pendulum_has_the_period_of_the_closed_form() {
         };
         let exact = ratio * 2.0 * PI / GRAVITY.sqrt();
         for method in [Method::SymplecticEuler, Method::Verlet, Method::Bdf2] {
-            let trajectory = run(&scene, &ask(method, 5e-4, 8.0, 200.0), None);
+            let trajectory = run(&scene, &motion_options(method, 5e-4, 8.0, 200.0), None);
             let crossings = upward_crossings(&trajectory.frames, |f| f.positions[1].x);
             let found = period(&crossings);
             assert!(
@@ -124,7 +124,7 @@ fn stretched_string_has_the_frequency_of_the_closed_form() {
         (Method::Verlet, 2e-4),
         (Method::Bdf2, 1e-3),
     ] {
-        let trajectory = run(&scene, &ask(method, h, 1.5, 1000.0), None);
+        let trajectory = run(&scene, &motion_options(method, h, 1.5, 1000.0), None);
         let middle = |f: &Frame| f.positions[n as usize / 2].y;
         let found = 1.0 / period(&upward_crossings(&trajectory.frames, middle));
         assert!((found / 5.0 - 1.0).abs() < 0.005, "{method:?}: {found} Hz");
@@ -171,8 +171,8 @@ fn hanging_chain_has_the_frequencies_of_the_closed_form() {
         };
         let omega = 0.5 * zero * GRAVITY.sqrt();
         let duration = 3.5 * 2.0 * PI / omega;
-        let asked = ask(Method::Bdf2, duration / 1400.0, duration, 200.0 / duration);
-        let trajectory = run(&scene, &asked, None);
+        let options = motion_options(Method::Bdf2, duration / 1400.0, duration, 200.0 / duration);
+        let trajectory = run(&scene, &options, None);
         let amount =
             |f: &Frame| -> f64 { (0..=n).map(|i| mass[i] * shape[i] * f.positions[i].x).sum() };
         let found = 2.0 * PI / period(&upward_crossings(&trajectory.frames, amount));
@@ -225,7 +225,7 @@ fn settled() -> Vec<Vector3<f64>> {
         drag: Some(200.0),
         ..on_incline(2.0)
     };
-    let trajectory = run(&scene, &ask(Method::Bdf2, 1e-3, 0.3, 10.0), None);
+    let trajectory = run(&scene, &motion_options(Method::Bdf2, 1e-3, 0.3, 10.0), None);
     trajectory.frames[3].positions.clone()
 }
 
@@ -245,7 +245,7 @@ fn slide(method: Method, friction: f64, drag: f64) -> f64 {
     };
     scene.start = settled();
     let step = step_on_incline(method);
-    let trajectory = run(&scene, &ask(method, step, 1.0, 10.0), None);
+    let trajectory = run(&scene, &motion_options(method, step, 1.0, 10.0), None);
     let (sin, cos) = (PI / 6.0).sin_cos();
     let down = -Vector3::new(cos, sin, 0.0);
     let middle = |f: &Frame| f.positions.iter().sum::<Vector3<f64>>() / 9.0;

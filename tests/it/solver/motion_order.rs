@@ -3,7 +3,9 @@
 use nalgebra::Vector3;
 use seamster::scene::Scene;
 use seamster::solver::{Method, SolverOptions};
-use seamster_fixtures::motions::{METHODS, apart, ask, attempt, grid, net, run, slope, stirred};
+use seamster_fixtures::motions::{
+    METHODS, apart, attempt, grid, motion_options, net, run, slope, stirred,
+};
 
 fn order(method: Method) -> f64 {
     match method {
@@ -81,7 +83,11 @@ fn observed_order_is_that_of_theory() {
     for method in METHODS {
         let steps = [0.5 / 100.0, 0.5 / 200.0, 0.5 / 400.0, 0.5 / 800.0];
         let errors = steps.map(|h| {
-            let trajectory = run(&scene, &ask(method, h, duration, 1.0 / duration), None);
+            let trajectory = run(
+                &scene,
+                &motion_options(method, h, duration, 1.0 / duration),
+                None,
+            );
             assert_eq!(trajectory.frames.len(), 2);
             apart(&trajectory.frames[1].positions, &exact)
         });
@@ -107,12 +113,12 @@ fn chosen_steps_meet_the_tolerance_and_shrink_with_it() {
         };
         let mut steps = vec![];
         for tolerance in tolerances {
-            let asked = SolverOptions {
+            let options = SolverOptions {
                 step_s: None,
                 tolerance,
-                ..ask(method, 0.0, duration, 10.0)
+                ..motion_options(method, 0.0, duration, 10.0)
             };
-            let trajectory = run(&scene, &asked, None);
+            let trajectory = run(&scene, &options, None);
             let error = apart(&trajectory.frames[5].positions, &exact);
             assert!(
                 error < 3.0 * tolerance * duration,
@@ -143,8 +149,8 @@ fn linear_momentum_of_free_flight_is_kept_by_every_method() {
     let start = momentum(&scene, &velocities);
     let size: f64 = velocities.iter().map(|v| 1e-3 * v.norm()).sum();
     for method in METHODS {
-        let asked = ask(method, 1e-3, 1.0, 10.0);
-        let trajectory = run(&scene, &asked, Some(velocities.clone()));
+        let options = motion_options(method, 1e-3, 1.0, 10.0);
+        let trajectory = run(&scene, &options, Some(velocities.clone()));
         for frame in &trajectory.frames {
             let drift = (momentum(&scene, &frame.velocities) - start).norm();
             assert!(drift < 1e-10 * size, "{method:?}: {:e}", drift / size);
@@ -165,8 +171,8 @@ fn angular_momentum_of_free_flight_is_kept_by_symplectic_methods() {
         .map(|(x, v)| 1e-3 * x.norm() * v.norm())
         .sum();
     for method in [Method::SymplecticEuler, Method::Verlet] {
-        let asked = ask(method, 1e-3, 1.0, 10.0);
-        let trajectory = run(&scene, &asked, Some(velocities.clone()));
+        let options = motion_options(method, 1e-3, 1.0, 10.0);
+        let trajectory = run(&scene, &options, Some(velocities.clone()));
         for frame in &trajectory.frames {
             let now = angular_momentum(&scene, &frame.positions, &frame.velocities);
             let drift = (now - start).norm();
@@ -192,7 +198,11 @@ fn angular_momentum_drifts_by_the_order_of_implicit_methods() {
     for method in [Method::ImplicitEuler, Method::Bdf2] {
         let steps = [1e-3, 0.5e-3, 0.25e-3, 0.125e-3];
         let drifts = steps.map(|h| {
-            let trajectory = run(&scene, &ask(method, h, 0.2, 5.0), Some(velocities.clone()));
+            let trajectory = run(
+                &scene,
+                &motion_options(method, h, 0.2, 5.0),
+                Some(velocities.clone()),
+            );
             let end = &trajectory.frames[1];
             (angular_momentum(&scene, &end.positions, &end.velocities) - start).norm()
         });
@@ -211,8 +221,8 @@ fn each_step_of_implicit_euler_lowers_its_incremental_potential() {
     scene.gravity = Vector3::new(0.0, -9.8, 0.0);
     scene.pins = vec![20, 24];
     for h in [1e-3, 1e-2, 0.05] {
-        let asked = ask(Method::ImplicitEuler, h, 40.0 * h, 1.0 / h);
-        let trajectory = run(&scene, &asked, Some(stirred(25, 1.0)));
+        let options = motion_options(Method::ImplicitEuler, h, 40.0 * h, 1.0 / h);
+        let trajectory = run(&scene, &options, Some(stirred(25, 1.0)));
         assert_eq!(trajectory.report.steps, 40);
         for pair in trajectory.frames.windows(2) {
             let potential = |x: &[Vector3<f64>], energy: f64| {
@@ -253,14 +263,18 @@ fn no_energy_grows_over_1e5_steps_within_the_stability_limit() {
     // Strains of 1e-3: the springs are nearly linear.
     let velocities = stirred(4, 0.03);
     for method in METHODS {
-        let limit = attempt(&scene, &ask(Method::Verlet, 1e-6, 1e-6, 1e6), None)
-            .report
-            .stability_limit_s
-            .expect("Verlet has a limit");
+        let limit = attempt(
+            &scene,
+            &motion_options(Method::Verlet, 1e-6, 1e-6, 1e6),
+            None,
+        )
+        .report
+        .stability_limit_s
+        .expect("Verlet has a limit");
         let h = 0.9 * limit;
         let duration = 1e5 * h;
-        let asked = ask(method, h, duration, 1000.0 / duration);
-        let trajectory = run(&scene, &asked, Some(velocities.clone()));
+        let options = motion_options(method, h, duration, 1000.0 / duration);
+        let trajectory = run(&scene, &options, Some(velocities.clone()));
         assert!(trajectory.report.steps >= 100_000);
         assert!(trajectory.report.within_limits);
         let first = trajectory.frames[0].energy.total();
@@ -282,7 +296,11 @@ fn a_step_above_the_stability_limit_is_refused_and_the_limit_named() {
     let scene = net(ends, vec![0.01; 2], &[(0, 1, 1.0, 800.0)]);
     let exact = 2.0 / (2.0 * 800.0_f64 / 0.01).sqrt();
     for method in [Method::SymplecticEuler, Method::Verlet] {
-        let refused = attempt(&scene, &ask(method, 1.01 * exact, 1.0, 10.0), None);
+        let refused = attempt(
+            &scene,
+            &motion_options(method, 1.01 * exact, 1.0, 10.0),
+            None,
+        );
         assert!(!refused.report.complete);
         assert_eq!((refused.frames.len(), refused.report.steps), (1, 0));
         let limit = refused.report.stability_limit_s.expect("it has one");
@@ -294,18 +312,31 @@ fn a_step_above_the_stability_limit_is_refused_and_the_limit_named() {
             "{}",
             refused.report.why
         );
-        let below = run(&scene, &ask(method, 0.99 * limit, 1.0, 10.0), None);
+        let below = run(
+            &scene,
+            &motion_options(method, 0.99 * limit, 1.0, 10.0),
+            None,
+        );
         assert!(below.report.step_max_s <= limit);
     }
     for method in [Method::ImplicitEuler, Method::Bdf2] {
-        run(&scene, &ask(method, 10.0 * exact, 1.0, 10.0), None);
+        run(
+            &scene,
+            &motion_options(method, 10.0 * exact, 1.0, 10.0),
+            None,
+        );
     }
 }
 
 #[test]
 fn the_limit_of_a_larger_net_is_a_little_below_the_true_one() {
     let scene = grid(20, 100.0);
-    let report = attempt(&scene, &ask(Method::Verlet, 1e-6, 1e-6, 1e6), None).report;
+    let report = attempt(
+        &scene,
+        &motion_options(Method::Verlet, 1e-6, 1e-6, 1e6),
+        None,
+    )
+    .report;
     let limit = report.stability_limit_s.expect("Verlet has a limit");
     // ω² by power iteration on M⁻¹ H of the flat rest shape, in the net's plane: springs are stiff along themselves only.
     let n = scene.start.len();
@@ -335,7 +366,7 @@ fn the_same_motion_is_the_same_bytes() {
         let motion = || {
             run(
                 &scene,
-                &ask(method, 1e-3, 0.1, 10.0),
+                &motion_options(method, 1e-3, 0.1, 10.0),
                 Some(stirred(16, 0.5)),
             )
         };
@@ -351,12 +382,12 @@ fn auto_counts_and_says_so() {
             pins: vec![0],
             ..grid(5, stiffness)
         };
-        let asked = SolverOptions {
+        let options = SolverOptions {
             step_s: None,
             tolerance: 1e-3,
-            ..ask(Method::Auto, 0.0, 0.05, 20.0)
+            ..motion_options(Method::Auto, 0.0, 0.05, 20.0)
         };
-        run(&scene, &asked, None).report
+        run(&scene, &options, None).report
     };
     let (soft, stiff) = (pick(20.0), pick(2e7));
     assert_eq!(

@@ -19,7 +19,7 @@ fn hung() -> Scene {
 }
 
 fn at_rest(method: Method) -> Drape {
-    let ask = SolverOptions {
+    let options = SolverOptions {
         method,
         tolerance: 1e-8,
         ..SolverOptions::default()
@@ -31,7 +31,7 @@ fn at_rest(method: Method) -> Drape {
         progress: &mut |_| {},
         limits: &limits,
     };
-    drape(&hung(), &ask, &mut context)
+    drape(&hung(), &options, &mut context)
 }
 
 /// A residual of 1e-8 of the weight of 1 g moves a particle on springs of 100 N/m by 1e-12 m; the softest way that the net of 25

@@ -41,11 +41,11 @@ fn a_strip_hung_in_a_cross_wind_takes_the_angle_of_balance() {
             let mut scene = sheet.scene(|[u, v]| Vector3::new(v, -u, 1e-3 * u));
             scene.pins = sheet.column(0);
             scene.wind = steady(Vector3::new(0.0, 0.0, speed));
-            let ask = SolverOptions {
+            let options = SolverOptions {
                 membrane,
                 ..SolverOptions::default()
             };
-            let shape = drape(&scene, &ask);
+            let shape = drape(&scene, &options);
             assert!(shape.report.converged, "{speed}: {}", shape.report.why);
             let q = pressure(speed) / (density * 9.80665);
             // q s² + s - q = 0 for the sine: q (1 - s²) = s.

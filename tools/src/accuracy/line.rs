@@ -80,17 +80,17 @@ pub(crate) fn measured(
     };
     let scene = fit::scene(&prepared, &context).expect("the mesh is within the limits");
     let assembled = (context.cpu_s)();
-    let ask = SolverOptions {
+    let options = SolverOptions {
         tolerance,
         time_limit_s: time_limit.map(|limit| limit - assembled),
         ..prepared.garment().simulate.clone()
     };
-    let drape = solver::drape(&scene, &ask, &mut context);
+    let drape = solver::drape(&scene, &options, &mut context);
     let cpu_s = (context.cpu_s)();
     let on = SolverOptions {
         tolerance: TO_THE_FLOOR,
         time_limit_s: None,
-        ..ask
+        ..options
     };
     let reference = solver::drape_on(&scene, &on, &drape, &mut context);
     let (report, end) = (drape.report, reference.report);

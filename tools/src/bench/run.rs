@@ -35,8 +35,8 @@ struct Timed {
 /// Makes the run; nothing if the solver has no such method.
 pub(crate) fn measured(run: &BenchRun) -> Option<BenchLine> {
     let scene = scenes::scene(&run.scene).expect("the plan names scenes that there are");
-    let ask = simulate(run);
-    let mut timed = timed(&scene, &ask);
+    let options = simulate(run);
+    let mut timed = timed(&scene, &options);
     let report = timed.drape.report.clone();
     if run.setting["method"] != report.method {
         return None;
@@ -44,7 +44,7 @@ pub(crate) fn measured(run: &BenchRun) -> Option<BenchLine> {
     let memory_peak_bytes = peak_bytes().unwrap_or(0);
     let energy = report.energy_j;
     if run.setting.get("time_limit_s").is_none() {
-        repeat(&scene, &ask, &mut timed);
+        repeat(&scene, &options, &mut timed);
     }
     let mut line = BenchLine {
         scene: run.scene.clone(),
@@ -52,7 +52,7 @@ pub(crate) fn measured(run: &BenchRun) -> Option<BenchLine> {
         membrane: if matches!(scene.membrane, Membrane::Springs(_)) {
             "springs".to_owned()
         } else {
-            name(&ask.membrane)
+            name(&options.membrane)
         },
         setting: run.setting.clone(),
         vertices: report.vertices,
@@ -76,22 +76,28 @@ pub(crate) fn measured(run: &BenchRun) -> Option<BenchLine> {
         reference_apart_m: None,
     };
     // A shape whose seams are still open has no rest shape to go on to.
-    let sewn = report.seam_gap_max_m < ask.seam_eps_m;
+    let sewn = report.seam_gap_max_m < options.seam_eps_m;
     if (scene.friction == 0.0 || scene.body.is_none()) && sewn {
-        refer(&scene, &ask, &timed.drape, run.confirm, &mut line);
+        refer(&scene, &options, &timed.drape, run.confirm, &mut line);
     }
     Some(line)
 }
 
 /// Fills in the distance from the reference.
-fn refer(scene: &Scene, ask: &SolverOptions, stopped: &Drape, confirm: bool, line: &mut BenchLine) {
+fn refer(
+    scene: &Scene,
+    options: &SolverOptions,
+    stopped: &Drape,
+    confirm: bool,
+    line: &mut BenchLine,
+) {
     let on_by = |method: Method| {
-        let ask = SolverOptions {
+        let options = SolverOptions {
             method,
             time_limit_s: Some(REFERENCE_LIMIT),
-            ..ask.clone()
+            ..options.clone()
         };
-        with_context(|context| RestShape::of(scene, &ask, stopped, context))
+        with_context(|context| RestShape::of(scene, &options, stopped, context))
     };
     let Some(reference) = on_by(Method::Newton) else {
         return;
@@ -122,19 +128,19 @@ fn simulate(run: &BenchRun) -> SolverOptions {
 }
 
 /// A short run once more and again: the median of its times.
-fn repeat(scene: &Scene, ask: &SolverOptions, first: &mut Timed) {
+fn repeat(scene: &Scene, options: &SolverOptions, first: &mut Timed) {
     let mut times = vec![(first.cpu_s, first.wall_s)];
     while times.len() < REPEATS && times.iter().map(|t| t.0).sum::<f64>() < SHORT {
-        let again = timed(scene, ask);
+        let again = timed(scene, options);
         times.push((again.cpu_s, again.wall_s));
     }
     times.sort_by(|s, t| s.0.total_cmp(&t.0));
     (first.cpu_s, first.wall_s) = times[times.len() / 2];
 }
 
-fn timed(scene: &Scene, ask: &SolverOptions) -> Timed {
+fn timed(scene: &Scene, options: &SolverOptions) -> Timed {
     let (began, cpu_began) = (Instant::now(), cpu_s());
-    let drape = with_context(|context| solver::drape(scene, ask, context));
+    let drape = with_context(|context| solver::drape(scene, options, context));
     Timed {
         drape,
         cpu_s: cpu_s() - cpu_began,
