@@ -1,8 +1,9 @@
 //! The fixed points of a panel: its outline and holes, divided, and the internal lines that are sewn to.
 
-use super::divide::PanelDivision;
-use super::geometry::{self, Point};
+use super::geometry;
+use super::panel_division::PanelDivision;
 use crate::pattern::Panel;
+use crate::pattern::point::Point2;
 use std::ops::Range;
 
 /// The number of a point that lies on another edge, until that edge is known.
@@ -12,7 +13,7 @@ const UNKNOWN: usize = usize::MAX;
 #[derive(Debug)]
 pub(super) struct Boundary {
     /// \[m\]
-    pub(super) points: Vec<Point>,
+    pub(super) points: Vec<Point2>,
     /// The points of each ring.
     pub(super) rings: Vec<Range<usize>>,
     /// The point at which each edge of the outline begins.
@@ -24,7 +25,7 @@ pub(super) struct Boundary {
 }
 
 impl Boundary {
-    /// Divides a panel as told.
+    /// Places the points of a panel's boundary by its division.
     pub(super) fn new(panel: &Panel, divided: &PanelDivision) -> Self {
         let mut boundary = Self {
             points: vec![],
@@ -48,7 +49,7 @@ impl Boundary {
     }
 
     /// Closed rings of points, the outline first, without edges or lines.
-    pub(super) fn of_rings(points: Vec<Point>, rings: Vec<Range<usize>>) -> Self {
+    pub(super) fn of_rings(points: Vec<Point2>, rings: Vec<Range<usize>>) -> Self {
         Self {
             points,
             rings,
@@ -80,7 +81,7 @@ impl Boundary {
         self.ring_segments().chain(lines)
     }
 
-    /// How many points the rings have; those of the lines follow.
+    /// Number of points of the rings; those of the lines follow.
     pub(super) fn ring_point_count(&self) -> usize {
         self.rings.last().map_or(0, |ring| ring.end)
     }
@@ -90,7 +91,7 @@ impl Boundary {
         self.edges[edge][part]
     }
 
-    /// The same reflected, x to -x.
+    /// Returns its mirror image, x to -x.
     pub(super) fn reflected(mut self) -> Self {
         for point in &mut self.points {
             *point = geometry::reflected(*point);

@@ -1,25 +1,27 @@
-//! What is refused before and while meshing, and how a user is told.
+//! Faults of meshing: what is refused before and during it, as sentences for the user.
 
-use super::divide::{Division, Divisions};
+use super::divide::Divisions;
+use super::panel_division::Division;
 use super::{geometry, lattice};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, FitCode, MeshCode};
+use crate::pattern::point::Point2;
 use crate::pattern::{Panel, Pattern};
 
-/// What keeps one panel from being meshed.
-pub(super) enum Flaw {
+/// A defect that keeps one panel from being meshed.
+pub(super) enum MeshDefect {
     /// Two boundary parts cross or touch at this point.
-    Crossing([f64; 2]),
+    Crossing(Point2),
     /// A hole that is not inside the outline, by index.
     StrayHole(usize),
     /// An internal line, by index, leaves the cloth near this point.
-    LineOutside(usize, [f64; 2]),
+    LineOutside(usize, Point2),
     /// An internal line, by index, crosses or touches an outline, a hole, a sewn line or itself near this point.
-    LineCrossing(usize, [f64; 2]),
+    LineCrossing(usize, Point2),
 }
 
-impl Flaw {
-    /// The fault that tells a user about it.
+impl MeshDefect {
+    /// Returns the fault of a panel with this defect.
     pub(super) fn fault(&self, panel: &Panel) -> Fault {
         let at = format!("/panels/{}", panel.id);
         let (code, what) = match self {
@@ -59,7 +61,7 @@ impl Flaw {
         })
     }
 
-    /// The same flaw of a panel that was meshed reflected.
+    /// Returns the same defect of a panel that was meshed as its mirror image.
     pub(super) fn reflected(mut self) -> Self {
         if let Self::Crossing(p) | Self::LineOutside(_, p) | Self::LineCrossing(_, p) = &mut self {
             *p = geometry::reflected(*p);
@@ -68,7 +70,7 @@ impl Flaw {
     }
 }
 
-/// What a raised token comes to.
+/// The fault of a meshing that was canceled.
 pub(super) fn canceled() -> Fault {
     Fault::new(FitCode::Canceled, "", "meshing was stopped on request")
 }

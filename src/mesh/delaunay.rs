@@ -1,20 +1,18 @@
 //! Constrained Delaunay triangulation of a panel, by `spade`.
 
 use super::boundary::Boundary;
-use super::check::Flaw;
-use super::geometry::{self, Point};
+use super::check::MeshDefect;
+use crate::pattern::point::{self, Point2};
 use spade::handles::{DirectedEdgeHandle, FixedVertexHandle};
-use spade::{
-    CdtEdge, ConstrainedDelaunayTriangulation, Point2, PositionInTriangulation, Triangulation,
-};
+use spade::{CdtEdge, ConstrainedDelaunayTriangulation, PositionInTriangulation, Triangulation};
 use std::collections::{BTreeSet, VecDeque};
 
-type Cdt = ConstrainedDelaunayTriangulation<Point2<f64>>;
+type Cdt = ConstrainedDelaunayTriangulation<spade::Point2<f64>>;
 
 /// A panel's boundary and sewn lines, triangulated and found simple.
 pub(super) struct Domain {
     cdt: Cdt,
-    boundary: Vec<Point>,
+    boundary: Vec<Point2>,
     /// Mesh edges along rings and lines, the lower point first.
     fixed: BTreeSet<[usize; 2]>,
     lines: BTreeSet<[usize; 2]>,
@@ -22,7 +20,7 @@ pub(super) struct Domain {
 
 impl Domain {
     /// Checks that the boundary neither crosses nor touches itself, that holes lie inside, and lines on cloth.
-    pub(super) fn new(boundary: &Boundary) -> Result<Self, Flaw> {
+    pub(super) fn new(boundary: &Boundary) -> Result<Self, MeshDefect> {
         let mut domain = Self {
             cdt: Cdt::new(),
             boundary: boundary.points.clone(),
@@ -35,24 +33,24 @@ impl Domain {
         Ok(domain)
     }
 
-    fn add_rings(&mut self, boundary: &Boundary) -> Result<(), Flaw> {
+    fn add_rings(&mut self, boundary: &Boundary) -> Result<(), MeshDefect> {
         let points = &boundary.points[..boundary.ring_point_count()];
         for (index, &point) in points.iter().enumerate() {
             let handle = self.cdt.insert(position(point));
-            let handle = handle.map_err(|_| Flaw::Crossing(point))?;
+            let handle = handle.map_err(|_| MeshDefect::Crossing(point))?;
             if handle.index() != index {
-                return Err(Flaw::Crossing(point));
+                return Err(MeshDefect::Crossing(point));
             }
         }
         for segment in boundary.ring_segments() {
             if !self.constrain(segment) {
-                return Err(Flaw::Crossing(self.middle(segment)));
+                return Err(MeshDefect::Crossing(self.middle(segment)));
             }
         }
         Ok(())
     }
 
-    fn add_lines(&mut self, boundary: &Boundary) -> Result<(), Flaw> {
+    fn add_lines(&mut self, boundary: &Boundary) -> Result<(), MeshDefect> {
         let mut next = boundary.ring_point_count();
         for (line, segment) in boundary.line_segments() {
             // Points are numbered in the order in which segments come to them, so each is new but those at joints.
@@ -65,7 +63,7 @@ impl Domain {
         }
         for (line, segment) in boundary.line_segments() {
             if !self.constrain(segment) {
-                return Err(Flaw::LineCrossing(line, self.middle(segment)));
+                return Err(MeshDefect::LineCrossing(line, self.middle(segment)));
             }
         }
         let cloth = self.cloth(&self.cdt);
@@ -77,28 +75,28 @@ impl Domain {
                 faces.iter().all(|face| cloth[face.fix().index()])
             });
             if !inside {
-                return Err(Flaw::LineOutside(line, self.middle(segment)));
+                return Err(MeshDefect::LineOutside(line, self.middle(segment)));
             }
         }
         Ok(())
     }
 
-    fn add_line_point(&mut self, line: usize, index: usize) -> Result<(), Flaw> {
+    fn add_line_point(&mut self, line: usize, index: usize) -> Result<(), MeshDefect> {
         let point = self.boundary[index];
         match self.cdt.locate(position(point)) {
             PositionInTriangulation::OutsideOfConvexHull(_) => {
-                return Err(Flaw::LineOutside(line, point));
+                return Err(MeshDefect::LineOutside(line, point));
             }
             PositionInTriangulation::OnEdge(edge)
                 if self.cdt.is_constraint_edge(edge.as_undirected()) =>
             {
-                return Err(Flaw::LineCrossing(line, point));
+                return Err(MeshDefect::LineCrossing(line, point));
             }
             _ => {}
         }
         match self.cdt.insert(position(point)) {
             Ok(handle) if handle.index() == index => Ok(()),
-            _ => Err(Flaw::LineCrossing(line, point)),
+            _ => Err(MeshDefect::LineCrossing(line, point)),
         }
     }
 
@@ -108,8 +106,8 @@ impl Domain {
         !self.cdt.exists_constraint(from, to) && self.cdt.try_add_constraint(from, to).len() == 1
     }
 
-    fn middle(&self, [a, b]: [usize; 2]) -> Point {
-        geometry::lerp(self.boundary[a], self.boundary[b], 0.5)
+    fn middle(&self, [a, b]: [usize; 2]) -> Point2 {
+        point::lerp(self.boundary[a], self.boundary[b], 0.5)
     }
 
     /// Number of points on rings and lines; they come first in every triangulation.
@@ -118,18 +116,18 @@ impl Domain {
     }
 
     /// The points on rings and lines.
-    pub(super) fn boundary(&self) -> &[Point] {
+    pub(super) fn boundary(&self) -> &[Point2] {
         &self.boundary
     }
 
-    /// Whether two points are neighbours on a ring or a line.
+    /// Returns true if two points are neighbors on a ring or a line.
     pub(super) fn is_fixed(&self, a: usize, b: usize) -> bool {
         self.fixed.contains(&sorted([a, b]))
     }
 
     /// Triangles of the boundary points and, numbered after them, `inside`.
     /// A point of `inside` that lies on another point or outside is in no triangle.
-    pub(super) fn triangles(&self, inside: &[Point]) -> Vec<[usize; 3]> {
+    pub(super) fn triangles(&self, inside: &[Point2]) -> Vec<[usize; 3]> {
         let mut cdt = self.cdt.clone();
         let mut numbers: Vec<usize> = (0..self.boundary.len()).collect();
         for (index, &point) in inside.iter().enumerate() {
@@ -147,10 +145,11 @@ impl Domain {
 
     /// By index of the face: whether it is reached from outside across an odd number of boundary parts.
     fn cloth(&self, cdt: &Cdt) -> Vec<bool> {
-        let is_boundary = |edge: DirectedEdgeHandle<'_, Point2<f64>, (), CdtEdge<()>, ()>| {
-            let ends = [edge.from(), edge.to()].map(|vertex| vertex.fix().index());
-            edge.is_constraint_edge() && !self.lines.contains(&sorted(ends))
-        };
+        let is_boundary =
+            |edge: DirectedEdgeHandle<'_, spade::Point2<f64>, (), CdtEdge<()>, ()>| {
+                let ends = [edge.from(), edge.to()].map(|vertex| vertex.fix().index());
+                edge.is_constraint_edge() && !self.lines.contains(&sorted(ends))
+            };
         let mut cloth: Vec<Option<bool>> = vec![None; cdt.num_all_faces()];
         let mut queue = VecDeque::new();
         for edge in cdt.convex_hull() {
@@ -186,20 +185,20 @@ fn sorted([a, b]: [usize; 2]) -> [usize; 2] {
 }
 
 /// A hole outside the outline, or inside another hole, would turn what is cloth inside out.
-fn check_holes(boundary: &Boundary) -> Result<(), Flaw> {
+fn check_holes(boundary: &Boundary) -> Result<(), MeshDefect> {
     for (index, hole) in boundary.rings[1..].iter().enumerate() {
         let first = boundary.points[hole.start];
         let others = boundary.rings.iter().filter(|ring| *ring != hole);
         let around = others.filter(|ring| contains(&boundary.points[(*ring).clone()], first));
         if around.count() != 1 {
-            return Err(Flaw::StrayHole(index));
+            return Err(MeshDefect::StrayHole(index));
         }
     }
     Ok(())
 }
 
-/// Whether a ring goes round a point.
-fn contains(ring: &[Point], p: Point) -> bool {
+/// Returns true if a ring goes round a point.
+fn contains(ring: &[Point2], p: Point2) -> bool {
     let mut inside = false;
     for (i, &a) in ring.iter().enumerate() {
         let b = ring[(i + 1) % ring.len()];
@@ -213,7 +212,7 @@ fn contains(ring: &[Point], p: Point) -> bool {
 }
 
 /// `spade` refuses numbers that are almost zero.
-fn position(point: Point) -> Point2<f64> {
+fn position(point: Point2) -> spade::Point2<f64> {
     let [x, y] = point.map(|x| if x.abs() < 1e-30 { 0.0 } else { x });
-    Point2::new(x, y)
+    spade::Point2::new(x, y)
 }

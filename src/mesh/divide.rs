@@ -1,176 +1,23 @@
-//! How many parts each edge is divided into, so that both sides of every seam get as many.
+//! Division of all edges into parts, equally many on both sides of every seam.
 
-use super::geometry::{self, Point};
-use super::joint::{self, Joint};
-use super::slots::{self, Slots};
+use super::joint;
+use super::panel_division::{Division, PanelDivision};
+use super::slots;
 use crate::fault::{Fault, MeshCode};
 use crate::pattern::{Panel, Pattern};
-use crate::seam::{Seam, Stretch, Track, division_count};
-use std::ops::Range;
-
-/// Fractions of an edge closer than this are the same place: far above rounding, far below a stitch.
-const SAME: f64 = 1e-9;
+use crate::seam::{Seam, Stretch, division_count};
 
 /// Most places where seams may break one edge. More come only from seams that chase each other round a ring of edges.
 const MOST_BREAKS: usize = 1_000;
 
-/// How one edge is divided: evenly between each two breaks.
-#[derive(Clone, Debug)]
-pub(super) struct Division {
-    /// Fractions of the edge's arc length that must be vertices, from 0 to 1, rising.
-    pub(super) breaks: Vec<f64>,
-    /// Parts between each break and the next.
-    pub(super) counts: Vec<usize>,
-    /// Arc length of the edge \[m\].
-    pub(super) length: f64,
-}
-
-impl Division {
-    /// Divided once.
-    pub(super) fn whole(length: f64, count: usize) -> Self {
-        Self {
-            breaks: vec![0.0, 1.0],
-            counts: vec![count],
-            length,
-        }
-    }
-
-    /// Parts of the whole edge.
-    pub(super) fn count(&self) -> usize {
-        self.counts.iter().sum()
-    }
-
-    /// Fractions of the arc length at which each part begins.
-    pub(super) fn starts(&self) -> impl Iterator<Item = f64> + '_ {
-        self.breaks
-            .windows(2)
-            .zip(&self.counts)
-            .flat_map(|(ends, &count)| {
-                #[expect(clippy::cast_precision_loss, reason = "counts are bounded by Limits")]
-                (0..count).map(move |i| ends[0] + (ends[1] - ends[0]) * i as f64 / count as f64)
-            })
-    }
-
-    /// Position of a fraction among the breaks; the nearest one.
-    fn find(&self, fraction: f64) -> usize {
-        let next = self.breaks.partition_point(|&b| b < fraction - SAME);
-        next.min(self.breaks.len() - 1)
-    }
-
-    /// The spans between breaks that a stretch covers, in rising order.
-    fn spans(&self, stretch: &Stretch) -> Range<usize> {
-        let (from, to) = (self.find(stretch.from), self.find(stretch.to));
-        from.min(to)..from.max(to)
-    }
-
-    /// The number of the part at whose beginning each point of a stretch lies, along its way.
-    pub(super) fn parts(&self, stretch: &Stretch) -> Vec<usize> {
-        let spans = self.spans(stretch);
-        let first: usize = self.counts[..spans.start].iter().sum();
-        let last = first + self.counts[spans].iter().sum::<usize>();
-        if stretch.from <= stretch.to {
-            (first..=last).collect()
-        } else {
-            (first..=last).rev().collect()
-        }
-    }
-
-    /// The number of the part that begins at a break.
-    pub(super) fn part_at(&self, fraction: f64) -> usize {
-        self.counts[..self.find(fraction)].iter().sum()
-    }
-
-    /// The break nearest to a fraction if it is within this arc length \[m\], else the fraction.
-    pub(super) fn near_break(&self, fraction: f64, within: f64) -> f64 {
-        let distance = |b: &f64| (b - fraction).abs() * self.length;
-        let nearest = self.breaks.iter().copied();
-        let nearest = nearest.min_by(|a, b| distance(a).total_cmp(&distance(b)));
-        nearest
-            .filter(|b| distance(b) <= within)
-            .unwrap_or(fraction)
-    }
-
-    /// Adds a break unless it is there; says whether it was added.
-    fn insert(&mut self, fraction: f64) -> bool {
-        let place = self.breaks.partition_point(|&b| b < fraction - SAME);
-        let there = self.breaks.get(place).is_none_or(|b| b - fraction <= SAME);
-        if !there {
-            self.breaks.insert(place, fraction);
-        }
-        !there
-    }
-}
-
-/// How the edges of one panel are divided.
-pub(super) struct PanelDivision {
-    /// Which edges these are.
-    pub(super) slots: Slots,
-    /// By number of the edge.
-    pub(super) divisions: Vec<Division>,
-    /// Where ends of internal lines lie on other edges.
-    pub(super) joints: Vec<Joint>,
-    tracks: Vec<(Track, usize)>,
-}
-
-impl PanelDivision {
-    fn new(panel: &Panel, lines: Vec<usize>) -> Self {
-        let slots = Slots::new(panel, lines);
-        let tracks: Vec<_> = slots.all().collect();
-        let whole = |&(track, edge): &(Track, usize)| {
-            Division::whole(geometry::length(track.points(panel, edge)), 1)
-        };
-        Self {
-            divisions: tracks.iter().map(whole).collect(),
-            slots,
-            joints: vec![],
-            tracks,
-        }
-    }
-
-    /// The polyline of an edge by its number.
-    pub(super) fn points<'a>(&self, panel: &'a Panel, slot: usize) -> &'a [Point] {
-        let (track, edge) = self.tracks[slot];
-        track.points(panel, edge)
-    }
-
-    /// Whether an edge by its number belongs to a ring.
-    pub(super) fn is_closed(&self, panel: &Panel, slot: usize) -> bool {
-        self.tracks[slot].0.is_closed(panel)
-    }
-
-    /// The fewest parts of each span of each edge, so that every ring is a polygon.
-    fn least_parts(&self, panel: &Panel) -> Vec<usize> {
-        let spans = |divisions: &[Division]| divisions.iter().map(|d| d.breaks.len() - 1).sum();
-        let mut least = vec![1; self.divisions.len()];
-        for ring in &self.slots.rings {
-            let count = least_parts(spans(&self.divisions[ring.clone()]));
-            least[ring.clone()].fill(count);
-        }
-        for (line, count) in least.iter_mut().enumerate().skip(self.slots.first_line()) {
-            if self.is_closed(panel, line) {
-                *count = least_parts(spans(&self.divisions[line..=line]));
-            }
-        }
-        least
-    }
-
-    /// Puts a break where the end of a line lies.
-    fn join_lines(&mut self, panel: &Panel) {
-        self.joints = joint::find(panel, self);
-        for joint in &self.joints {
-            self.divisions[joint.on].insert(joint.at);
-        }
-    }
-}
-
-/// How every edge of every panel is divided.
+/// The divisions of every edge of every panel.
 pub(super) struct Divisions {
     /// By panel.
     pub(super) panels: Vec<PanelDivision>,
 }
 
 impl Divisions {
-    /// Breaks edges where stretches end, carries the breaks across seams, then counts parts.
+    /// Breaks edges at the ends of stretches, carries the breaks across seams, then counts parts.
     pub(super) fn new(pattern: &Pattern, seams: &[Seam], edge_length: f64) -> Result<Self, Fault> {
         let lines = slots::lines_named(seams, pattern.panels.len());
         let panels = pattern.panels.iter().zip(lines);
@@ -206,7 +53,7 @@ impl Divisions {
             self.insert(stretch, stretch.to);
         }
         for (panel, divided) in pattern.panels.iter().zip(&mut self.panels) {
-            divided.join_lines(panel);
+            join_lines(panel, divided);
         }
         let mut changed = true;
         while changed {
@@ -235,8 +82,8 @@ impl Divisions {
 
     /// Gives all spans that meet, directly or through others, the largest count that any of them wants.
     fn set_counts(&mut self, pattern: &Pattern, seams: &[Seam], edge_length: f64) {
-        let numbers = Numbers::new(&self.panels);
-        let mut classes = Classes::new(numbers.count);
+        let numbers = SpanNumbering::new(&self.panels);
+        let mut classes = DisjointSets::new(numbers.count);
         for pair in pairs(seams) {
             let [a, b] = pair.each_ref().map(|stretch| {
                 let spans = self.of(stretch).spans(stretch);
@@ -267,7 +114,7 @@ impl Divisions {
         }
     }
 
-    /// What each span would be divided into by itself, in order of their numbers.
+    /// Returns the part count that each span needs by itself, in order of their numbers.
     fn wanted(&self, pattern: &Pattern, edge_length: f64) -> Vec<usize> {
         let mut wanted = vec![];
         for (panel, divided) in pattern.panels.iter().zip(&self.panels) {
@@ -283,9 +130,12 @@ impl Divisions {
     }
 }
 
-/// Fewest parts of each of so many spans that make up a ring: a polygon has three sides.
-fn least_parts(spans: usize) -> usize {
-    3_usize.div_ceil(spans.max(1))
+/// Puts a break where the end of a line lies on another edge.
+fn join_lines(panel: &Panel, divided: &mut PanelDivision) {
+    divided.joints = joint::find(panel, divided);
+    for joint in &divided.joints {
+        divided.divisions[joint.on].insert(joint.at);
+    }
 }
 
 fn pairs(seams: &[Seam]) -> impl Iterator<Item = &[Stretch; 2]> {
@@ -301,14 +151,14 @@ fn endless(panel: &Panel) -> Fault {
     .fix("sew each stretch of outline to one other, or let layered seams begin and end at the same places")
 }
 
-/// Numbers all spans of all edges.
-struct Numbers {
+/// SpanNumbering all spans of all edges.
+struct SpanNumbering {
     /// By panel and number of the edge: its first span.
     first: Vec<Vec<usize>>,
     count: usize,
 }
 
-impl Numbers {
+impl SpanNumbering {
     fn new(panels: &[PanelDivision]) -> Self {
         let mut count = 0;
         let mut next = |division: &Division| {
@@ -324,10 +174,10 @@ impl Numbers {
     }
 }
 
-/// Union-find.
-struct Classes(Vec<usize>);
+/// Disjoint sets of spans (union-find with path halving).
+struct DisjointSets(Vec<usize>);
 
-impl Classes {
+impl DisjointSets {
     fn new(count: usize) -> Self {
         Self((0..count).collect())
     }

@@ -1,8 +1,10 @@
 //! Better triangles: points inside are moved, taken out and put in until none is thin that need not be.
 
-use super::PanelMesh;
 use super::delaunay::Domain;
-use super::geometry::{self, Point, SegmentGrid, area, distance, lerp, smallest_angle};
+use super::geometry::{area, smallest_angle};
+use super::panel_triangles::PanelTriangles;
+use super::segment_grid::SegmentGrid;
+use crate::pattern::point::{self, Point2, distance, lerp};
 use crate::progress::CancelToken;
 use std::collections::BTreeSet;
 
@@ -32,21 +34,18 @@ const APEX: f64 = 1.5;
 pub(super) fn improve(
     domain: &Domain,
     clearance: &SegmentGrid,
-    inside: Vec<Point>,
+    inside: Vec<Point2>,
     cancel: &CancelToken,
-) -> PanelMesh {
+) -> PanelTriangles {
     let fixed = domain.boundary_count();
     let mut mesh = triangulate(domain, &inside);
-    let mut best: Option<(Badness, PanelMesh)> = None;
+    let mut best: Option<(MeshFlaws, PanelTriangles)> = None;
     for round in 0..SMOOTHING_ROUNDS + REPAIR_ROUNDS {
         smooth(&mut mesh, fixed);
         mesh = triangulate(domain, &mesh.points[fixed..]);
-        let badness = Badness::of(&mesh);
-        if best
-            .as_ref()
-            .is_none_or(|(least, _)| badness.is_below(least))
-        {
-            best = Some((badness, mesh.clone()));
+        let flaws = MeshFlaws::of(&mesh);
+        if best.as_ref().is_none_or(|(least, _)| flaws.is_below(least)) {
+            best = Some((flaws, mesh.clone()));
         }
         if cancel.is_canceled() {
             break;
@@ -62,14 +61,14 @@ pub(super) fn improve(
     best.map_or(mesh, |(_, mesh)| mesh)
 }
 
-/// How far a mesh is from being good: thin triangles, then the smallest angle.
-struct Badness {
+/// Flaws of a mesh: its thin triangles, then its smallest angle.
+struct MeshFlaws {
     thin: usize,
     smallest: f64,
 }
 
-impl Badness {
-    fn of(mesh: &PanelMesh) -> Self {
+impl MeshFlaws {
+    fn of(mesh: &PanelTriangles) -> Self {
         let angles = mesh.triangles.iter().map(|t| mesh.smallest_angle(*t));
         angles.fold(
             Self {
@@ -88,18 +87,8 @@ impl Badness {
     }
 }
 
-impl PanelMesh {
-    fn corners(&self, triangle: [usize; 3]) -> [Point; 3] {
-        triangle.map(|v| self.points[v])
-    }
-
-    fn smallest_angle(&self, triangle: [usize; 3]) -> f64 {
-        smallest_angle(self.corners(triangle))
-    }
-}
-
 /// Triangulates, leaving out the points that ended in no triangle.
-fn triangulate(domain: &Domain, inside: &[Point]) -> PanelMesh {
+fn triangulate(domain: &Domain, inside: &[Point2]) -> PanelTriangles {
     let mut triangles = domain.triangles(inside);
     let fixed = domain.boundary_count();
     let mut number = vec![usize::MAX; fixed + inside.len()];
@@ -118,12 +107,12 @@ fn triangulate(domain: &Domain, inside: &[Point]) -> PanelMesh {
             *vertex = number[*vertex];
         }
     }
-    PanelMesh { points, triangles }
+    PanelTriangles { points, triangles }
 }
 
 /// Moves each inside point to the centroid of the triangles round it (CPT smoothing, Chen and Holst 2011), as far
 /// as that makes none of them worse than it may be.
-fn smooth(mesh: &mut PanelMesh, fixed: usize) {
+fn smooth(mesh: &mut PanelTriangles, fixed: usize) {
     let mut stars = vec![vec![]; mesh.points.len()];
     for &triangle in &mesh.triangles {
         for turn in 0..3 {
@@ -138,14 +127,14 @@ fn smooth(mesh: &mut PanelMesh, fixed: usize) {
     }
 }
 
-fn move_point(points: &mut [Point], v: usize, star: &[[usize; 2]]) {
+fn move_point(points: &mut [Point2], v: usize, star: &[[usize; 2]]) {
     let here = points[v];
     let (goal, star_area) = centroid(points, here, star);
     // Most points lie in the lattice and are where they should be.
     if distance(here, goal) < SETTLED * star_area.sqrt() {
         return;
     }
-    let worst = |p: Point| {
+    let worst = |p: Point2| {
         let angles = star
             .iter()
             .map(|&[a, b]| smallest_angle([p, points[a], points[b]]));
@@ -159,7 +148,7 @@ fn move_point(points: &mut [Point], v: usize, star: &[[usize; 2]]) {
 }
 
 /// Centroid of the triangles round a point, and their area.
-fn centroid(points: &[Point], p: Point, star: &[[usize; 2]]) -> (Point, f64) {
+fn centroid(points: &[Point2], p: Point2, star: &[[usize; 2]]) -> (Point2, f64) {
     let mut sum = [0.0; 2];
     let mut whole = 0.0;
     for &[a, b] in star {
@@ -174,11 +163,11 @@ fn centroid(points: &[Point], p: Point, star: &[[usize; 2]]) -> (Point, f64) {
 }
 
 /// The inside points after taking out those that make triangles thin and putting in those that are missing.
-fn repaired(mesh: &PanelMesh, domain: &Domain, clearance: &SegmentGrid) -> Vec<Point> {
+fn repaired(mesh: &PanelTriangles, domain: &Domain, clearance: &SegmentGrid) -> Vec<Point2> {
     let fixed = domain.boundary_count();
     let edge_length = clearance.reach() / CLEARANCE;
     let mut out = BTreeSet::new();
-    let mut put: Vec<Point> = vec![];
+    let mut put: Vec<Point2> = vec![];
     for &triangle in &mesh.triangles {
         let sides = sorted_sides(mesh, triangle);
         let longest = sides[2];
@@ -215,20 +204,20 @@ fn repaired(mesh: &PanelMesh, domain: &Domain, clearance: &SegmentGrid) -> Vec<P
 }
 
 /// Two vertices and the one opposite, from the shortest side to the longest.
-fn sorted_sides(mesh: &PanelMesh, triangle: [usize; 3]) -> [[usize; 3]; 3] {
+fn sorted_sides(mesh: &PanelTriangles, triangle: [usize; 3]) -> [[usize; 3]; 3] {
     let mut sides = [0, 1, 2].map(|i| [0, 1, 2].map(|k| triangle[(i + k) % 3]));
     sides.sort_by(|a, b| side_length(mesh, *a).total_cmp(&side_length(mesh, *b)));
     sides
 }
 
-fn side_length(mesh: &PanelMesh, [a, b, _]: [usize; 3]) -> f64 {
+fn side_length(mesh: &PanelTriangles, [a, b, _]: [usize; 3]) -> f64 {
     distance(mesh.points[a], mesh.points[b])
 }
 
 /// A point over a short boundary part whose triangle reaches too far; none if that is not what is wrong.
-fn apex(mesh: &PanelMesh, [a, b, opposite]: [usize; 3], domain: &Domain) -> Option<Point> {
+fn apex(mesh: &PanelTriangles, [a, b, opposite]: [usize; 3], domain: &Domain) -> Option<Point2> {
     let (p, q) = (mesh.points[a], mesh.points[b]);
-    let [x, y] = geometry::sub(q, p);
+    let [x, y] = point::sub(q, p);
     let middle = lerp(p, q, 0.5);
     let point = [middle[0] - y * APEX, middle[1] + x * APEX];
     let length = x.hypot(y);

@@ -1,7 +1,9 @@
 //! First positions of the points inside a panel: an equilateral lattice along its longest edge.
 
 use super::boundary::Boundary;
-use super::geometry::{Point, SegmentGrid, distance, sub};
+use crate::pattern::point::{Point2, distance, sub};
+
+use super::segment_grid::SegmentGrid;
 
 /// Distance of the rows of an equilateral lattice of side 1.
 pub(super) const ROW: f64 = 0.866_025_403_784_438_6;
@@ -13,8 +15,12 @@ const LEAST_SIDE: f64 = 0.8;
 /// Lattice points inside the boundary that keep clear of it.
 ///
 /// The lattice turns and moves with the panel, so that a panel drawn elsewhere gets the same mesh.
-pub(super) fn points(boundary: &Boundary, clearance: &SegmentGrid, edge_length: f64) -> Vec<Point> {
-    let frame = Frame::along_longest_edge(boundary);
+pub(super) fn points(
+    boundary: &Boundary,
+    clearance: &SegmentGrid,
+    edge_length: f64,
+) -> Vec<Point2> {
+    let frame = LatticeFrame::along_longest_edge(boundary);
     let side = frame.spacing.clamp(LEAST_SIDE * edge_length, edge_length);
     let local: Vec<_> = boundary.points.iter().map(|&p| frame.enter(p)).collect();
     let mut points = vec![];
@@ -42,8 +48,8 @@ fn height(row: i64) -> f64 {
     row as f64
 }
 
-/// Where each row of the lattice crosses the boundary, from left to right.
-fn rows(boundary: &Boundary, local: &[Point], step: f64) -> Vec<(i64, Vec<f64>)> {
+/// Returns the crossings of each lattice row with the boundary, from left to right.
+fn rows(boundary: &Boundary, local: &[Point2], step: f64) -> Vec<(i64, Vec<f64>)> {
     let mut hits = vec![];
     for [a, b] in boundary.ring_segments() {
         let (a, b) = (local[a], local[b]);
@@ -68,14 +74,14 @@ fn rows(boundary: &Boundary, local: &[Point], step: f64) -> Vec<(i64, Vec<f64>)>
 }
 
 /// Coordinates along and across the longest edge.
-struct Frame {
-    origin: Point,
-    along: Point,
+struct LatticeFrame {
+    origin: Point2,
+    along: Point2,
     /// Mean distance of the points on that edge \[m\].
     spacing: f64,
 }
 
-impl Frame {
+impl LatticeFrame {
     fn along_longest_edge(boundary: &Boundary) -> Self {
         let ring = boundary.rings[0].clone();
         let starts = &boundary.edge_starts;
@@ -106,13 +112,13 @@ impl Frame {
         best
     }
 
-    fn enter(&self, p: Point) -> Point {
+    fn enter(&self, p: Point2) -> Point2 {
         let [x, y] = sub(p, self.origin);
         let [c, s] = self.along;
         [x * c + y * s, y * c - x * s]
     }
 
-    fn leave(&self, [x, y]: Point) -> Point {
+    fn leave(&self, [x, y]: Point2) -> Point2 {
         let [c, s] = self.along;
         [
             self.origin[0] + x * c - y * s,

@@ -1,7 +1,8 @@
-//! Which triangle of a mesh a point of the pattern lies in.
+//! Point location: the triangle of a mesh that a point of the pattern lies in.
 
-use super::ClothMesh;
-use super::geometry::{Point, area};
+use super::cloth_mesh::ClothMesh;
+use super::geometry::area;
+use crate::pattern::point::Point2;
 use std::collections::BTreeMap;
 
 /// The triangles of one panel, ready to be searched.
@@ -21,7 +22,7 @@ impl<'a> Locator<'a> {
     /// If there is no such panel.
     pub fn new(mesh: &'a ClothMesh, panel: usize) -> Self {
         let triangles = mesh.panels[panel].triangles.clone();
-        let boxes: Vec<[Point; 2]> = triangles.clone().map(|t| bounds(mesh, t)).collect();
+        let boxes: Vec<[Point2; 2]> = triangles.clone().map(|t| bounds(mesh, t)).collect();
         let widths = boxes.iter().map(|[l, h]| (h[0] - l[0]).max(h[1] - l[1]));
         let side = (widths.sum::<f64>() / boxes.len().max(1) as f64).max(1e-6);
         let mut locator = Self {
@@ -40,7 +41,7 @@ impl<'a> Locator<'a> {
 
     /// The corners of the triangle that `point` lies in, or of the nearest one within a cell or two, with its barycentric
     /// coordinates; `None` if none is so near.
-    pub fn weights(&self, point: [f64; 2]) -> Option<[(usize, f64); 3]> {
+    pub fn weights(&self, point: Point2) -> Option<[(usize, f64); 3]> {
         let [i, j] = self.cell(point);
         // An outline of longer edges cuts corners off, so a point may lie outside of it.
         (0..=2).find_map(|reach| {
@@ -64,12 +65,12 @@ impl<'a> Locator<'a> {
         clippy::cast_possible_truncation,
         reason = "panels are a few metres long and cells are not below a micrometre"
     )]
-    fn cell(&self, point: Point) -> [i64; 2] {
+    fn cell(&self, point: Point2) -> [i64; 2] {
         point.map(|c| (c / self.side).floor() as i64)
     }
 }
 
-fn bounds(mesh: &ClothMesh, triangle: usize) -> [Point; 2] {
+fn bounds(mesh: &ClothMesh, triangle: usize) -> [Point2; 2] {
     let corners = mesh.triangles[triangle].map(|v| mesh.uv[v]);
     let fold = |f: fn(f64, f64) -> f64, from: f64| {
         [0, 1].map(|axis| corners.iter().map(|c| c[axis]).fold(from, f))
@@ -81,7 +82,7 @@ fn bounds(mesh: &ClothMesh, triangle: usize) -> [Point; 2] {
 }
 
 /// Barycentric coordinates of `p`; they add up to 1.
-pub(super) fn barycentric(p: Point, [a, b, c]: [Point; 3]) -> [f64; 3] {
+pub(super) fn barycentric(p: Point2, [a, b, c]: [Point2; 3]) -> [f64; 3] {
     let whole = area(a, b, c);
     [
         area(p, b, c) / whole,

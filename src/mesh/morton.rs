@@ -1,9 +1,9 @@
-//! Vertices in the order of a Z-curve, so that neighbours in the plane are neighbours in memory.
+//! Vertices in the order of a Z-curve, so that neighbors in the plane are neighbors in memory.
 
-use super::geometry::Point;
+use crate::pattern::Point2;
 
 /// The indices of `points` in Morton order of a grid of 65536 by 65536 cells over their bounding box.
-pub(super) fn order(points: &[Point]) -> Vec<usize> {
+pub(super) fn order(points: &[Point2]) -> Vec<usize> {
     let low = [0, 1].map(|k| points.iter().map(|p| p[k]).fold(f64::INFINITY, f64::min));
     let high = [0, 1].map(|k| {
         points
@@ -12,7 +12,7 @@ pub(super) fn order(points: &[Point]) -> Vec<usize> {
             .fold(f64::NEG_INFINITY, f64::max)
     });
     let size = (high[0] - low[0]).max(high[1] - low[1]);
-    let code = |p: Point| {
+    let code = |p: Point2| {
         let [x, y] = [0, 1].map(|k| cell((p[k] - low[k]) / size));
         spread(x) | spread(y) << 1
     };

@@ -46,7 +46,7 @@ impl Slots {
         self.rings.last().map_or(0, |ring| ring.end)
     }
 
-    /// What each number stands for.
+    /// The track and edge of each number, in order.
     pub(super) fn all(&self) -> impl Iterator<Item = (Track, usize)> + '_ {
         let rings = self.rings.iter().enumerate().flat_map(|(i, ring)| {
             let track = i.checked_sub(1).map_or(Track::Outline, Track::Hole);

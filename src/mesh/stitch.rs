@@ -1,6 +1,6 @@
 //! Stitches: which vertex is sewn to which.
 
-use super::Stitch;
+use super::cloth_mesh::Stitch;
 use super::divide::Divisions;
 use crate::seam::Seam;
 use std::collections::HashSet;

@@ -1,4 +1,4 @@
-//! What cloth is draped on: a garment's avatar, or a body that a formula describes.
+//! Bodies that cloth is draped on: an avatar, or a body whose signed distance is a formula.
 
 use super::avatar::{Avatar, BodySample};
 use crate::fault::{Fault, SceneCode};
@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// What cloth is draped on.
+/// A body that cloth is draped on.
 #[derive(Clone, Debug)]
 pub enum Body {
     /// A closed surface with its distance field.
@@ -109,7 +109,7 @@ impl Analytic {
 }
 
 impl Analytic {
-    /// What is wrong with it: numbers that are not finite, no radius, no direction; each under `pointer`.
+    /// Returns its faults: numbers that are not finite, no radius, no direction; each under `pointer`.
     pub fn check(&self, pointer: &str) -> Vec<Fault> {
         let mut faults = Vec::new();
         let mut tell = |wrong: bool, field: &str, detail: &str| {

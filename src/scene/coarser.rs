@@ -1,7 +1,7 @@
 //! The same scene on a coarser mesh: what a multilevel solver starts from.
 
 use super::{FiberSpring, Membrane, Scene};
-use crate::mesh::{self, ClothMesh, Coarser};
+use crate::mesh::{self, ClothMesh, CoarserMesh};
 use std::collections::BTreeMap;
 
 /// A scene on a coarser mesh, and how the finer one hangs on it.
@@ -11,7 +11,7 @@ pub struct CoarserScene {
     pub scene: Scene,
     /// The finer vertex that each coarser one is; ascending.
     pub finer: Vec<usize>,
-    /// For each finer vertex, three coarser ones with barycentric coordinates; see [`Coarser::weights`].
+    /// For each finer vertex, three coarser ones with barycentric coordinates; see [`CoarserMesh::weights`].
     pub weights: Vec<[(usize, f64); 3]>,
 }
 
@@ -26,7 +26,7 @@ const TURN: f64 = 1e6;
 /// which deforms as a whole has the same energy as a fiber along it, and all springs of one direction in a triangle are one
 /// fiber. So the coarser net is the finer one with its shapes restricted, not a model of its own.
 pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
-    let Coarser {
+    let CoarserMesh {
         mesh,
         finer,
         weights,

@@ -29,7 +29,7 @@ pub struct Fabric {
     pub friction: f64,
     /// Share of critical damping.
     pub damping_ratio: f64,
-    /// Where the figures come from.
+    /// Source of the figures.
     pub source: String,
 }
 
@@ -50,7 +50,7 @@ const BOUNDS: Bounds = [
 ];
 
 impl Fabric {
-    /// What is wrong with the coefficients: each outside its bounds, or not finite, under `pointer`.
+    /// Returns the faults of the coefficients: each outside its bounds, or not finite, under `pointer`.
     pub fn check(&self, pointer: &str) -> Vec<Fault> {
         BOUNDS
             .iter()

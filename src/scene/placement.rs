@@ -1,4 +1,4 @@
-//! Where each panel starts: its key point is put at a key point of the body, in front of it, behind it or round it (P7).
+//! Start position of each panel (P7): its key point is put at a key point of the body, in front, behind or round it.
 
 use super::Avatar;
 use crate::fault::{Fault, Faults, PlacementCode, pointer_token};
@@ -9,10 +9,10 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Room left between the body and a panel at the start \[m\].
 const CLEARANCE: f64 = 0.03;
-/// Steps in height at which the body is asked how wide it is \[m\].
+/// Steps in height at which the width of the body is sampled \[m\].
 const HEIGHT_STEP: f64 = 0.02;
-/// Where a garment without a body starts.
-const NO_BODY: Body = Body {
+/// Key points of a garment without a body.
+const NO_BODY: BodyKeyPoints = BodyKeyPoints {
     shoulder: 1.4,
     neck: 1.42,
     waist: 1.05,
@@ -24,7 +24,7 @@ const ARM_SPREAD: f64 = 0.7;
 
 /// Key points of a body: heights, the middle in depth, x and y of the left shoulder's tip \[m\].
 #[derive(Clone, Copy, Debug)]
-struct Body {
+struct BodyKeyPoints {
     shoulder: f64,
     neck: f64,
     waist: f64,
@@ -32,7 +32,7 @@ struct Body {
     arm: [f64; 2],
 }
 
-impl Body {
+impl BodyKeyPoints {
     fn of(avatar: &Avatar) -> Self {
         let height =
             |name: &str, otherwise: f64| avatar.landmarks.get(name).map_or(otherwise, |p| p.y);
@@ -71,12 +71,12 @@ pub struct Placed {
     sense: f64,
     /// Angle of the outward direction from +z towards +x \[rad\].
     outward: f64,
-    /// Where the key point's height meets the axis \[m\].
+    /// Point of the axis at the key point's height \[m\].
     axis: Vector3<f64>,
     /// Distance from the axis \[m\].
     radius: f64,
     wrap: Wrap,
-    /// How far the axis leans, about the key point: positive takes its lower end to +x \[rad\].
+    /// Lean of the axis about the key point; positive takes its lower end to +x \[rad\].
     lean: f64,
     rotation: Rotation3<f64>,
     offset: Vector3<f64>,
@@ -111,11 +111,11 @@ impl Placed {
     }
 }
 
-/// Where an anchor is and how panels lie at it.
+/// Position of an anchor, and the pose of panels there.
 struct Spot {
-    /// Where the key point's height meets the axis \[m\].
+    /// Point of the axis at the key point's height \[m\].
     axis: Vector3<f64>,
-    /// Whether the key point is the top of the panel, not its bottom.
+    /// True if the key point is the top of the panel, not its bottom.
     hangs: bool,
     /// Angle of the outward direction from +z towards +x \[rad\].
     outward: f64,
@@ -125,7 +125,7 @@ struct Spot {
 }
 
 impl Spot {
-    fn of(anchor: PlacementAnchor, body: &Body) -> Self {
+    fn of(anchor: PlacementAnchor, body: &BodyKeyPoints) -> Self {
         let spot = |height: f64, hangs: bool, outward: f64, turn: Option<f64>| Self {
             axis: Vector3::new(0.0, height, body.centre),
             hangs,
@@ -180,7 +180,7 @@ impl AnchoredPlacement {
     /// Places `panel`, whose side `face` is out, on `avatar`, or in free space without one.
     pub fn place(&self, panel: &Panel, face: Face, avatar: Option<&Avatar>) -> Placed {
         let Self { anchor, placement } = self;
-        let body = avatar.map_or(NO_BODY, Body::of);
+        let body = avatar.map_or(NO_BODY, BodyKeyPoints::of);
         let spot = Spot::of(*anchor, &body);
         let up = Rotation2::new((90.0 - placement.up_deg.unwrap_or(90.0)).to_radians());
         let [[left, right], [bottom, top]] = bounds(panel, &up);
@@ -230,7 +230,7 @@ impl AnchoredPlacement {
     }
 }
 
-/// How far the body reaches from its axis between two heights \[m\]: to the front and back for flat panels, all round for rolled ones.
+/// Returns the reach of the body from its axis between two heights \[m\]: to the front and back for flat panels, all round for rolled ones.
 fn radius(avatar: Option<&Avatar>, centre: f64, span: [f64; 2], wrap: Wrap) -> f64 {
     let Some(avatar) = avatar else {
         return CLEARANCE;

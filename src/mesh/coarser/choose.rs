@@ -1,26 +1,27 @@
-//! Which vertices stay in a coarser mesh.
+//! Selection of the vertices that stay in a coarser mesh.
 
-use super::super::ClothMesh;
-use super::super::geometry;
+use crate::mesh::cloth_mesh::ClothMesh;
+use crate::mesh::geometry;
+use crate::pattern::point::{self};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// An outline that turns more than this at a vertex has a corner there \[cos\]: 30 degrees.
 const STRAIGHT: f64 = 0.866;
 
-/// Which vertices stay, and what was learned on the way.
+/// The vertices that stay, and the topology found while selecting them.
 pub(super) struct Choice {
-    /// Whether each vertex stays.
+    /// True for each vertex that stays.
     pub(super) kept: Vec<bool>,
-    /// Whether it may not go: a corner, an end of a seam, a pin.
+    /// True for each vertex that may not go: a corner, an end of a seam, a pin.
     pub(super) must_stay: Vec<bool>,
-    /// Whether it is on an outline or the edge of a hole.
+    /// True for each vertex on an outline or the edge of a hole.
     pub(super) is_outline: Vec<bool>,
     /// For each panel its closed rings of vertices, the outline first.
     pub(super) rings: Vec<Vec<Vec<usize>>>,
 }
 
 impl Choice {
-    /// Chooses; panels marked `whole` keep every vertex.
+    /// Selects the vertices; panels marked `whole` keep every vertex.
     pub(super) fn new(mesh: &ClothMesh, fixed: &[usize], whole: &[bool]) -> Self {
         let count = mesh.uv.len();
         let mut choice = Self {
@@ -66,8 +67,8 @@ impl Choice {
                 let before = mesh.uv[ring[(i + ring.len() - 1) % ring.len()]];
                 let after = mesh.uv[ring[(i + 1) % ring.len()]];
                 let (u, w) = (
-                    geometry::sub(mesh.uv[v], before),
-                    geometry::sub(after, mesh.uv[v]),
+                    point::sub(mesh.uv[v], before),
+                    point::sub(after, mesh.uv[v]),
                 );
                 let cosine = (u[0] * w[0] + u[1] * w[1]) / (u[0].hypot(u[1]) * w[0].hypot(w[1]));
                 self.must_stay[v] |= cosine < STRAIGHT;
@@ -75,7 +76,8 @@ impl Choice {
         }
     }
 
-    /// Where of two neighbours on an outline one is sewn to something that the other is not sewn beside, a seam ends.
+    /// Keeps the ends of seams: of two neighbors on an outline, one is sewn to a vertex beside which the other is not
+    /// sewn.
     fn fix_seam_ends(&mut self, mesh: &ClothMesh, class: &[usize]) {
         let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for stitch in &mesh.stitches {
@@ -140,7 +142,7 @@ impl Choice {
     }
 }
 
-/// The neighbours of each vertex, ascending.
+/// Returns the neighbors of each vertex, ascending.
 pub(super) fn neighbours(mesh: &ClothMesh) -> Vec<Vec<usize>> {
     let mut neighbours = vec![vec![]; mesh.uv.len()];
     for &[a, b, c] in &mesh.triangles {
@@ -187,7 +189,7 @@ fn rings(mesh: &ClothMesh, panel: usize) -> Vec<Vec<usize>> {
     rings
 }
 
-/// The class of each vertex: those that hang together through stitches, named by the lowest.
+/// Returns the class of each vertex: those connected by stitches, named by the lowest.
 fn classes(mesh: &ClothMesh) -> Vec<usize> {
     let mut parent: Vec<usize> = (0..mesh.uv.len()).collect();
     let root = |parent: &mut [usize], mut v: usize| {

@@ -6,9 +6,9 @@
 mod choose;
 mod weights;
 
-use super::boundary::Boundary;
-use super::delaunay::Domain;
-use super::{ClothMesh, PanelRange, Stitch, smallest_first};
+use crate::mesh::boundary::Boundary;
+use crate::mesh::cloth_mesh::{ClothMesh, PanelRange, Stitch, smallest_first};
+use crate::mesh::delaunay::Domain;
 use choose::Choice;
 use std::ops::Range;
 
@@ -17,9 +17,9 @@ const FEWEST: usize = 500;
 /// A mesh that keeps more than this share of its vertices is not worth a level.
 const LARGEST_SHARE: f64 = 0.7;
 
-/// A coarser mesh and how the finer one hangs on it.
+/// A coarser mesh and the interpolation from it to the finer one.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Coarser {
+pub struct CoarserMesh {
     /// The coarser mesh.
     pub mesh: ClothMesh,
     /// The finer vertex that each coarser one is; ascending.
@@ -29,10 +29,10 @@ pub struct Coarser {
     pub weights: Vec<[(usize, f64); 3]>,
 }
 
-/// The next coarser mesh that keeps the vertices `fixed`; `None` if there is none worth having.
+/// Returns the next coarser mesh that keeps the vertices `fixed`; `None` if there is none worth having.
 ///
 /// A panel whose thinned outline would cross itself keeps all its vertices.
-pub fn coarser(mesh: &ClothMesh, fixed: &[usize]) -> Option<Coarser> {
+pub fn coarser(mesh: &ClothMesh, fixed: &[usize]) -> Option<CoarserMesh> {
     if mesh.uv.len() < FEWEST || mesh.triangles.is_empty() {
         return None;
     }
@@ -53,8 +53,8 @@ pub fn coarser(mesh: &ClothMesh, fixed: &[usize]) -> Option<Coarser> {
     }
 }
 
-/// The triangles between the kept vertices of a panel, in the finer mesh's numbering; takes vertices out of the choice that
-/// are in none of them. `None` if the thinned outline is no outline, or loses a vertex that must stay.
+/// Returns the triangles between the kept vertices of a panel, in the finer mesh's numbering, and deselects vertices that
+/// are in none of them. `None` if the thinned outline crosses itself, or loses a vertex that must stay.
 fn triangles(
     mesh: &ClothMesh,
     panel: usize,
@@ -101,7 +101,7 @@ fn triangles(
 }
 
 /// The coarser mesh in its own numbering.
-fn renumbered(mesh: &ClothMesh, choice: &Choice, panels: Vec<Vec<[usize; 3]>>) -> Coarser {
+fn renumbered(mesh: &ClothMesh, choice: &Choice, panels: Vec<Vec<[usize; 3]>>) -> CoarserMesh {
     let finer: Vec<usize> = (0..mesh.uv.len()).filter(|&v| choice.kept[v]).collect();
     let mut number = vec![usize::MAX; mesh.uv.len()];
     finer.iter().enumerate().for_each(|(n, &v)| number[v] = n);
@@ -132,7 +132,7 @@ fn renumbered(mesh: &ClothMesh, choice: &Choice, panels: Vec<Vec<[usize; 3]>>) -
     };
     coarse.stitches = mesh.stitches.iter().filter(both).map(stitch).collect();
     let weights = weights::weights(mesh, &coarse, &number);
-    Coarser {
+    CoarserMesh {
         mesh: coarse,
         finer,
         weights,

@@ -1,8 +1,8 @@
-//! Where the vertices of the finer mesh lie in the coarser one.
+//! Barycentric coordinates of the finer mesh's vertices in the coarser mesh.
 
-use super::super::ClothMesh;
-use super::super::locate::barycentric;
 use super::choose::neighbours;
+use crate::mesh::cloth_mesh::ClothMesh;
+use crate::mesh::locate::barycentric;
 
 /// For each finer vertex the corners of its coarse triangle, with barycentric coordinates; `number` is the coarse vertex that
 /// each finer one is, or `usize::MAX`.

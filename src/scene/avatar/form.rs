@@ -201,8 +201,8 @@ impl DressForm {
     }
 }
 
-/// Where the outline seen from the front turns from neck to shoulder and from shoulder to arm: its slope passes
-/// 45 degrees there; (x, y) and z of the widest line \[m\].
+/// Returns the points at which the outline seen from the front turns from neck to shoulder and from shoulder to arm,
+/// its slope passing 45 degrees: (x, y) and z of the widest line \[m\].
 fn shoulder_line(torso: &Torso) -> [[f64; 3]; 2] {
     let steps = 0..SHOULDER_STEPS;
     let point = |i: usize| {

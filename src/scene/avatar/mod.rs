@@ -21,7 +21,7 @@ use field::DistanceField;
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
-/// How far outside the surface the smooth distance is offered \[m\]: more than cloth, its thickness and one Newton move.
+/// Distance outside the surface up to which the smooth distance is offered \[m\]: more than cloth, its thickness and one Newton move.
 const REACH: f64 = 0.04;
 
 /// A closed body with what is needed to place and drape on it: y up, facing +z, its left at +x, floor at y = 0 \[m\].

@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Longest and shortest mesh edge of a form in size M \[m\]; others in proportion, so that all have about as many.
 const EDGE: [f64; 2] = [0.012, 0.004];
-/// How far a chord may stay below its arc, likewise \[m\].
+/// Largest distance of a chord below its arc, likewise \[m\].
 const SAG: f64 = 0.000_15;
 /// Samples of the profiles that the heights of the rings are found from.
 const SAMPLES: usize = 2000;
@@ -64,7 +64,7 @@ fn heights(torso: &Torso, size: f64) -> Vec<f64> {
     marks.iter().map(|mark| (1.0 + mark) * step).collect()
 }
 
-/// How many edges each piece of a polyline is worth on a form `size` times as large as size M.
+/// Returns the number of edges that each piece of a polyline is worth on a form `size` times as large as size M.
 fn densities(points: &[[f64; 2]], size: f64) -> Vec<f64> {
     let pieces: Vec<[f64; 2]> = points
         .windows(2)

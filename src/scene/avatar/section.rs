@@ -21,16 +21,16 @@ pub(super) struct Section {
     pub(super) back: f64,
     /// Exponent of the superellipse.
     pub(super) exponent: f64,
-    /// What stands out from it.
+    /// Bumps that stand out from it.
     pub(super) bumps: [Bump; 2],
 }
 
 /// Two bumps, one on each side, at a polar angle from +z towards +x and its mirror image.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Bump {
-    /// How far it stands out \[m\].
+    /// Height above the section \[m\].
     pub(super) height: f64,
-    /// Where \[rad\].
+    /// Polar angle of its top \[rad\].
     pub(super) angle: f64,
     /// Its standard deviation \[rad\].
     pub(super) spread: f64,

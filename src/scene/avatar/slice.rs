@@ -2,7 +2,7 @@
 
 use super::TriangleMesh;
 
-/// Where the surface crosses height `y`: points (x, z) \[m\], two for each triangle crossed, in no order.
+/// Returns the crossings of the surface with height `y`: points (x, z) \[m\], two for each triangle crossed, in no order.
 fn points(surface: &TriangleMesh, y: f64) -> Vec<[f64; 2]> {
     let mut points = Vec::new();
     for t in 0..surface.triangles.len() {

@@ -114,7 +114,7 @@ impl Torso {
         row
     }
 
-    /// How large it is against size M, as the mean of its measured scales.
+    /// Returns its size against size M, as the mean of its measured scales.
     pub(super) fn size(&self) -> f64 {
         let Scale {
             height,

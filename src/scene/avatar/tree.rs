@@ -34,7 +34,7 @@ struct Node {
     count: usize,
 }
 
-/// Which part of a triangle a point is nearest to.
+/// The part of a triangle that a point is nearest to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Feature {
     Face,

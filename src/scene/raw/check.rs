@@ -1,6 +1,6 @@
 //! Validation of a raw scene: all of its faults at once.
 
-use super::RawScene;
+use super::raw_scene::RawScene;
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, SceneCode};
 use std::collections::BTreeMap;
@@ -16,9 +16,9 @@ const ROUGHEST: f64 = 10.0;
 /// Faults told of one list; a scene wrong throughout is not worth a longer answer.
 const TOLD: usize = 20;
 
-/// All that is wrong with `scene`.
+/// Returns all faults of `scene`.
 pub(super) fn check(scene: &RawScene, limits: &Limits) -> Result<(), Faults> {
-    let mut found = Found {
+    let mut found = SceneCheck {
         vertex_count: scene.start_m.len(),
         faults: Vec::new(),
     };
@@ -34,28 +34,28 @@ pub(super) fn check(scene: &RawScene, limits: &Limits) -> Result<(), Faults> {
 }
 
 /// A kind of fault with what is wrong.
-type Flaw = (SceneCode, String);
+type Defect = (SceneCode, String);
 
-struct Found {
+struct SceneCheck {
     vertex_count: usize,
     faults: Vec<Fault>,
 }
 
-impl Found {
-    fn add(&mut self, (code, detail): Flaw, pointer: String) {
+impl SceneCheck {
+    fn add(&mut self, (code, detail): Defect, pointer: String) {
         self.faults.push(Fault::new(code, pointer, detail));
     }
 
     /// Looks at each entry of the list at `pointer`.
-    fn each<T>(&mut self, pointer: &str, list: &[T], flaw: impl Fn(&Self, &T) -> Option<Flaw>) {
-        let flaws: Vec<_> = list
+    fn each<T>(&mut self, pointer: &str, list: &[T], defect: impl Fn(&Self, &T) -> Option<Defect>) {
+        let defects: Vec<_> = list
             .iter()
             .enumerate()
-            .filter_map(|(i, entry)| Some((i, flaw(self, entry)?)))
+            .filter_map(|(i, entry)| Some((i, defect(self, entry)?)))
             .take(TOLD)
             .collect();
-        for (i, flaw) in flaws {
-            self.add(flaw, format!("{pointer}/{i}"));
+        for (i, defect) in defects {
+            self.add(defect, format!("{pointer}/{i}"));
         }
     }
 
@@ -104,12 +104,12 @@ impl Found {
 
     fn triangles(&mut self, scene: &RawScene) {
         self.each("/triangles", &scene.triangles, |found, triangle| {
-            if let Some(flaw) = triangle.iter().find_map(|&v| found.no_vertex(v)) {
-                return Some(flaw);
+            if let Some(defect) = triangle.iter().find_map(|&v| found.no_vertex(v)) {
+                return Some(defect);
             }
             let [p, q, r] = triangle.map(|v| scene.uv_m[v]);
             let twice = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-            // so written that a NaN is not called a flaw of the triangle: it is told of the vertex
+            // so written that a NaN is not called a defect of the triangle: it is told of the vertex
             (twice <= 0.0).then(|| {
                 let detail = format!(
                     "triangle {triangle:?} has no area or runs clockwise in uv_m: give its vertices counter-clockwise"
@@ -170,21 +170,21 @@ impl Found {
                 format!("there is no axis {axis}: 0 is x, 1 y, 2 z"),
             )
         });
-        let flaws = [
+        let defects = [
             ("/gravity_m_s2", far(&scene.gravity_m_s2)),
             ("/wind_m_s", scene.wind_m_s.and_then(|wind| far(&wind))),
             ("/friction", friction),
             ("/drag_1_s", drag),
             ("/held_axis", axis),
         ];
-        for (pointer, flaw) in flaws {
-            if let Some(flaw) = flaw {
-                self.add(flaw, pointer.to_owned());
+        for (pointer, defect) in defects {
+            if let Some(defect) = defect {
+                self.add(defect, pointer.to_owned());
             }
         }
     }
 
-    fn no_vertex(&self, v: usize) -> Option<Flaw> {
+    fn no_vertex(&self, v: usize) -> Option<Defect> {
         (v >= self.vertex_count).then(|| {
             let last = self.vertex_count - 1;
             (
@@ -194,14 +194,14 @@ impl Found {
         })
     }
 
-    fn pair(&self, [a, b]: [usize; 2]) -> Option<Flaw> {
+    fn pair(&self, [a, b]: [usize; 2]) -> Option<Defect> {
         self.no_vertex(a).or_else(|| self.no_vertex(b)).or_else(|| {
             (a == b).then(|| (SceneCode::Itself, format!("vertex {a} is tied to itself")))
         })
     }
 }
 
-fn far(numbers: &[f64]) -> Option<Flaw> {
+fn far(numbers: &[f64]) -> Option<Defect> {
     let wrong = numbers.iter().find(|c| c.is_nan() || c.abs() > FAR)?;
     Some((
         SceneCode::Number,
@@ -209,7 +209,7 @@ fn far(numbers: &[f64]) -> Option<Flaw> {
     ))
 }
 
-fn not_positive(what: &str, value: f64, unit: &str) -> Option<Flaw> {
+fn not_positive(what: &str, value: f64, unit: &str) -> Option<Defect> {
     (!(value > 0.0 && value.is_finite())).then(|| {
         (
             SceneCode::NotPositive,

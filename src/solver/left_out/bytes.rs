@@ -1,4 +1,4 @@
-//! What a scene lacks has no arrays: a system takes the memory of its terms.
+//! Terms that a scene lacks have no arrays: a system takes the memory of its terms.
 
 use crate::scene::Scene;
 use crate::solver::left_out::by_hand::{self, no_clock};
@@ -11,7 +11,7 @@ use allocation_counter::{AllocationInfo, measure};
 /// Cells along a sheet.
 const CELLS: usize = 8;
 
-/// What `make` allocates in all, and what is left of that while its result lives.
+/// Returns the bytes that `make` allocates in all, and those that remain while its result lives.
 fn allocated<T>(make: impl FnOnce() -> T) -> AllocationInfo {
     let mut made = None;
     measure(|| made = Some(make()))

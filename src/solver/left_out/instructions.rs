@@ -1,4 +1,4 @@
-//! What a scene lacks is never entered: its drape takes the instructions of a program that has only its terms.
+//! Terms that a scene lacks are never entered: its drape takes the instructions of a program that has only its terms.
 //!
 //! Each program is a test of its own that is run alone, in a process under callgrind. What the report takes is left out of the
 //! comparison (see [`REPORT`]); `make instructions` tells what that is of a whole fit.
@@ -26,7 +26,7 @@ const CELLS: usize = 13;
 const TOLERANCE: f64 = 1e-3;
 /// Steps of motion: enough to see what they take, not to come to rest.
 const STEPS: u64 = 2000;
-/// How much more than by hand a drape may take.
+/// Largest share of instructions that a drape may take beyond those by hand.
 const MORE: f64 = 0.01;
 
 /// Source files of what the plain scene lacks.

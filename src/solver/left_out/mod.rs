@@ -1,4 +1,4 @@
-//! What a scene lacks costs nothing: no term, no array, no instruction.
+//! Terms that a scene lacks cost nothing: no term, no array, no instruction.
 
 mod by_hand;
 mod bytes;

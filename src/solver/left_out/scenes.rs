@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 /// Side of a sheet \[m\].
 const SIDE: f64 = 0.4;
 
-/// What a scene has.
+/// Parts that a scene has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Has {
     pub(crate) body: bool,
