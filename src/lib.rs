@@ -1,12 +1,15 @@
-//! Seamster sews garments without a screen: 2D pattern pieces as real CAD writes them (DXF) and a list
-//! of seams go in, a garment sewn and draped on a body comes out, with a report that says how far to trust it.
+//! Seamster sews garments without a screen: 2D pattern pieces as real CAD writes them (DXF) and a
+//! list of seams go in, a garment sewn and draped on a body comes out, with a report that says how
+//! far to trust it.
 //!
-//! The method is Chen Qing-Qing, "Three-Dimensional Garment Simulation Technology Based on Interactive
-//! Suture Setting" (2013), taken further as ARCHITECTURE.md tells.
+//! The method is Chen Qing-Qing, "Three-Dimensional Garment Simulation Technology Based on
+//! Interactive Suture Setting" (2013), taken further as ARCHITECTURE.md tells.
 //!
-//! The modules in reading order, which is the way the data goes; none uses a name from a module below it:
+//! The modules in reading order, which is the way the data goes; none uses a name from a module
+//! below it:
 //!
-//! - [`fault`], [`config`], [`progress`], [`memory`]: what every module shares: faults, limits, cancelling, peak memory.
+//! - [`fault`], [`config`], [`progress`], [`memory`]: what every module shares: faults, limits,
+//!   cancelling, peak memory.
 //! - [`pattern`]: DXF bytes to a [`pattern::Pattern`] of panels.
 //! - [`seam`]: seam pairs as asked to checked [`seam::Seam`]s.
 //! - [`mesh`]: panels to a [`mesh::ClothMesh`] whose boundary points match across seams.

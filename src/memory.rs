@@ -1,6 +1,7 @@
 //! The memory that the process takes, as the system tells it.
 
-/// Returns the largest resident memory of the process so far \[bytes\]; none where the system does not tell.
+/// Returns the largest resident memory of the process so far \[bytes\]; none where the system does
+/// not tell.
 pub fn peak_bytes() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let peak = status

@@ -29,7 +29,8 @@ impl CancelToken {
 /// Progress of a fit or a study.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Progress {
-    /// Present stage; of a fit: `mesh`, `assemble`, `sew`, `drape` or `export`; of a study, in words.
+    /// Present stage; of a fit: `mesh`, `assemble`, `sew`, `drape` or `export`; of a study, in
+    /// words.
     pub stage: String,
     /// Share of the whole done, 0 to 1; an estimate that never falls.
     pub fraction: f64,

@@ -1,8 +1,8 @@
-//! Sparse Cholesky factors of symmetric positive definite matrices in f64: one symbolic factorization, many numeric ones
-//! in the same memory.
+//! Sparse Cholesky factors of symmetric positive definite matrices in f64: one symbolic
+//! factorization, many numeric ones in the same memory.
 //!
-//! A crate of its own because faer is generic: used from a large crate, its kernels are compiled again with every change of
-//! that crate, and at that crate's optimisation level.
+//! A crate of its own because faer is generic: used from a large crate, its kernels are compiled
+//! again with every change of that crate, and at that crate's optimisation level.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
@@ -32,14 +32,16 @@ pub struct NotPositiveDefinite;
 pub struct OutOfMemory;
 
 impl Cholesky {
-    /// Analyzes the lower triangle of a matrix: the rows of column `j` are `rows[column_start[j]..column_start[j + 1]]`,
-    /// ascending. Columns are eliminated as `order` lists them; approximate minimum degree if it is absent.
+    /// Analyzes the lower triangle of a matrix: the rows of column `j` are
+    /// `rows[column_start[j]..column_start[j + 1]]`, ascending. Columns are eliminated as `order`
+    /// lists them; approximate minimum degree if it is absent.
     ///
     /// # Errors
     /// [`OutOfMemory`] if the factor does not fit.
     ///
     /// # Panics
-    /// If `column_start` and `rows` are not such a triangle, or `order` does not list every column once.
+    /// If `column_start` and `rows` are not such a triangle, or `order` does not list every column
+    /// once.
     pub fn new(
         column_start: Vec<usize>,
         rows: Vec<usize>,

@@ -1,4 +1,5 @@
-//! Any bytes as the seams of a pattern: `cargo fuzz run -s none seams fuzz/corpus/seams tests/corpus/seams`.
+//! Any bytes as the seams of a pattern: `cargo fuzz run -s none seams fuzz/corpus/seams
+//! tests/corpus/seams`.
 #![no_main]
 
 use seamster_fixtures::holds;

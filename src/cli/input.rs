@@ -14,7 +14,8 @@ use std::path::{Path, PathBuf};
 /// A garment, with its pattern or beside it, and how to read that.
 #[derive(Args)]
 pub(super) struct Input {
-    /// The pattern (DXF or a GarmentCode specification), and the garment without its pattern; or a saved garment alone
+    /// The pattern (DXF or a GarmentCode specification), and the garment without its pattern; or a
+    /// saved garment alone
     #[arg(required = true, num_args = 1..=2, value_names = ["PATTERN", "GARMENT.json"])]
     inputs: Vec<PathBuf>,
     /// Unit of the pattern's coordinates, overriding what it says: mm, cm, m or inch
@@ -23,7 +24,8 @@ pub(super) struct Input {
     /// Size to sew of a graded pattern; its sample size if not given
     #[arg(long)]
     size: Option<String>,
-    /// Order of the three angles of a GarmentCode panel in its rotation: xyz (Rx Ry Rz, as it writes) or zyx
+    /// Order of the three angles of a GarmentCode panel in its rotation: xyz (Rx Ry Rz, as it
+    /// writes) or zyx
     #[arg(long, value_parser = parse_word::<RotationOrder>)]
     rotation_order: Option<RotationOrder>,
 }

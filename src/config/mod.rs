@@ -1,4 +1,5 @@
-//! Settings of the operator: one [`Config`], and the [`Limits`] on everything that comes from outside.
+//! Settings of the operator: one [`Config`], and the [`Limits`] on everything that comes from
+//! outside.
 
 mod limits;
 mod settings;

@@ -80,7 +80,8 @@ impl Config {
         Ok(self)
     }
 
-    /// Returns the number of jobs run at the same time: as set, else one less than the cores so that requests are still answered.
+    /// Returns the number of jobs run at the same time: as set, else one less than the cores so
+    /// that requests are still answered.
     pub fn worker_count(&self) -> usize {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         self.workers.unwrap_or(cores.saturating_sub(1)).max(1)

@@ -1,7 +1,7 @@
 //! Binary glTF 2.0: one node and mesh per panel, named by its id; one material per fabric.
 //!
-//! Written by hand after the glTF 2.0 specification (Khronos Group, 2021), sections 3.6 (buffers, accessors),
-//! 3.7 (meshes), 3.9 (materials) and 4.4 (the binary container).
+//! Written by hand after the glTF 2.0 specification (Khronos Group, 2021), sections 3.6 (buffers,
+//! accessors), 3.7 (meshes), 3.9 (materials) and 4.4 (the binary container).
 
 use super::garment_mesh::{DrapedPanel, GarmentMesh};
 use super::normals;
@@ -9,7 +9,8 @@ use crate::scene::TriangleMesh;
 use nalgebra::Vector3;
 use serde_json::{Map, Value, json};
 
-/// Linear base colors of fabrics, in the order in which they appear: muted, and apart for readers who see few hues.
+/// Linear base colors of fabrics, in the order in which they appear: muted, and apart for readers
+/// who see few hues.
 const COLORS: [[f64; 3]; 6] = [
     [0.20, 0.34, 0.50],
     [0.60, 0.22, 0.12],
@@ -27,8 +28,9 @@ const UNSIGNED_INT: u32 = 5125;
 
 /// Writes a garment as binary glTF 2.0.
 ///
-/// `POSITION` and `NORMAL` in metres, y up; `TEXCOORD_0` = pattern coordinates in metres with v up (glTF draws
-/// images with v down: a texture wants `KHR_texture_transform`). A panel without triangles is a node without a mesh.
+/// `POSITION` and `NORMAL` in metres, y up; `TEXCOORD_0` = pattern coordinates in metres with v up
+/// (glTF draws images with v down: a texture wants `KHR_texture_transform`). A panel without
+/// triangles is a node without a mesh.
 pub fn glb(mesh: &GarmentMesh) -> Vec<u8> {
     let mut file = GlbWriter::default();
     file.garment(mesh);

@@ -1,7 +1,7 @@
 //! From a drape to bytes: GLB, OBJ, JSON; from a pattern to a drawing; from measurements to a plot.
 //!
-//! In all of them the first texture coordinates are the pattern coordinates in metres, v up, so that a fabric
-//! of known repeat can be laid on to scale.
+//! In all of them the first texture coordinates are the pattern coordinates in metres, v up, so
+//! that a fabric of known repeat can be laid on to scale.
 
 mod garment_mesh;
 mod glb;

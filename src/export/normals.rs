@@ -7,22 +7,26 @@ use std::collections::BTreeMap;
 /// Normal of a part that has no area: any direction is right, and a reader wants a unit vector.
 const NOWHERE: Vector3<f64> = Vector3::new(0.0, 0.0, 1.0);
 
-/// Cosine of the angle between two faces (60 degrees) above which the seam between them is a crease to be seen, as
-/// at a hem or a dart's end: sewn cloth that hangs smooth turns less at one seam, a fold turns more.
+/// Cosine of the angle between two faces (60 degrees) above which the seam between them is a crease
+/// to be seen, as at a hem or a dart's end: sewn cloth that hangs smooth turns less at one seam, a
+/// fold turns more.
 const CREASE_COS: f64 = 0.5;
 
-/// More vertices than seams ever bring together in one point: a shape that collapsed, whose normals mean nothing.
+/// More vertices than seams ever bring together in one point: a shape that collapsed, whose normals
+/// mean nothing.
 const MOST_MET: usize = 64;
 
-/// Returns unit normals, `#V`: the mean of the triangles round a vertex weighted by area, on their counter-clockwise side.
+/// Returns unit normals, `#V`: the mean of the triangles round a vertex weighted by area, on their
+/// counter-clockwise side.
 ///
 /// Assumes indices below `positions.len()`.
 pub(super) fn smooth(positions: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Vec<Vector3<f64>> {
     weighted(positions, triangles).iter().map(unit).collect()
 }
 
-/// Returns unit normals of every panel, `#V` each: as [`smooth`], and over vertices at the very same place (a closed seam)
-/// where the faces do not meet in a crease, so that light does not tell panels apart.
+/// Returns unit normals of every panel, `#V` each: as [`smooth`], and over vertices at the very
+/// same place (a closed seam) where the faces do not meet in a crease, so that light does not tell
+/// panels apart.
 pub(super) fn of_garment(mesh: &GarmentMesh) -> Vec<Vec<Vector3<f64>>> {
     let own: Vec<Vec<_>> = mesh
         .panels
@@ -45,7 +49,8 @@ pub(super) fn of_garment(mesh: &GarmentMesh) -> Vec<Vec<Vector3<f64>>> {
     normals
 }
 
-/// Returns groups of vertices (panel, index) at exactly the same place, in the order of panels and vertices.
+/// Returns groups of vertices (panel, index) at exactly the same place, in the order of panels and
+/// vertices.
 fn meetings(mesh: &GarmentMesh) -> Vec<Vec<(usize, usize)>> {
     let mut at: BTreeMap<[u64; 3], Vec<(usize, usize)>> = BTreeMap::new();
     for (panel, part) in mesh.panels.iter().enumerate() {
@@ -60,7 +65,8 @@ fn meetings(mesh: &GarmentMesh) -> Vec<Vec<(usize, usize)>> {
         .collect()
 }
 
-/// Returns the sum of the normals of the triangles round each vertex, each twice its area long, `#V`.
+/// Returns the sum of the normals of the triangles round each vertex, each twice its area long,
+/// `#V`.
 fn weighted(positions: &[Vector3<f64>], triangles: &[[usize; 3]]) -> Vec<Vector3<f64>> {
     let mut normals = vec![Vector3::zeros(); positions.len()];
     for triangle in triangles {
@@ -104,7 +110,8 @@ mod tests {
         }
     }
 
-    /// Two squares of side 1 sewn along the y axis: one in the plane z = 0, the other turned up out of it by `turn`.
+    /// Two squares of side 1 sewn along the y axis: one in the plane z = 0, the other turned up out
+    /// of it by `turn`.
     fn sewn(turn: f64) -> GarmentMesh {
         let (sin, cos) = turn.sin_cos();
         let panel = |far: Point2, triangles: [[u32; 3]; 2]| DrapedPanel {
@@ -135,7 +142,8 @@ mod tests {
             for i in [0, 3] {
                 assert_eq!(left[i], right[i], "turned by {turn}");
                 let between = Vector3::new(-(turn / 2.0).sin(), 0.0, (turn / 2.0).cos());
-                // One vertex has two triangles in the one panel and one in the other: the mean leans to the former.
+                // One vertex has two triangles in the one panel and one in the other: the mean
+                // leans to the former.
                 assert!(left[i].angle(&between) <= turn.abs() / 2.0);
             }
             assert!((left[1] - Vector3::z()).norm() < 1e-15, "off the seam");

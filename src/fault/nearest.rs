@@ -3,8 +3,8 @@
 /// Characters of the longest name that is compared: the work grows with the square of the length.
 const MAX_CHARS: usize = 64;
 
-/// Returns the candidate with the smallest edit distance to `name`, if that is at most a third of the characters of `name`,
-/// rounded up. Case does not count.
+/// Returns the candidate with the smallest edit distance to `name`, if that is at most a third of
+/// the characters of `name`, rounded up. Case does not count.
 pub(crate) fn nearest<'a>(
     name: &str,
     candidates: impl Iterator<Item = &'a str>,

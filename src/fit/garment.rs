@@ -116,7 +116,8 @@ pub struct PanelSpec {
     /// Direction of the warp, overriding the pattern's \[degrees\].
     #[serde(skip_serializing_if = "Option::is_none")]
     pub grain_deg: Option<f64>,
-    /// Width to cut away inside the outline before sewing, where the outline was given as cut \[m\].
+    /// Width to cut away inside the outline before sewing, where the outline was given as cut
+    /// \[m\].
     pub seam_allowance_m: f64,
     /// Edges that are shortened.
     pub elastic: Vec<Elastic>,

@@ -40,11 +40,12 @@ fn to_value(part: &impl serde::Serialize) -> Value {
     serde_json::to_value(part).expect("a schema of strings and numbers always serializes")
 }
 
-/// Makes the schema as strict as serde is: local references, closed objects, lengths of tuples, ranges of integers.
+/// Makes the schema as strict as serde is: local references, closed objects, lengths of tuples,
+/// ranges of integers.
 ///
-/// `depth` counts the arrays round this schema. The derive drops the length of `[f64; N]`; in what clients send, a
-/// row of numbers that is a field of its own is a vector of three, and one that is an item of a list is a point of two; a list
-/// of any length says so by `minItems`.
+/// `depth` counts the arrays round this schema. The derive drops the length of `[f64; N]`; in what
+/// clients send, a row of numbers that is a field of its own is a vector of three, and one that is
+/// an item of a list is a point of two; a list of any length says so by `minItems`.
 fn tighten(schema: &mut Value, depth: usize) {
     let Some(object) = schema.as_object_mut() else {
         return;

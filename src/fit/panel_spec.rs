@@ -6,7 +6,8 @@ use crate::seam::FaceRequest;
 
 /// Returns the settings of each panel, in the pattern's order.
 ///
-/// A mirrored copy takes from its source, reflected, whatever the garment does not state of the copy itself.
+/// A mirrored copy takes from its source, reflected, whatever the garment does not state of the
+/// copy itself.
 pub(super) fn panel_specs(garment: &Garment, pattern: &Pattern) -> Vec<PanelSpec> {
     let panels = pattern.panels.iter();
     panels.map(|panel| panel_spec(garment, panel)).collect()
@@ -56,7 +57,8 @@ fn with_defaults_of(own: PanelSpec, source: PanelSpec) -> PanelSpec {
     }
 }
 
-/// Writes the settings of mirrored copies into the garment, so that the saved file states them by the copies' own ids.
+/// Writes the settings of mirrored copies into the garment, so that the saved file states them by
+/// the copies' own ids.
 pub(super) fn spell_out_copies(garment: &mut Garment, pattern: &Pattern, specs: &[PanelSpec]) {
     for (panel, spec) in pattern.panels.iter().zip(specs) {
         if panel.copy_of.is_some() && *spec != PanelSpec::default() {

@@ -56,7 +56,8 @@ pub(super) fn find_pattern(
     }
 }
 
-/// Finds the measurements of the body and puts them into the garment; none for a garment without a body.
+/// Finds the measurements of the body and puts them into the garment; none for a garment without a
+/// body.
 pub(super) fn inline_avatar(
     garment: &mut Garment,
     library: &dyn AssetLibrary,
@@ -81,7 +82,8 @@ pub(super) fn inline_avatar(
     Some(form)
 }
 
-/// Puts the fabrics that are used into the garment, so that it is complete in itself; those that are not used stay.
+/// Puts the fabrics that are used into the garment, so that it is complete in itself; those that
+/// are not used stay.
 pub(super) fn inline_fabrics(
     garment: &mut Garment,
     library: &dyn AssetLibrary,
@@ -118,7 +120,8 @@ fn fabrics_in_use(garment: &Garment) -> Vec<(String, String)> {
     std::iter::once(default).chain(named).collect()
 }
 
-/// Finds the fabric of each panel in the garment, which [`inline_fabrics`] completed; none if it has an id that is not known.
+/// Finds the fabric of each panel in the garment, which [`inline_fabrics`] completed; none if it
+/// has an id that is not known.
 pub(super) fn panel_fabrics(garment: &Garment, specs: &[PanelSpec]) -> Option<PanelFabrics> {
     let mut fabrics: Vec<NamedFabric> = Vec::new();
     let mut of_panel = Vec::new();

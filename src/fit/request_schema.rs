@@ -1,4 +1,5 @@
-//! Requests read from JSON: all faults against their schema at once, before serde, which stops at the first.
+//! Requests read from JSON: all faults against their schema at once, before serde, which stops at
+//! the first.
 
 use super::garment::Garment;
 use super::{json_schema, schema_fault};
@@ -250,7 +251,8 @@ mod tests {
     #[test]
     fn a_saved_garment_is_read_back_bit_for_bit() {
         let mut garment = read_garment(br#"{"seams": [], "avatar": null}"#).expect("it is right");
-        // Doubles of every magnitude: a linear congruential generator's bits (Knuth, MMIX), where they are a number.
+        // Doubles of every magnitude: a linear congruential generator's bits (Knuth, MMIX), where
+        // they are a number.
         let mut state = 1_u64;
         let bits = std::iter::repeat_with(|| {
             state = state

@@ -19,7 +19,8 @@ use crate::solver::SolverOptions;
 /// Direction of the warp where neither the pattern nor the garment states one: +y \[degrees\].
 const DEFAULT_WARP_DEG: f64 = 90.0;
 
-/// A garment as values: nothing in it has to be looked up or checked again. Built only by [`resolve`].
+/// A garment as values: nothing in it has to be looked up or checked again. Built only by
+/// [`resolve`].
 #[derive(Clone, Debug)]
 pub struct ResolvedGarment {
     /// The garment file, complete in itself.
@@ -54,8 +55,8 @@ pub(super) struct ResolvedPanel {
 }
 
 impl ResolvedGarment {
-    /// Returns the garment file complete in itself: the pattern, avatar and fabrics that it referred to are inside.
-    /// It resolves to the same garment again, with any library.
+    /// Returns the garment file complete in itself: the pattern, avatar and fabrics that it
+    /// referred to are inside. It resolves to the same garment again, with any library.
     pub fn garment(&self) -> &Garment {
         &self.file
     }
@@ -137,7 +138,8 @@ fn joined(faults: &mut Vec<Fault>, more: Faults) -> Faults {
     Faults(std::mem::take(faults))
 }
 
-/// Returns the length of mesh edges that seams are checked for \[m\]: where the stated one is at fault, seams are still checked.
+/// Returns the length of mesh edges that seams are checked for \[m\]: where the stated one is at
+/// fault, seams are still checked.
 fn allowed_edge_length(options: &SolverOptions, limits: &Limits) -> f64 {
     let [low, high] = limits.edge_length_m;
     options.edge_length_m.clamp(low, high)

@@ -102,7 +102,8 @@ fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults>
     })
 }
 
-/// Returns the shape of each panel, its triangles turned so that they are counter-clockwise seen from outside.
+/// Returns the shape of each panel, its triangles turned so that they are counter-clockwise seen
+/// from outside.
 fn garment_mesh(
     garment: &ResolvedGarment,
     scene: &Scene,
@@ -126,7 +127,8 @@ fn garment_mesh(
     }
 }
 
-/// Returns the triangles of a panel by indices of its own vertices, turned over if its drawn side is in.
+/// Returns the triangles of a panel by indices of its own vertices, turned over if its drawn side
+/// is in.
 fn panel_triangles(mesh: &ClothMesh, range: &PanelRange, face_down: bool) -> Vec<[u32; 3]> {
     let local = |v: usize| {
         u32::try_from(v - range.vertices.start)

@@ -9,7 +9,8 @@ use crate::solver::{self, Context};
 use nalgebra::Vector3;
 use serde::Serialize;
 
-/// Writes the scene of a resolved garment before anything moves, in the format `seamster/scene/1`. SI units, y up.
+/// Writes the scene of a resolved garment before anything moves, in the format `seamster/scene/1`.
+/// SI units, y up.
 ///
 /// # Errors
 /// As [`run`](super::run()).

@@ -82,7 +82,8 @@ fn not_a_choice(at: &str, value: &Value, options: &Value) -> Fault {
     }
 }
 
-/// Returns the alternative that the value was most likely meant as: of those that want its kind, the one with the fewest faults.
+/// Returns the alternative that the value was most likely meant as: of those that want its kind,
+/// the one with the fewest faults.
 fn best_alternative<'a>(
     at: &str,
     context: &'a [Vec<ValidationError<'static>>],

@@ -10,10 +10,12 @@ use crate::scene::{AnchoredPlacement, Placed};
 use crate::seam::{self, Face, SeamCheck, SeamCheckInput, SeamSet};
 use std::cell::OnceCell;
 
-/// Checks the seams of `garment` on `pattern`; what else is wrong with the garment, and its own `pattern`, are not looked at.
+/// Checks the seams of `garment` on `pattern`; what else is wrong with the garment, and its own
+/// `pattern`, are not looked at.
 ///
 /// # Errors
-/// Faults that concern the request as a whole and not a single seam: those of seams are in the findings.
+/// Faults that concern the request as a whole and not a single seam: those of seams are in the
+/// findings.
 pub(crate) fn check_seams(
     garment: &Garment,
     pattern: &Pattern,
@@ -80,7 +82,8 @@ pub(super) fn anchored_placements(
 
 /// Checks seams between panels that start as `placements` say, each in the pattern's order.
 ///
-/// Panels start about no body: the body moves them all outwards and changes nothing of the order in which their edges meet.
+/// Panels start about no body: the body moves them all outwards and changes nothing of the order in
+/// which their edges meet.
 ///
 /// # Errors
 /// Every fault of every seam at once, in the second part.

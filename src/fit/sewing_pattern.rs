@@ -1,4 +1,5 @@
-//! The pattern as a garment sews it: with the mirrored copies that it names, less the seam allowances that it states.
+//! The pattern as a garment sews it: with the mirrored copies that it names, less the seam
+//! allowances that it states.
 
 use super::garment::{Garment, PanelSpec};
 use super::unsupported::escape;
@@ -22,7 +23,8 @@ pub(super) fn with_copies(garment: &Garment, pairs: &[SeamPair], pattern: &Patte
     pattern.with_copies(names).into_owned()
 }
 
-/// Cuts away the seam allowances that `specs`, the settings of each panel, state. Corners and edges keep their numbers.
+/// Cuts away the seam allowances that `specs`, the settings of each panel, state. Corners and edges
+/// keep their numbers.
 ///
 /// # Errors
 /// `garment/number` for an impossible width, `pattern/allowance` where a panel cannot spare it, at
@@ -59,7 +61,8 @@ pub(super) fn without_allowances(
     faults.or(pattern)
 }
 
-/// Returns the id of the panel that a copy takes all its settings from: the garment states nothing of the copy itself.
+/// Returns the id of the panel that a copy takes all its settings from: the garment states nothing
+/// of the copy itself.
 fn inherited_from<'a>(garment: &Garment, panel: &'a Panel) -> Option<&'a String> {
     let is_stated = garment.panels.contains_key(&panel.id);
     panel.copy_of.as_ref().filter(|_| !is_stated)

@@ -16,8 +16,9 @@ pub(super) struct ListedSeams {
 
 /// Lists the seams of a garment, suggesting them if it asks for that.
 ///
-/// Suggesting also puts placements into the garment, and takes the panels that no seam was found for, and that the garment
-/// does not mention, out of the pattern: spare sleeves and linings would only fall down.
+/// Suggesting also puts placements into the garment, and takes the panels that no seam was found
+/// for, and that the garment does not mention, out of the pattern: spare sleeves and linings would
+/// only fall down.
 ///
 /// # Errors
 /// If no seam could be suggested.
@@ -74,7 +75,8 @@ fn none_suggested(warning: Option<&Warning>) -> Fault {
         .fix("list the seams, or give the panels telling names (front, back, sleeve)")
 }
 
-/// Returns the warnings of suggesting the seams of a garment. They stay with the pattern, so that a saved garment repeats them.
+/// Returns the warnings of suggesting the seams of a garment. They stay with the pattern, so that a
+/// saved garment repeats them.
 pub(super) fn warnings(pattern: &Pattern) -> Vec<Warning> {
     let warnings = pattern.warnings.iter();
     warnings.filter(|w| is_of_suggestion(w)).cloned().collect()
@@ -84,7 +86,8 @@ fn is_of_suggestion(warning: &Warning) -> bool {
     warning.code == SeamCode::NotSuggested || warning.code == SeamCode::LeftOut
 }
 
-/// Takes the panels that neither a seam nor the garment mentions out of the pattern, and warns of it.
+/// Takes the panels that neither a seam nor the garment mentions out of the pattern, and warns of
+/// it.
 fn drop_unmentioned(garment: &Garment, pattern: &mut Pattern, seams: &[SuggestedSeam]) {
     let (kept, spare): (Vec<_>, Vec<_>) = std::mem::take(&mut pattern.panels)
         .into_iter()

@@ -1,4 +1,5 @@
-//! The checks of what a garment states: its numbers, and the panels and corners of its pattern that it names.
+//! The checks of what a garment states: its numbers, and the panels and corners of its pattern that
+//! it names.
 
 use super::garment::{Garment, PanelSpec, Pin, SCHEMA, WindSpec};
 use super::unsupported::{self, escape};
@@ -18,7 +19,8 @@ pub(super) struct PinnedCorner {
     pub(super) corner: usize,
 }
 
-/// Returns the faults of a garment that show without its pattern: its format, what this version cannot do, numbers.
+/// Returns the faults of a garment that show without its pattern: its format, what this version
+/// cannot do, numbers.
 pub(super) fn own_faults(garment: &Garment, limits: &Limits) -> Vec<Fault> {
     let mut faults = unsupported::faults(garment);
     faults.extend(schema_fault(&garment.schema));

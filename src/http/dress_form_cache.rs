@@ -1,4 +1,5 @@
-//! A cache of dress forms: one takes seconds to make, and a page requests the same one again and again.
+//! A cache of dress forms: one takes seconds to make, and a page requests the same one again and
+//! again.
 
 use crate::fault::Faults;
 use crate::scene::{Avatar, DressForm};

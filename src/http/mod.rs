@@ -1,6 +1,7 @@
 //! The service: routes, access control, problems as RFC 9457, events, `OpenAPI` and the page.
 //!
-//! - [`router()`]: all routes with their middleware; `state`: what handlers share; `openapi`: the document, made of the routes.
+//! - [`router()`]: all routes with their middleware; `state`: what handlers share; `openapi`: the
+//!   document, made of the routes.
 //! - `extract`: requests, checked: a handler can only receive a valid value.
 //! - `routes`: one file a resource. Handlers extract, call the domain and wrap.
 //! - `respond`: answers: problems, representations with entity tags and ranges.

@@ -51,7 +51,8 @@ impl Modify for TokenScheme {
     }
 }
 
-/// Forbids further fields of places, which are told apart by their fields. The derive does so for structs, not for variants.
+/// Forbids further fields of places, which are told apart by their fields. The derive does so for
+/// structs, not for variants.
 struct ClosedPlaces;
 
 impl Modify for ClosedPlaces {
@@ -72,7 +73,8 @@ impl Modify for ClosedPlaces {
     }
 }
 
-/// Writes the schema of a suggested seam in one piece: it has the fields of a seam and more, but a seam is closed.
+/// Writes the schema of a suggested seam in one piece: it has the fields of a seam and more, but a
+/// seam is closed.
 struct FlatSuggestedSeam;
 
 impl Modify for FlatSuggestedSeam {
@@ -101,7 +103,8 @@ impl Modify for FlatSuggestedSeam {
     }
 }
 
-/// Puts the resource before the names of operations, which must differ: handlers of different resources have the same.
+/// Puts the resource before the names of operations, which must differ: handlers of different
+/// resources have the same.
 struct PrefixedOperationIds;
 
 impl Modify for PrefixedOperationIds {

@@ -76,7 +76,8 @@ impl AppState {
             .map_err(Problem::internal)
     }
 
-    /// Runs a computation on a thread of its own, once one of as many permits as there are cores is free.
+    /// Runs a computation on a thread of its own, once one of as many permits as there are cores is
+    /// free.
     pub(super) async fn run_compute<T: Send + 'static>(
         &self,
         work: impl FnOnce(&App) -> T + Send + 'static,

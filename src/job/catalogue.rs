@@ -121,7 +121,8 @@ impl Catalogue {
         Ok(fabrics)
     }
 
-    /// Removes a pattern, an avatar or a fabric; returns true if it was there. Fits keep their own copy.
+    /// Removes a pattern, an avatar or a fabric; returns true if it was there. Fits keep their own
+    /// copy.
     ///
     /// # Errors
     /// If nothing could be written.

@@ -49,7 +49,8 @@ impl Clock for ManualClock {
     }
 }
 
-/// Returns the CPU time that this thread has used \[s\]: unlike the time of day it does not depend on what else the machine does.
+/// Returns the CPU time that this thread has used \[s\]: unlike the time of day it does not depend
+/// on what else the machine does.
 pub fn thread_cpu_s() -> f64 {
     let time = clock_gettime(ClockId::ThreadCPUTime);
     Duration::try_from(time)

@@ -21,8 +21,8 @@ const NO_LIMIT: usize = usize::MAX;
 
 /// Runs every test, for each kind of job.
 ///
-/// `open(space)` opens the store named `space`, whose leases run out by `clock`: the same name finds what was there, once the
-/// store opened before is dropped.
+/// `open(space)` opens the store named `space`, whose leases run out by `clock`: the same name
+/// finds what was there, once the store opened before is dropped.
 pub(super) fn store_contract(clock: &ManualClock, open: impl Fn(&str) -> Arc<dyn JobStore>) {
     for kind in JobKind::ALL {
         let open = |space: &str| open(&format!("{}-{space}", kind.as_str()));

@@ -1,4 +1,5 @@
-//! The events of each job that is not final, numbered, with a bounded past for clients that reconnect.
+//! The events of each job that is not final, numbered, with a bounded past for clients that
+//! reconnect.
 
 use super::record::JobRecord;
 use super::status::JobStatus;
@@ -13,7 +14,8 @@ use uuid::Uuid;
 const PAST: usize = 256;
 /// Number of jobs whose events are kept; those that nobody follows are dropped first.
 const CHANNELS: usize = 4_096;
-/// Number of ids of one attempt: ids keep growing over attempts and restarts, and stay below 2^53 for `JavaScript`.
+/// Number of ids of one attempt: ids keep growing over attempts and restarts, and stay below 2^53
+/// for `JavaScript`.
 const IDS_PER_ATTEMPT: u64 = 1_000_000;
 
 /// An event of a job.
@@ -179,7 +181,8 @@ impl EventFeeds {
         let _ = feed.sender.send(event);
     }
 
-    /// Returns the events of a job that is not final after event `after`, or from the first one kept.
+    /// Returns the events of a job that is not final after event `after`, or from the first one
+    /// kept.
     pub(super) fn follow(&self, job: Uuid, after: Option<u64>) -> JobEvents {
         let mut feeds = self.lock();
         if feeds.is_closed {

@@ -9,8 +9,9 @@ use utoipa::ToSchema;
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Failure)]
 pub struct JobFailure {
-    /// For a client to act on, of a fit: `fit/not_converged`, `fit/refused`, `fit/time_limit`, `fit/panicked`,
-    /// `fit/abandoned` or `fit/storage`; of a study: `study/nothing_ran` and, but for the first, the same with `study`.
+    /// For a client to act on, of a fit: `fit/not_converged`, `fit/refused`, `fit/time_limit`,
+    /// `fit/panicked`, `fit/abandoned` or `fit/storage`; of a study: `study/nothing_ran` and, but
+    /// for the first, the same with `study`.
     #[schema(value_type = String)]
     pub code: FaultCode,
     /// Sentence for a person on what happened.

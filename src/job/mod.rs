@@ -1,10 +1,12 @@
 //! Fits and studies queued, stored and run by workers.
 //!
-//! A job is handed out at least once and takes effect once: every attempt writes its files under a key of its own
-//! (`results/<job>/<attempt>`), and the record names the winner by compare-and-set. One queue holds both kinds.
+//! A job is handed out at least once and takes effect once: every attempt writes its files under a
+//! key of its own (`results/<job>/<attempt>`), and the record names the winner by compare-and-set.
+//! One queue holds both kinds.
 //!
 //! - [`JobRecord`]: the state of one job. [`JobRequest`], [`JobOutcome`]: its input and its output.
-//! - [`JobStore`], [`Documents`], [`Blobs`]: interfaces of storage; [`SqliteStore`] and [`FileBlobs`] keep all in one folder.
+//! - [`JobStore`], [`Documents`], [`Blobs`]: interfaces of storage; [`SqliteStore`] and
+//!   [`FileBlobs`] keep all in one folder.
 //! - [`Catalogue`]: stored patterns, avatars and fabrics.
 //! - [`Queue`]: submits, finds, lists, cancels and follows jobs; the service is built on it.
 //! - [`WorkerPool`]: threads that take jobs from the store and run them by a [`Runner`].

@@ -177,8 +177,8 @@ impl Queue {
         record
     }
 
-    /// Asks a job to stop, and returns its record after that: canceled at once if it waited, soon if it runs,
-    /// unchanged if it has ended. `None` if there is no such job.
+    /// Asks a job to stop, and returns its record after that: canceled at once if it waited, soon
+    /// if it runs, unchanged if it has ended. `None` if there is no such job.
     ///
     /// # Errors
     /// If nothing could be written.
@@ -206,7 +206,8 @@ impl Queue {
         self.job(kind, id)
     }
 
-    /// Returns the events of a job after event `after`, or from the first one kept. `None` if there is no such job.
+    /// Returns the events of a job after event `after`, or from the first one kept. `None` if there
+    /// is no such job.
     ///
     /// # Errors
     /// If nothing could be read.
@@ -216,7 +217,8 @@ impl Queue {
         id: Uuid,
         after: Option<u64>,
     ) -> Result<Option<JobEvents>, StoreError> {
-        // Followed before the record is read, so that an end that comes between the two is not missed.
+        // Followed before the record is read, so that an end that comes between the two is not
+        // missed.
         let events = self.feeds.follow(id, after);
         Ok(self.stored(kind, id)?.map(|record| {
             if !record.status.is_final() {
@@ -250,7 +252,8 @@ impl Queue {
         }
     }
 
-    /// Counts the jobs of a kind by status. Fails where the store cannot serve: the readiness probe.
+    /// Counts the jobs of a kind by status. Fails where the store cannot serve: the readiness
+    /// probe.
     ///
     /// # Errors
     /// If nothing could be read.
@@ -258,7 +261,8 @@ impl Queue {
         self.store.counts(kind)
     }
 
-    /// Ends the events of everyone who follows a job, so that open connections can end: for shutdown.
+    /// Ends the events of everyone who follows a job, so that open connections can end: for
+    /// shutdown.
     pub fn close(&self) {
         self.feeds.close();
     }
@@ -272,7 +276,8 @@ pub(super) enum RecordUpdate {
     Unchanged,
 }
 
-/// Changes a record by compare-and-set, repeated until nobody was faster. `edit` returns false to leave it as it is.
+/// Changes a record by compare-and-set, repeated until nobody was faster. `edit` returns false to
+/// leave it as it is.
 ///
 /// # Errors
 /// If nothing could be written.

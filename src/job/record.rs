@@ -8,7 +8,8 @@ use jiff::Timestamp;
 use serde::{Deserialize, Serialize};
 use uuid::Uuid;
 
-/// The record of one job: the truth that every process sees, changed only by compare-and-set on `revision`.
+/// The record of one job: the truth that every process sees, changed only by compare-and-set on
+/// `revision`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JobRecord {
     /// `UUIDv7`: ids sort by the time they were submitted.
@@ -26,7 +27,8 @@ pub struct JobRecord {
     pub finished_at: Option<Timestamp>,
     /// Number of attempts begun.
     pub attempts: u32,
-    /// Number of these attempts that were given back in good order, as at shutdown; they do not count against the limit.
+    /// Number of these attempts that were given back in good order, as at shutdown; they do not
+    /// count against the limit.
     pub released: u32,
     /// Its progress.
     pub progress: Progress,

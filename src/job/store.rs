@@ -1,4 +1,5 @@
-//! The interfaces of storage: one implementation is a folder of one machine, another may be a cluster.
+//! The interfaces of storage: one implementation is a folder of one machine, another may be a
+//! cluster.
 //!
 //! All calls block; async code makes them from a blocking thread.
 
@@ -132,8 +133,9 @@ pub struct Page<T> {
 
 /// Records of jobs and their queue, one for all kinds.
 ///
-/// Records are the truth, changed by compare-and-set. The queue only hands out ids: at least once, oldest first, each under a
-/// lease that runs out unless it is renewed. `contract::store_contract` states what every implementation must keep.
+/// Records are the truth, changed by compare-and-set. The queue only hands out ids: at least once,
+/// oldest first, each under a lease that runs out unless it is renewed. `contract::store_contract`
+/// states what every implementation must keep.
 pub trait JobStore: Send + Sync {
     /// Puts a job on the queue, all or nothing, and sends [`JobNotice::Queued`].
     ///
@@ -141,7 +143,8 @@ pub trait JobStore: Send + Sync {
     /// If nothing could be written.
     fn submit(&self, job: &NewJob<'_>) -> Result<Submitted, StoreError>;
 
-    /// Returns the job that a key stands for, or [`Submitted::KeyReused`]; `None` if the key is new.
+    /// Returns the job that a key stands for, or [`Submitted::KeyReused`]; `None` if the key is
+    /// new.
     ///
     /// # Errors
     /// If nothing could be read.
@@ -153,7 +156,8 @@ pub trait JobStore: Send + Sync {
     /// If nothing could be read.
     fn job(&self, id: Uuid) -> Result<Option<JobRecord>, StoreError>;
 
-    /// Replaces a record if its revision is still `record.revision`. Returns the new revision, or `None` if it had changed.
+    /// Replaces a record if its revision is still `record.revision`. Returns the new revision, or
+    /// `None` if it had changed.
     ///
     /// # Errors
     /// If nothing could be written.
@@ -174,7 +178,8 @@ pub trait JobStore: Send + Sync {
     /// Returns the duration of a lease that is not renewed.
     fn lease_time(&self) -> Duration;
 
-    /// Leases the oldest job, of whatever kind, that is not final and that nobody has a live lease on.
+    /// Leases the oldest job, of whatever kind, that is not final and that nobody has a live lease
+    /// on.
     ///
     /// # Errors
     /// If nothing could be read.
@@ -186,7 +191,8 @@ pub trait JobStore: Send + Sync {
     /// If the store does not answer; the lease may still be live.
     fn renew(&self, lease: &Lease) -> Result<bool, StoreError>;
 
-    /// Ends a lease. If the job is not final by now it is handed out again at once, and [`JobNotice::Queued`] is sent.
+    /// Ends a lease. If the job is not final by now it is handed out again at once, and
+    /// [`JobNotice::Queued`] is sent.
     ///
     /// # Errors
     /// If the store does not answer; the lease runs out by itself.
@@ -210,7 +216,8 @@ pub enum DocumentKind {
     Fabric,
 }
 
-/// Small documents by id, written once. Ids are `UUIDv7`, so that newest first is the order of ids, falling.
+/// Small documents by id, written once. Ids are `UUIDv7`, so that newest first is the order of ids,
+/// falling.
 pub trait Documents: Send + Sync {
     /// Stores a document.
     ///

@@ -1,4 +1,5 @@
-//! The fixed points of a panel: its outline and holes, divided, and the internal lines that are sewn to.
+//! The fixed points of a panel: its outline and holes, divided, and the internal lines that are
+//! sewn to.
 
 use super::geometry;
 use super::panel_division::PanelDivision;
@@ -9,7 +10,8 @@ use std::ops::Range;
 /// The number of a point that lies on another edge, until that edge is known.
 const UNKNOWN: usize = usize::MAX;
 
-/// A panel's boundary as closed rings of points, the outline first, then the holes; after them its sewn lines.
+/// A panel's boundary as closed rings of points, the outline first, then the holes; after them its
+/// sewn lines.
 #[derive(Debug)]
 pub(super) struct Boundary {
     /// \[m\]
@@ -152,8 +154,9 @@ impl Boundary {
         self.edges.push(numbers);
     }
 
-    /// Gives the ends of lines that lie on other edges the points of those. Joints come in the order of lines, so that
-    /// of lines that meet end to end the one is known that the other is joined to.
+    /// Gives the ends of lines that lie on other edges the points of those. Joints come in the
+    /// order of lines, so that of lines that meet end to end the one is known that the other is
+    /// joined to.
     fn join(&mut self, divided: &PanelDivision) {
         for joint in &divided.joints {
             let part = divided.divisions[joint.on].part_at(joint.at);

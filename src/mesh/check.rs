@@ -16,7 +16,8 @@ pub(super) enum MeshDefect {
     StrayHole(usize),
     /// An internal line, by index, leaves the cloth near this point.
     LineOutside(usize, Point2),
-    /// An internal line, by index, crosses or touches an outline, a hole, a sewn line or itself near this point.
+    /// An internal line, by index, crosses or touches an outline, a hole, a sewn line or itself
+    /// near this point.
     LineCrossing(usize, Point2),
 }
 

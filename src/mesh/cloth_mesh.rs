@@ -13,7 +13,8 @@ pub struct ClothMesh {
     pub triangles: Vec<[usize; 3]>,
     /// The part of the mesh that each panel is, in the pattern's order.
     pub panels: Vec<PanelRange>,
-    /// Point2 pairs that are sewn together; grouped by seam, in order along it. No vertex pair occurs twice.
+    /// Point2 pairs that are sewn together; grouped by seam, in order along it. No vertex pair
+    /// occurs twice.
     pub stitches: Vec<Stitch>,
 }
 

@@ -19,7 +19,8 @@ pub(super) struct Domain {
 }
 
 impl Domain {
-    /// Checks that the boundary neither crosses nor touches itself, that holes lie inside, and lines on cloth.
+    /// Checks that the boundary neither crosses nor touches itself, that holes lie inside, and
+    /// lines on cloth.
     pub(super) fn new(boundary: &Boundary) -> Result<Self, MeshDefect> {
         let mut domain = Self {
             cdt: Cdt::new(),
@@ -53,7 +54,8 @@ impl Domain {
     fn add_lines(&mut self, boundary: &Boundary) -> Result<(), MeshDefect> {
         let mut next = boundary.ring_point_count();
         for (line, segment) in boundary.line_segments() {
-            // Points are numbered in the order in which segments come to them, so each is new but those at joints.
+            // Points are numbered in the order in which segments come to them, so each is new but
+            // those at joints.
             for end in segment {
                 if end == next {
                     self.add_line_point(line, end)?;
@@ -100,7 +102,8 @@ impl Domain {
         }
     }
 
-    /// Makes two points an edge; `false` if that runs through a third point or crosses an edge made before.
+    /// Makes two points an edge; `false` if that runs through a third point or crosses an edge made
+    /// before.
     fn constrain(&mut self, segment: [usize; 2]) -> bool {
         let [from, to] = segment.map(FixedVertexHandle::from_index);
         !self.cdt.exists_constraint(from, to) && self.cdt.try_add_constraint(from, to).len() == 1
@@ -143,7 +146,8 @@ impl Domain {
             .collect()
     }
 
-    /// By index of the face: whether it is reached from outside across an odd number of boundary parts.
+    /// By index of the face: whether it is reached from outside across an odd number of boundary
+    /// parts.
     fn cloth(&self, cdt: &Cdt) -> Vec<bool> {
         let is_boundary =
             |edge: DirectedEdgeHandle<'_, spade::Point2<f64>, (), CdtEdge<()>, ()>| {

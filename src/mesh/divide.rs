@@ -7,7 +7,8 @@ use crate::fault::{Fault, MeshCode};
 use crate::pattern::{Panel, Pattern};
 use crate::seam::{Seam, Stretch, division_count};
 
-/// Most places where seams may break one edge. More come only from seams that chase each other round a ring of edges.
+/// Most places where seams may break one edge. More come only from seams that chase each other
+/// round a ring of edges.
 const MOST_BREAKS: usize = 1_000;
 
 /// The divisions of every edge of every panel.
@@ -80,7 +81,8 @@ impl Divisions {
         })
     }
 
-    /// Gives all spans that meet, directly or through others, the largest count that any of them wants.
+    /// Gives all spans that meet, directly or through others, the largest count that any of them
+    /// wants.
     fn set_counts(&mut self, pattern: &Pattern, seams: &[Seam], edge_length: f64) {
         let numbers = SpanNumbering::new(&self.panels);
         let mut classes = DisjointSets::new(numbers.count);

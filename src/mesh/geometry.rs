@@ -14,8 +14,8 @@ pub(super) fn area(a: Point2, b: Point2, c: Point2) -> f64 {
     0.5 * (u[0] * v[1] - u[1] * v[0])
 }
 
-/// Area of a ring of points, positive if it is counter-clockwise. Taken about the first point, so that far-off
-/// coordinates cost no digits.
+/// Area of a ring of points, positive if it is counter-clockwise. Taken about the first point, so
+/// that far-off coordinates cost no digits.
 pub(super) fn ring_area(ring: &[Point2]) -> f64 {
     ring.windows(2).map(|w| area(ring[0], w[0], w[1])).sum()
 }
@@ -33,7 +33,8 @@ pub(super) fn smallest_angle(corners: [Point2; 3]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Returns true if this is a polyline that can be divided: at least two points, all finite, of positive length.
+/// Returns true if this is a polyline that can be divided: at least two points, all finite, of
+/// positive length.
 pub(super) fn is_sound(points: &[Point2]) -> bool {
     points.len() >= 2 && {
         let length = length(points);

@@ -1,4 +1,5 @@
-//! Better triangles: points inside are moved, taken out and put in until none is thin that need not be.
+//! Better triangles: points inside are moved, taken out and put in until none is thin that need not
+//! be.
 
 use super::delaunay::Domain;
 use super::geometry::{area, smallest_angle};
@@ -27,10 +28,12 @@ const THIN: f64 = 25.0 * std::f64::consts::PI / 180.0;
 /// Longest mesh edge inside, as a share of the mesh edge length, before a point is put on it.
 const LONG: f64 = 1.5;
 
-/// Height over a short boundary part, as a share of its length, at which a point is put: an angle of 37 degrees.
+/// Height over a short boundary part, as a share of its length, at which a point is put: an angle
+/// of 37 degrees.
 const APEX: f64 = 1.5;
 
-/// Triangulates the boundary with the points `inside` it and improves them; the best of all rounds is kept.
+/// Triangulates the boundary with the points `inside` it and improves them; the best of all rounds
+/// is kept.
 pub(super) fn improve(
     domain: &Domain,
     clearance: &SegmentGrid,
@@ -110,8 +113,8 @@ fn triangulate(domain: &Domain, inside: &[Point2]) -> PanelTriangles {
     PanelTriangles { points, triangles }
 }
 
-/// Moves each inside point to the centroid of the triangles round it (CPT smoothing, Chen and Holst 2011), as far
-/// as that makes none of them worse than it may be.
+/// Moves each inside point to the centroid of the triangles round it (CPT smoothing, Chen and Holst
+/// 2011), as far as that makes none of them worse than it may be.
 fn smooth(mesh: &mut PanelTriangles, fixed: usize) {
     let mut stars = vec![vec![]; mesh.points.len()];
     for &triangle in &mesh.triangles {
@@ -162,7 +165,8 @@ fn centroid(points: &[Point2], p: Point2, star: &[[usize; 2]]) -> (Point2, f64) 
     ([0, 1].map(|k| p[k] + sum[k] / whole), whole)
 }
 
-/// The inside points after taking out those that make triangles thin and putting in those that are missing.
+/// The inside points after taking out those that make triangles thin and putting in those that are
+/// missing.
 fn repaired(mesh: &PanelTriangles, domain: &Domain, clearance: &SegmentGrid) -> Vec<Point2> {
     let fixed = domain.boundary_count();
     let edge_length = clearance.reach() / CLEARANCE;
@@ -214,7 +218,8 @@ fn side_length(mesh: &PanelTriangles, [a, b, _]: [usize; 3]) -> f64 {
     distance(mesh.points[a], mesh.points[b])
 }
 
-/// A point over a short boundary part whose triangle reaches too far; none if that is not what is wrong.
+/// A point over a short boundary part whose triangle reaches too far; none if that is not what is
+/// wrong.
 fn apex(mesh: &PanelTriangles, [a, b, opposite]: [usize; 3], domain: &Domain) -> Option<Point2> {
     let (p, q) = (mesh.points[a], mesh.points[b]);
     let [x, y] = point::sub(q, p);

@@ -1,4 +1,5 @@
-//! Ends of internal lines that lie on an outline, a hole or another line: both get one vertex there.
+//! Ends of internal lines that lie on an outline, a hole or another line: both get one vertex
+//! there.
 
 use super::geometry;
 use super::panel_division::{LineJoint, PanelDivision};
@@ -6,7 +7,8 @@ use crate::pattern::Panel;
 use crate::pattern::point::{self, Point2};
 use crate::pattern::polyline;
 
-/// Ends nearer than this to another edge lie on it \[m\]: the gap up to which a seam counts as closed.
+/// Ends nearer than this to another edge lie on it \[m\]: the gap up to which a seam counts as
+/// closed.
 const JOINED_M: f64 = 1e-3;
 
 /// The point of an edge that is nearest to a given one.
@@ -18,7 +20,8 @@ struct NearestOnEdge {
 
 /// Finds the joints of a panel's lines.
 ///
-/// Of two lines that meet end to end, the later one is joined to the earlier one. A joint next to a break is put on it.
+/// Of two lines that meet end to end, the later one is joined to the earlier one. A joint next to a
+/// break is put on it.
 pub(super) fn find(panel: &Panel, divided: &PanelDivision) -> Vec<LineJoint> {
     let mut joints = vec![];
     let first_line = divided.slots.first_line();

@@ -8,8 +8,8 @@ use super::segment_grid::SegmentGrid;
 /// Distance of the rows of an equilateral lattice of side 1.
 pub(super) const ROW: f64 = 0.866_025_403_784_438_6;
 
-/// Least lattice side, as a share of the mesh edge length: a longest edge divided more finely (because it is
-/// gathered) does not make the inside as fine.
+/// Least lattice side, as a share of the mesh edge length: a longest edge divided more finely
+/// (because it is gathered) does not make the inside as fine.
 const LEAST_SIDE: f64 = 0.8;
 
 /// Lattice points inside the boundary that keep clear of it.

@@ -39,8 +39,8 @@ impl<'a> Locator<'a> {
         locator
     }
 
-    /// The corners of the triangle that `point` lies in, or of the nearest one within a cell or two, with its barycentric
-    /// coordinates; `None` if none is so near.
+    /// The corners of the triangle that `point` lies in, or of the nearest one within a cell or
+    /// two, with its barycentric coordinates; `None` if none is so near.
     pub fn weights(&self, point: Point2) -> Option<[(usize, f64); 3]> {
         let [i, j] = self.cell(point);
         // An outline of longer edges cuts corners off, so a point may lie outside of it.

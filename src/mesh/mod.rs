@@ -1,8 +1,10 @@
-//! Panels as a [`ClothMesh`]: boundary points equal on both sides of a seam, constrained Delaunay triangles inside.
+//! Panels as a [`ClothMesh`]: boundary points equal on both sides of a seam, constrained Delaunay
+//! triangles inside.
 //!
-//! [`triangulate`] calls, in this order: `divide` (equal parts along matched edges), `boundary` (points of outlines, holes and
-//! sewn lines), `lattice` (first points inside), `delaunay` and `improve` (triangles), `morton` (numbering) and `stitch`.
-//! [`coarser`] thins a mesh for a hierarchy, [`Locator`] finds the triangle of a point.
+//! [`triangulate`] calls, in this order: `divide` (equal parts along matched edges), `boundary`
+//! (points of outlines, holes and sewn lines), `lattice` (first points inside), `delaunay` and
+//! `improve` (triangles), `morton` (numbering) and `stitch`. [`coarser`] thins a mesh for a
+//! hierarchy, [`Locator`] finds the triangle of a point.
 
 mod boundary;
 mod check;

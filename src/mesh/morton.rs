@@ -2,7 +2,8 @@
 
 use crate::pattern::Point2;
 
-/// The indices of `points` in Morton order of a grid of 65536 by 65536 cells over their bounding box.
+/// The indices of `points` in Morton order of a grid of 65536 by 65536 cells over their bounding
+/// box.
 pub(super) fn order(points: &[Point2]) -> Vec<usize> {
     let low = [0, 1].map(|k| points.iter().map(|p| p[k]).fold(f64::INFINITY, f64::min));
     let high = [0, 1].map(|k| {

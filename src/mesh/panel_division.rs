@@ -7,7 +7,8 @@ use crate::pattern::polyline;
 use crate::seam::{Stretch, Track};
 use std::ops::Range;
 
-/// Fractions of an edge closer than this are the same place: far above rounding, far below a stitch.
+/// Fractions of an edge closer than this are the same place: far above rounding, far below a
+/// stitch.
 const SAME: f64 = 1e-9;
 /// The division of one edge: evenly between each two breaks.
 #[derive(Clone, Debug)]
@@ -151,7 +152,8 @@ impl PanelDivision {
     }
 }
 
-/// The end of an internal line that lies on another edge. Both are numbers of edges in [`super::slots::Slots`].
+/// The end of an internal line that lies on another edge. Both are numbers of edges in
+/// [`super::slots::Slots`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LineJoint {
     /// The line.

@@ -1,4 +1,5 @@
-//! The edges of a panel that are divided, in one row: its outline's, its holes', and the internal lines that seams name.
+//! The edges of a panel that are divided, in one row: its outline's, its holes', and the internal
+//! lines that seams name.
 
 use crate::pattern::Panel;
 use crate::seam::{Seam, Track};

@@ -5,10 +5,11 @@ use super::divide::Divisions;
 use crate::seam::Seam;
 use std::collections::HashSet;
 
-/// Pairs the vertices of both sides of every seam; `vertex` gives the one at (panel, number of the edge, part).
+/// Pairs the vertices of both sides of every seam; `vertex` gives the one at (panel, number of the
+/// edge, part).
 ///
-/// A pair that occurs twice (where two stretches of a seam meet) is kept once; a vertex is never sewn to itself
-/// (the fold of an edge sewn to its own other half).
+/// A pair that occurs twice (where two stretches of a seam meet) is kept once; a vertex is never
+/// sewn to itself (the fold of an edge sewn to its own other half).
 pub(super) fn stitches(
     seams: &[Seam],
     divisions: &Divisions,

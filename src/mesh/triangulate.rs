@@ -15,29 +15,33 @@ use crate::seam::SeamSet;
 
 /// Meshes every panel with edges of about `edge_length` \[m\].
 ///
-/// Every edge of an outline is divided evenly along its arc, no part longer than `edge_length`; stretches that
-/// seams match get equally many parts, also through chains of seams. Internal lines that seams name are divided
-/// likewise and are mesh edges; an end within 1 mm of another edge shares its vertex. Inside, an equilateral lattice is laid along
-/// the longest edge, triangulated, and improved: smoothing by centroidal patches, points taken out or put in where
-/// triangles are thin. Vertices of a panel are in Morton order.
+/// Every edge of an outline is divided evenly along its arc, no part longer than `edge_length`;
+/// stretches that seams match get equally many parts, also through chains of seams. Internal lines
+/// that seams name are divided likewise and are mesh edges; an end within 1 mm of another edge
+/// shares its vertex. Inside, an equilateral lattice is laid along the longest edge, triangulated,
+/// and improved: smoothing by centroidal patches, points taken out or put in where triangles are
+/// thin. Vertices of a panel are in Morton order.
 ///
 /// # Quality guarantees
 /// - Corners, ends of stretches and boundary parts are kept; no vertex is added on the boundary.
 /// - A mirrored copy that is divided like its source has the mirror image of its mesh.
-/// - Triangles of a panel cover exactly the polygon of its boundary points, less its holes, counter-clockwise.
+/// - Triangles of a panel cover exactly the polygon of its boundary points, less its holes,
+///   counter-clockwise.
 /// - Same input, same mesh.
 ///
 /// # General limitations
-/// Angles are aimed at 25 degrees and more, but not guaranteed: an outline forces small ones where it turns
-/// sharply, where it is narrower than the mesh edge, and where one seam side is much shorter than the other.
+/// Angles are aimed at 25 degrees and more, but not guaranteed: an outline forces small ones where
+/// it turns sharply, where it is narrower than the mesh edge, and where one seam side is much
+/// shorter than the other.
 ///
 /// # Errors
-/// An edge length outside `limits`, a mesh too fine for them, and every panel whose boundary points cross or
-/// touch themselves or a sewn line (`/panels/<id>`); a raised `cancel` (`fit/canceled`).
+/// An edge length outside `limits`, a mesh too fine for them, and every panel whose boundary points
+/// cross or touch themselves or a sewn line (`/panels/<id>`); a raised `cancel` (`fit/canceled`).
 ///
 /// # References
-/// L. Chen, M. Holst, "Efficient mesh optimization schemes based on optimal Delaunay triangulations",
-/// Comput. Methods Appl. Mech. Engrg. 200 (2011), doi:10.1016/j.cma.2010.11.007 (the smoothing, CPT).
+/// L. Chen, M. Holst, "Efficient mesh optimization schemes based on optimal Delaunay
+/// triangulations", Comput. Methods Appl. Mech. Engrg. 200 (2011), doi:10.1016/j.cma.2010.11.007
+/// (the smoothing, CPT).
 pub fn triangulate(
     pattern: &Pattern,
     seams: &SeamSet,
@@ -55,7 +59,8 @@ pub fn triangulate(
         if cancel.is_canceled() {
             return Err(check::canceled().into());
         }
-        // A mirrored copy runs the other way round; reflected, it gets the mesh that its source has.
+        // A mirrored copy runs the other way round; reflected, it gets the mesh that its source
+        // has.
         let mirrored = geometry::ring_area(&boundary.points[boundary.rings[0].clone()]) > 0.0;
         let boundary = if mirrored {
             boundary.reflected()

@@ -6,12 +6,13 @@ use utoipa::ToSchema;
 
 /// One flat part of a garment.
 ///
-/// The outline is a simple closed polyline stored clockwise (y up): `corners[i]`, then `edges[i]` from
-/// corner `i` to corner `i + 1` (the last edge back to corner 0). Coordinates are in meters.
+/// The outline is a simple closed polyline stored clockwise (y up): `corners[i]`, then `edges[i]`
+/// from corner `i` to corner `i + 1` (the last edge back to corner 0). Coordinates are in meters.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Panel {
-    /// Id, unique in the pattern: made from the name (lower case, `-` for what is not a letter or digit).
+    /// Id, unique in the pattern: made from the name (lower case, `-` for what is not a letter or
+    /// digit).
     pub id: String,
     /// Name, as the file has it.
     pub name: String,
@@ -30,8 +31,8 @@ pub struct Panel {
     /// True if half of it was drawn and it was unfolded about its mirror line.
     #[serde(default)]
     pub unfolded: bool,
-    /// Id of the source of a mirrored copy. The outline of a copy is that of its source reflected
-    /// x -> -x with the same numbers, so that it runs counter-clockwise in coordinates and its holes
+    /// Id of the source of a mirrored copy. The outline of a copy is that of its source reflected x
+    /// -> -x with the same numbers, so that it runs counter-clockwise in coordinates and its holes
     /// clockwise.
     #[serde(default)]
     pub copy_of: Option<String>,
@@ -107,8 +108,8 @@ pub struct Edge {
     pub label: Option<String>,
 }
 
-/// An outline inside a panel whose inside is not cloth, stored counter-clockwise so that cloth lies to
-/// the right of every edge.
+/// An outline inside a panel whose inside is not cloth, stored counter-clockwise so that cloth lies
+/// to the right of every edge.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Hole {

@@ -7,10 +7,12 @@ use utoipa::ToSchema;
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Placement {
-    /// Key point of the body that the panel's key point is put at; found from the panel's name if absent.
+    /// Key point of the body that the panel's key point is put at; found from the panel's name if
+    /// absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub at: Option<PlacementAnchor>,
-    /// Direction on the drawing that is up on the body, counter-clockwise from +x; 90 (+y) if absent \[degrees\].
+    /// Direction on the drawing that is up on the body, counter-clockwise from +x; 90 (+y) if
+    /// absent \[degrees\].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub up_deg: Option<f64>,
     /// Translation, after all else \[m\].
@@ -61,7 +63,8 @@ pub enum PlacementAnchor {
     NeckFront,
     /// Behind the neck.
     NeckBack,
-    /// The origin of space, between the feet: the panel's center is put there, flat, facing +z, never mirrored.
+    /// The origin of space, between the feet: the panel's center is put there, flat, facing +z,
+    /// never mirrored.
     Origin,
 }
 

@@ -117,12 +117,13 @@ pub enum Place {
 
 /// Direction round an outline or a hole, or along an internal line.
 ///
-/// Going `cw` keeps the cloth on one and the same side of the way, on the outline as on holes (which are stored the
-/// other way round in space for that reason).
+/// Going `cw` keeps the cloth on one and the same side of the way, on the outline as on holes
+/// (which are stored the other way round in space for that reason).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Direction {
-    /// In the order of corners as stored: clockwise on the outline of a panel as drawn. Along a line: as it is drawn.
+    /// In the order of corners as stored: clockwise on the outline of a panel as drawn. Along a
+    /// line: as it is drawn.
     Cw,
     /// Against it.
     Ccw,

@@ -54,7 +54,8 @@ pub enum Analytic {
 }
 
 impl Body {
-    /// The signed distance at `p` with its first two derivatives, or `None` where it is too far away to matter.
+    /// The signed distance at `p` with its first two derivatives, or `None` where it is too far
+    /// away to matter.
     pub fn sample(&self, p: &Vector3<f64>) -> Option<BodySample> {
         match self {
             Self::Avatar(avatar) => avatar.sample(p),
@@ -109,7 +110,8 @@ impl Analytic {
 }
 
 impl Analytic {
-    /// Returns its faults: numbers that are not finite, no radius, no direction; each under `pointer`.
+    /// Returns its faults: numbers that are not finite, no radius, no direction; each under
+    /// `pointer`.
     pub fn check(&self, pointer: &str) -> Vec<Fault> {
         let mut faults = Vec::new();
         let mut tell = |wrong: bool, field: &str, detail: &str| {
@@ -164,7 +166,8 @@ fn about_line(from: Vector3<f64>, along: Vector3<f64>, r: f64) -> BodySample {
     round(across * from, r, across)
 }
 
-/// The distance `|from|` less `r`, where `across` projects on the directions in which the surface is round.
+/// The distance `|from|` less `r`, where `across` projects on the directions in which the surface
+/// is round.
 fn round(from: Vector3<f64>, r: f64, across: Matrix3<f64>) -> BodySample {
     let length = from.norm();
     let normal = if length > 0.0 {
@@ -204,7 +207,8 @@ mod tests {
         },
     ];
 
-    /// Central differences of step h are off by h²/6 times a third derivative, here below 100, plus rounding / h.
+    /// Central differences of step h are off by h²/6 times a third derivative, here below 100, plus
+    /// rounding / h.
     #[test]
     fn normals_and_curvatures_are_derivatives_of_the_distance() {
         let points = [

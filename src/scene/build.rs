@@ -33,7 +33,8 @@ pub struct PanelParts {
 /// Gravity at the standard value, downwards \[m/s²\].
 const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.80665, 0.0);
 
-/// Puts every vertex at its start and gives it its share of the cloth's mass: a third of each of its triangles.
+/// Puts every vertex at its start and gives it its share of the cloth's mass: a third of each of
+/// its triangles.
 pub fn build(parts: Parts) -> Scene {
     let Parts {
         mesh,

@@ -11,7 +11,8 @@ pub struct CoarserScene {
     pub scene: Scene,
     /// The finer vertex that each coarser one is; ascending.
     pub finer: Vec<usize>,
-    /// For each finer vertex, three coarser ones with barycentric coordinates; see [`CoarserMesh::weights`].
+    /// For each finer vertex, three coarser ones with barycentric coordinates; see
+    /// [`CoarserMesh::weights`].
     pub weights: Vec<[(usize, f64); 3]>,
 }
 
@@ -22,9 +23,10 @@ const TURN: f64 = 1e6;
 
 /// The scene on the next coarser mesh; `None` if there is none worth having.
 ///
-/// Mass goes to the corners of the triangle that it lies in. A net of springs becomes fibers: a spring that lies in a triangle
-/// which deforms as a whole has the same energy as a fiber along it, and all springs of one direction in a triangle are one
-/// fiber. So the coarser net is the finer one with its shapes restricted, not a model of its own.
+/// Mass goes to the corners of the triangle that it lies in. A net of springs becomes fibers: a
+/// spring that lies in a triangle which deforms as a whole has the same energy as a fiber along it,
+/// and all springs of one direction in a triangle are one fiber. So the coarser net is the finer
+/// one with its shapes restricted, not a model of its own.
 pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
     let CoarserMesh {
         mesh,
@@ -35,7 +37,8 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
     finer.iter().enumerate().for_each(|(n, &v)| number[v] = n);
     let mut mass = vec![0.0; finer.len()];
     for (m, corners) in scene.mass.iter().zip(&weights) {
-        // A vertex outside the coarse outline has a negative coordinate; no particle may lose mass by it.
+        // A vertex outside the coarse outline has a negative coordinate; no particle may lose mass
+        // by it.
         let sum: f64 = corners.iter().map(|(_, w)| w.max(0.0)).sum();
         for &(v, w) in corners {
             mass[v] += m * w.max(0.0) / sum;
@@ -64,14 +67,16 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
     })
 }
 
-/// The rigidity of a cloth whose bending length (B / (g density))^(1/3) is a share of the mesh edges: folds much narrower
-/// than that have no shape on this mesh, and searching for one takes long.
+/// The rigidity of a cloth whose bending length (B / (g density))^(1/3) is a share of the mesh
+/// edges: folds much narrower than that have no shape on this mesh, and searching for one takes
+/// long.
 fn least_bending(scene: &Scene, mesh: &ClothMesh) -> f64 {
     let weight = scene.gravity.norm() * scene.mass.iter().sum::<f64>() / mesh.area();
     weight * (BENDING_LENGTH * mesh.mean_edge()).powi(3)
 }
 
-/// Returns the membrane of `scene` on `mesh`: of the same fabrics, or its springs as fibers of triangles.
+/// Returns the membrane of `scene` on `mesh`: of the same fabrics, or its springs as fibers of
+/// triangles.
 fn membrane(scene: &Scene, mesh: &ClothMesh, weights: &[[(usize, f64); 3]]) -> Membrane {
     match scene.membrane {
         Membrane::Fabric => Membrane::Fabric,
@@ -129,7 +134,8 @@ fn middle(fiber: &FiberSpring, rest: [[f64; 2]; 3]) -> [f64; 2] {
     }
 }
 
-/// A direction or its opposite, whichever points right or, upright, up: one way along a fiber is as good as the other.
+/// A direction or its opposite, whichever points right or, upright, up: one way along a fiber is as
+/// good as the other.
 fn one_way(unit: [f64; 2]) -> [f64; 2] {
     let upright = unit[0].abs() <= 0.5 / TURN;
     let back = if upright {

@@ -50,7 +50,8 @@ const BOUNDS: Bounds = [
 ];
 
 impl Fabric {
-    /// Returns the faults of the coefficients: each outside its bounds, or not finite, under `pointer`.
+    /// Returns the faults of the coefficients: each outside its bounds, or not finite, under
+    /// `pointer`.
     pub fn check(&self, pointer: &str) -> Vec<Fault> {
         BOUNDS
             .iter()
@@ -95,7 +96,8 @@ mod tests {
         }
     }
 
-    /// A cloth hangs over a length c = (B / (g W))^(1/3) (Peirce 1930): 1 to 6 cm for anything worn.
+    /// A cloth hangs over a length c = (B / (g W))^(1/3) (Peirce 1930): 1 to 6 cm for anything
+    /// worn.
     #[test]
     fn bending_length_of_every_shipped_fabric_is_that_of_cloth() {
         for (id, fabric) in library() {

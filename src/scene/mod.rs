@@ -39,8 +39,8 @@ pub struct Scene {
     pub cut: Vec<Cut>,
     /// Resistance to stretch and shear.
     pub membrane: Membrane,
-    /// Bending rigidity that the cloth has at least, whatever its fabric \[N m\]: 0 but on coarser meshes, which cannot fold
-    /// as finely.
+    /// Bending rigidity that the cloth has at least, whatever its fabric \[N m\]: 0 but on coarser
+    /// meshes, which cannot fold as finely.
     pub least_bending_n_m: f64,
     /// The body, if there is one.
     pub body: Option<Body>,

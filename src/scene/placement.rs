@@ -1,4 +1,5 @@
-//! Start position of each panel (P7): its key point is put at a key point of the body, in front, behind or round it.
+//! Start position of each panel (P7): its key point is put at a key point of the body, in front,
+//! behind or round it.
 
 use super::Avatar;
 use crate::fault::{Fault, Faults, PlacementCode, pointer_token};
@@ -119,7 +120,8 @@ struct Spot {
     hangs: bool,
     /// Angle of the outward direction from +z towards +x \[rad\].
     outward: f64,
-    /// The part of a turn that a rolled panel covers at least; nothing where panels lie flat unless told.
+    /// The part of a turn that a rolled panel covers at least; nothing where panels lie flat unless
+    /// told.
     turn: Option<f64>,
     lean: f64,
 }
@@ -230,7 +232,8 @@ impl AnchoredPlacement {
     }
 }
 
-/// Returns the reach of the body from its axis between two heights \[m\]: to the front and back for flat panels, all round for rolled ones.
+/// Returns the reach of the body from its axis between two heights \[m\]: to the front and back for
+/// flat panels, all round for rolled ones.
 fn radius(avatar: Option<&Avatar>, centre: f64, span: [f64; 2], wrap: Wrap) -> f64 {
     let Some(avatar) = avatar else {
         return CLEARANCE;
@@ -271,7 +274,8 @@ fn guess(panel: &Panel) -> Option<PlacementAnchor> {
     let front = any(&["front", "fr", "frt", "f"]) || within(&["front", "ftorso"]);
     let band = any(&["wb", "band", "waistband"]) || within(&["waistband"]);
     let skirt = within(&["skirt"]);
-    // Which arm, which opening: a name alone does not tell, and "sleeve_f" must not pass for a front.
+    // Which arm, which opening: a name alone does not tell, and "sleeve_f" must not pass for a
+    // front.
     if within(&["sleeve", "collar", "cuff", "hood"]) {
         return None;
     }

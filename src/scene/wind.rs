@@ -12,15 +12,15 @@ pub struct Wind {
     pub gust: f64,
 }
 
-/// Frequency \[Hz\] and phase \[rad\] of the sines that a gust is made of. No frequency is a simple multiple of another, so
-/// that the gust does not repeat within minutes.
+/// Frequency \[Hz\] and phase \[rad\] of the sines that a gust is made of. No frequency is a simple
+/// multiple of another, so that the gust does not repeat within minutes.
 const SINES: [[f64; 2]; 4] = [[0.13, 0.4], [0.31, 2.3], [0.73, 4.1], [1.70, 5.6]];
 
 impl Wind {
     /// Velocity at `time` \[s\] after the start \[m/s\]: the mean times 1 + gust g(t), |g| <= 1.
     ///
-    /// The sines of g have amplitudes that fall as f^(-1/3): the power per octave of turbulence of A. N. Kolmogorov's
-    /// f^(-5/3) spectrum (1941).
+    /// The sines of g have amplitudes that fall as f^(-1/3): the power per octave of turbulence of
+    /// A. N. Kolmogorov's f^(-5/3) spectrum (1941).
     pub fn at(&self, time: f64) -> Vector3<f64> {
         if self.gust == 0.0 {
             return self.velocity;

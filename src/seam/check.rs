@@ -39,10 +39,11 @@ pub fn check(
 
 /// Checks seams against a pattern whose panels start as `starts` says.
 ///
-/// Pointers are `/seams/<i>/...`, or `/panels/<id>/face` where stated faces are the trouble. The findings always cover
-/// every seam; the [`SeamSet`] is there only when all are right. The order of `pairs` and which side of a pair is A
-/// change neither what is right nor the faces found. Where faces cannot tell the order of a seam, the start of its
-/// panels does: an `auto` seam is turned by it, one as picked is warned of (`seam/likely_reversed`).
+/// Pointers are `/seams/<i>/...`, or `/panels/<id>/face` where stated faces are the trouble. The
+/// findings always cover every seam; the [`SeamSet`] is there only when all are right. The order of
+/// `pairs` and which side of a pair is A change neither what is right nor the faces found. Where
+/// faces cannot tell the order of a seam, the start of its panels does: an `auto` seam is turned by
+/// it, one as picked is warned of (`seam/likely_reversed`).
 ///
 /// # Errors
 /// Every fault of every seam at once, in the second part.
@@ -269,7 +270,8 @@ fn sew(
     }
 }
 
-/// Counts point pairs along matched stretches: one more than mesh edges, less one where the seam is closed, and less each end at which a panel meets itself (the tip of a dart).
+/// Counts point pairs along matched stretches: one more than mesh edges, less one where the seam is
+/// closed, and less each end at which a panel meets itself (the tip of a dart).
 fn stitch_count(pattern: &Pattern, matched: &[[Stretch; 2]], edge_length: f64) -> usize {
     let divisions: usize = matched
         .iter()

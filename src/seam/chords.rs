@@ -1,5 +1,5 @@
-//! Chords between the two sides of a seam where its panels start: they tell its order where the faces
-//! of panels cannot.
+//! Chords between the two sides of a seam where its panels start: they tell its order where the
+//! faces of panels cannot.
 
 use super::{Face, RoutedSeam, StartPositions, Stretch};
 use crate::pattern::Pattern;
@@ -7,12 +7,14 @@ use crate::pattern::Pattern;
 /// Points at which the two sides are compared.
 const SAMPLE_COUNT: usize = 17;
 
-/// The other order is far shorter if what goes beyond the shared distance is at most this share of what does in the
-/// first one, the tangent of 30 degrees: two straight sides of one length are then at most 60 degrees off in the other
-/// order, and at least 120 in the first. Sleeves turned down by 45 degrees against their armholes stay below it.
+/// The other order is far shorter if what goes beyond the shared distance is at most this share of
+/// what does in the first one, the tangent of 30 degrees: two straight sides of one length are then
+/// at most 60 degrees off in the other order, and at least 120 in the first. Sleeves turned down by
+/// 45 degrees against their armholes stay below it.
 const FAR_RATIO: f64 = 0.577;
 
-/// Sides shorter than this are not judged \[m\]: the bit of an edge that is left at a corner points any way.
+/// Sides shorter than this are not judged \[m\]: the bit of an edge that is left at a corner points
+/// any way.
 const MIN_SIDE_M: f64 = 0.02;
 
 /// Sides that start as well together as this share of the seam's length are left alone.
@@ -30,8 +32,8 @@ pub(super) struct Chords {
 }
 
 impl Chords {
-    /// Returns the chords of `seam` in the order it has, on panels with these faces; nothing where the
-    /// start of a panel is not known.
+    /// Returns the chords of `seam` in the order it has, on panels with these faces; nothing where
+    /// the start of a panel is not known.
     pub(super) fn of(
         pattern: &Pattern,
         seam: &RoutedSeam,
@@ -72,10 +74,11 @@ impl Chords {
         found.rms.is_finite().then_some(found)
     }
 
-    /// Returns what the other order leaves of this one's length, in thousandths, if it is far shorter.
+    /// Returns what the other order leaves of this one's length, in thousandths, if it is far
+    /// shorter.
     ///
-    /// Panels start apart from one another, and the distance that both orders share tells nothing: of each is judged
-    /// what goes beyond the shorter of the two mean chords.
+    /// Panels start apart from one another, and the distance that both orders share tells nothing:
+    /// of each is judged what goes beyond the shorter of the two mean chords.
     pub(super) fn remaining_permille(&self, other: &Self) -> Option<u32> {
         let shared = self.mean.min(other.mean);
         let beyond = |chords: &Self| (chords.rms * chords.rms - shared * shared).max(0.0).sqrt();

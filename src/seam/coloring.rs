@@ -1,4 +1,5 @@
-//! The face of each panel, by two-coloring: stated faces fix colors, seams carry them over, `match: auto` seams give way.
+//! The face of each panel, by two-coloring: stated faces fix colors, seams carry them over,
+//! `match: auto` seams give way.
 
 use super::Face;
 use super::faces::{self, FaceColoring, ReversalReason, SeamRelations};
@@ -19,8 +20,8 @@ pub(super) struct ShorterOrder {
     pub remaining_permille: u32,
 }
 
-/// Far shorter order of a seam by start positions, with the faces that either order gives, as picked first; nothing if neither is far
-/// shorter, or that is not known.
+/// Far shorter order of a seam by start positions, with the faces that either order gives, as
+/// picked first; nothing if neither is far shorter, or that is not known.
 pub(super) type ShorterOrderFn<'a> =
     &'a dyn Fn(&SeamRelations<'_>, &[Vec<Face>; 2]) -> Option<ShorterOrder>;
 
@@ -33,9 +34,10 @@ pub(super) struct FaceColorer<'a> {
 impl FaceColorer<'_> {
     /// Colors the panels.
     ///
-    /// First come stated faces, then seams as picked, then those that may twist, then the `auto` ones: those first of
-    /// which places tell most plainly, then those whose heights as drawn are plain. Within each kind the order of ids
-    /// counts and not that of the request, so that the same set gives the same faces.
+    /// First come stated faces, then seams as picked, then those that may twist, then the `auto`
+    /// ones: those first of which places tell most plainly, then those whose heights as drawn are
+    /// plain. Within each kind the order of ids counts and not that of the request, so that the
+    /// same set gives the same faces.
     pub(super) fn color(
         &self,
         stated: &[Option<Face>],
@@ -67,8 +69,9 @@ impl FaceColorer<'_> {
         found
     }
 
-    /// Returns why an `auto` seam is to be reversed, if it is: parity decides; where it cannot, where panels start; where that is not
-    /// known or does not tell, heights as drawn, and then which order more notches fit.
+    /// Returns why an `auto` seam is to be reversed, if it is: parity decides; where it cannot,
+    /// where panels start; where that is not known or does not tell, heights as drawn, and then
+    /// which order more notches fit.
     fn reversal_reason(
         &self,
         implied: &SeamRelations<'_>,

@@ -9,7 +9,8 @@ use crate::pattern::{OutlineRun, Panel, Place, Point2, SeamPair, Side, polyline}
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Largest distance of the reflection of an edge from the edge that is taken for its mirror, as a share of the panel's width and height.
+/// Largest distance of the reflection of an edge from the edge that is taken for its mirror, as a
+/// share of the panel's width and height.
 const MIRROR_SHARE: f64 = 0.02;
 
 /// A point of a panel: the track, and the bits of edge plus fraction.
@@ -22,11 +23,12 @@ pub(super) struct Correction {
 }
 
 impl SeamCheckContext<'_> {
-    /// The correction of a seam for which reversing side B agrees with the faces of all other panels.
+    /// The correction of a seam for which reversing side B agrees with the faces of all other
+    /// panels.
     ///
-    /// Its mirror edge is taken where that is free and heights agree as picked; else side B is reversed where heights
-    /// then agree, no fewer notches meet and no fewer ends meet the ends of neighboring seams. More ends that meet weigh
-    /// more than heights and notches.
+    /// Its mirror edge is taken where that is free and heights agree as picked; else side B is
+    /// reversed where heights then agree, no fewer notches meet and no fewer ends meet the ends of
+    /// neighboring seams. More ends that meet weigh more than heights and notches.
     pub(super) fn correction(&self, implied: &SeamRelations<'_>) -> Option<Correction> {
         let pair = implied.pair;
         let neighbors = self.ends_gained(implied.seam);
@@ -75,7 +77,8 @@ impl SeamCheckContext<'_> {
         ))
     }
 
-    /// The run along the mirror image of the edge that `side` is, if there is such an edge and nothing is sewn to it.
+    /// The run along the mirror image of the edge that `side` is, if there is such an edge and
+    /// nothing is sewn to it.
     fn mirror_run(&self, side: &Side) -> Option<(OutlineRun, String)> {
         let Side::One(run) = side else { return None };
         let (Place::Corner(from), Place::Corner(to)) = (run.from, run.to) else {
@@ -110,7 +113,8 @@ impl SeamCheckContext<'_> {
         (!taken).then_some((run, fix))
     }
 
-    /// Compares how many ends of a seam join points that other seams, one after another, join too: with side B reversed against as picked.
+    /// Compares how many ends of a seam join points that other seams, one after another, join too:
+    /// with side B reversed against as picked.
     fn ends_gained(&self, index: usize) -> Ordering {
         let Some(seam) = self.seams.iter().find(|seam| seam.index == index) else {
             return Ordering::Equal;
@@ -158,7 +162,8 @@ impl SeamCheckContext<'_> {
     }
 }
 
-/// The corner at the reflection of `corner` about the upright line through the middle of the panel; not itself.
+/// The corner at the reflection of `corner` about the upright line through the middle of the panel;
+/// not itself.
 fn mirror_corner(panel: &Panel, corner: usize) -> Option<usize> {
     let edges = panel.edges.iter();
     let points: Vec<Point2> = edges.flat_map(|edge| edge.points.iter().copied()).collect();

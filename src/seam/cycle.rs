@@ -1,4 +1,5 @@
-//! The smallest contradictory cycle among face relations: round it an odd number of them changes the face.
+//! The smallest contradictory cycle among face relations: round it an odd number of them changes
+//! the face.
 
 use super::parity::{FaceRelation, ParityUnionFind};
 use std::collections::VecDeque;
@@ -14,8 +15,9 @@ pub(super) struct FaceConstraint {
 
 /// Returns the fewest of `constraints`, in order round, that cannot all hold; `None` if all can.
 ///
-/// Breadth-first search from each node on the double cover (each node once for either face): the shortest way from
-/// a node to itself with the other face is a shortest contradictory cycle through it. O(nodes x constraints).
+/// Breadth-first search from each node on the double cover (each node once for either face): the
+/// shortest way from a node to itself with the other face is a shortest contradictory cycle through
+/// it. O(nodes x constraints).
 pub(super) fn smallest(
     nodes: usize,
     constraints: &[FaceConstraint],
@@ -83,7 +85,8 @@ fn path_back(
     path
 }
 
-/// Counts the constraints that contradict those before them when some are left out; returns the rest as a union-find too.
+/// Counts the constraints that contradict those before them when some are left out; returns the
+/// rest as a union-find too.
 pub(super) fn contradictions_without(
     constraints: &[FaceConstraint],
     nodes: usize,

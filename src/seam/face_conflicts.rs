@@ -9,17 +9,20 @@ use super::twist_fault::{TwistFault, quoted_list};
 use crate::fault::{Fault, SeamCode, pointer_token};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Panels with stated faces in one connected part of a garment, in two groups: within each the seams agree with what was stated.
+/// Panels with stated faces in one connected part of a garment, in two groups: within each the
+/// seams agree with what was stated.
 #[derive(Default)]
 struct PanelComponent {
     groups: [Vec<usize>; 2],
     contradictory: bool,
 }
 
-/// Returns one fault for each part of the garment in which turning the faces of the fewest panels makes all seams right.
+/// Returns one fault for each part of the garment in which turning the faces of the fewest panels
+/// makes all seams right.
 ///
-/// A part is left to the search for cycles where its seams contradict one another without any face stated, and where a
-/// single seam is enough to blame. Stated faces of the panels to be turned are removed from `constraints`.
+/// A part is left to the search for cycles where its seams contradict one another without any face
+/// stated, and where a single seam is enough to blame. Stated faces of the panels to be turned are
+/// removed from `constraints`.
 pub(super) fn find(
     context: &SeamCheckContext<'_>,
     stated: &[Option<Face>],
@@ -79,7 +82,8 @@ fn components(
     components
 }
 
-/// Returns the smaller group; of two alike the one with fewer fronts, then the one whose first panel comes later.
+/// Returns the smaller group; of two alike the one with fewer fronts, then the one whose first
+/// panel comes later.
 fn panels_to_turn<'a>(context: &SeamCheckContext<'_>, groups: &'a [Vec<usize>; 2]) -> &'a [usize] {
     let rank = |group: &Vec<usize>| {
         let is_front = |panel: &&usize| faces::is_front(context.pattern, **panel);

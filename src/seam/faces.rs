@@ -124,8 +124,8 @@ pub(super) fn fronts_first(pattern: &Pattern) -> Vec<usize> {
     fronts
 }
 
-/// Returns faces from what is known: the node after the last panel is up; a part that is not tied to it has the face of its
-/// front, or else its first panel, up.
+/// Returns faces from what is known: the node after the last panel is up; a part that is not tied
+/// to it has the face of its front, or else its first panel, up.
 pub(super) fn color_faces(fronts_first: &[usize], mut parity: ParityUnionFind) -> Vec<Face> {
     let count = fronts_first.len();
     let (stated_head, stated_same) = parity.find(count);

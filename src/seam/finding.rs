@@ -46,7 +46,8 @@ pub struct SeamFinding {
     pub direction_b: Option<Direction>,
     /// True if the order of B was reversed (`match: auto`).
     pub reversed: bool,
-    /// Notches of A and B that are sewn onto each other, in order; between them points meet by arc length.
+    /// Notches of A and B that are sewn onto each other, in order; between them points meet by arc
+    /// length.
     #[serde(default)]
     pub notches: Vec<MatchedMarks>,
     /// Faults that keep it from being sewn.

@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use utoipa::ToSchema;
 
-/// Start position in space \[m\] of a point of a panel, from the panel's index, its face and pattern
-/// coordinates \[m\]; nothing where that is not known.
+/// Start position in space \[m\] of a point of a panel, from the panel's index, its face and
+/// pattern coordinates \[m\]; nothing where that is not known.
 pub type StartPositions<'a> = &'a dyn Fn(usize, Face, Point2) -> Option<[f64; 3]>;
 
 /// Input of a seam check.

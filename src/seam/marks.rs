@@ -7,10 +7,12 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use utoipa::ToSchema;
 
-/// Largest distance of two marks that meet beyond what ease explains, as a share of the seam: notched by hand.
+/// Largest distance of two marks that meet beyond what ease explains, as a share of the seam:
+/// notched by hand.
 const SLACK: f64 = 0.02;
 
-/// Marks nearer than this to the one before them on their side mark the same place \[m\]. Double notches lie 6 mm apart.
+/// Marks nearer than this to the one before them on their side mark the same place \[m\]. Double
+/// notches lie 6 mm apart.
 const DUPLICATE_M: f64 = 3e-3;
 
 /// Panels with more notches than this are drawn by something that means other than to match them.
@@ -43,12 +45,13 @@ pub(super) type MeasuredStretches = Vec<(Stretch, f64)>;
 
 /// Returns the marks of both sides that meet, in order; none if the sides are not marked alike.
 ///
-/// The notches inside both sides are taken in order where they are equally many, or else the notches with the places at
-/// which a side goes on to another panel (a notch on a sleeve cap meets the shoulder seam). They are taken only if each
-/// two lie near enough. With an ease of `e`, a place at `s` of the shorter side meets one between `s / (1 + e)` (all
-/// ease is after it) and `(s + e) / (1 + e)` (all is before it) of the longer side, as fractions: that is at most
-/// `e / (1 + e)` from `s`, and a little is added for how exactly notches are drawn. Marks farther apart than that
-/// were not made to meet.
+/// The notches inside both sides are taken in order where they are equally many, or else the
+/// notches with the places at which a side goes on to another panel (a notch on a sleeve cap meets
+/// the shoulder seam). They are taken only if each two lie near enough. With an ease of `e`, a
+/// place at `s` of the shorter side meets one between `s / (1 + e)` (all ease is after it) and
+/// `(s + e) / (1 + e)` (all is before it) of the longer side, as fractions: that is at most
+/// `e / (1 + e)` from `s`, and a little is added for how exactly notches are drawn. Marks farther
+/// apart than that were not made to meet.
 pub(super) fn match_marks(pattern: &Pattern, sides: &[MeasuredStretches; 2]) -> Vec<MatchedMarks> {
     let marks = sides.each_ref().map(|side| marks(pattern, side));
     let lengths = sides
@@ -119,8 +122,8 @@ fn marks(pattern: &Pattern, side: &MeasuredStretches) -> Vec<SeamMark> {
     marks
 }
 
-/// Returns a side cut at these positions \[m\], which rise; nothing if that would leave a part empty.
-/// A cut next to the end of a stretch is made there.
+/// Returns a side cut at these positions \[m\], which rise; nothing if that would leave a part
+/// empty. A cut next to the end of a stretch is made there.
 pub(super) fn split_at(
     side: &MeasuredStretches,
     at: impl Iterator<Item = f64>,

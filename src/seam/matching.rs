@@ -1,12 +1,15 @@
-//! Matching of the points of side A and side B by arc length, piecewise between the edge ends of both sides.
+//! Matching of the points of side A and side B by arc length, piecewise between the edge ends of
+//! both sides.
 
 use super::Stretch;
 
-/// Edge ends of the two sides that meet within this share of the seam's length are sewn onto each other:
-/// by arc length alone they would miss by what ease and drawing tolerance leave, and cut the seam into slivers.
+/// Edge ends of the two sides that meet within this share of the seam's length are sewn onto each
+/// other: by arc length alone they would miss by what ease and drawing tolerance leave, and cut the
+/// seam into slivers.
 const MERGE_SHARE: f64 = 0.01;
 
-/// Bounds of the same \[m\]: at least the gap up to which a seam counts as closed, at most half of a usual mesh edge.
+/// Bounds of the same \[m\]: at least the gap up to which a seam counts as closed, at most half of
+/// a usual mesh edge.
 const MERGE_M: [f64; 2] = [1e-3, 5e-3];
 
 /// Never more than this share, so that very short seams keep their edges apart.
@@ -20,9 +23,10 @@ fn merge_distance(longer: f64) -> f64 {
 
 /// Cuts both sides into stretches that meet pairwise.
 ///
-/// `a` and `b` are the stretches of each side with their lengths \[m\], which must be positive. A cut is made wherever
-/// an edge ends on either side; the other side is cut at the same fraction of what is left of it, or at
-/// its own edge end where that is near. Fractions 0 and 1 at edge ends stay exact.
+/// `a` and `b` are the stretches of each side with their lengths \[m\], which must be positive. A
+/// cut is made wherever an edge ends on either side; the other side is cut at the same fraction of
+/// what is left of it, or at its own edge end where that is near. Fractions 0 and 1 at edge ends
+/// stay exact.
 pub(super) fn match_stretches(a: &[(Stretch, f64)], b: &[(Stretch, f64)]) -> Vec<[Stretch; 2]> {
     let (mut a, mut b) = (StretchCursor::new(a), StretchCursor::new(b));
     let merge = {
@@ -46,7 +50,8 @@ pub(super) fn match_stretches(a: &[(Stretch, f64)], b: &[(Stretch, f64)]) -> Vec
     pairs
 }
 
-/// One side, of which stretches are taken off from the front. Positions are fractions of the whole side's length.
+/// One side, of which stretches are taken off from the front. Positions are fractions of the whole
+/// side's length.
 struct StretchCursor<'a> {
     stretches: &'a [(Stretch, f64)],
     length: f64,
@@ -137,7 +142,8 @@ mod tests {
             .collect()
     }
 
-    /// Checks that the stretches of one side follow one another and cover it, and gives where each ends \[m\].
+    /// Checks that the stretches of one side follow one another and cover it, and gives where each
+    /// ends \[m\].
     fn ends(side: &[(Stretch, f64)], taken: impl Iterator<Item = Stretch>) -> Vec<f64> {
         let (mut index, mut at, mut gone) = (0, side[0].0.from, 0.0);
         let ends = taken.map(|stretch| {

@@ -1,4 +1,5 @@
-//! From seam pairs as requested to checked [`Seam`]s: which point meets which, and which face of each panel is out.
+//! From seam pairs as requested to checked [`Seam`]s: which point meets which, and which face of
+//! each panel is out.
 
 mod check;
 mod chords;

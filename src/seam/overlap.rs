@@ -16,7 +16,8 @@ struct Coverage<'a> {
     pointer: &'a str,
 }
 
-/// Returns faults by index of the seam that they are about: the later one where two lie over one another.
+/// Returns faults by index of the seam that they are about: the later one where two lie over one
+/// another.
 pub(super) fn find_faults(
     pattern: &Pattern,
     pairs: &[SeamPair],
@@ -80,8 +81,8 @@ fn coverages(seam: &RoutedSeam) -> impl Iterator<Item = EdgeCoverage<'_>> {
     })
 }
 
-/// Returns pairs of coverages of one edge that share more than a point. Each is compared with the one before it that
-/// reaches farthest, so there are at most as many pairs as coverages.
+/// Returns pairs of coverages of one edge that share more than a point. Each is compared with the
+/// one before it that reaches farthest, so there are at most as many pairs as coverages.
 fn overlaps<'a>(
     pattern: &Pattern,
     coverages: impl Iterator<Item = EdgeCoverage<'a>>,

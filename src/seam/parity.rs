@@ -1,4 +1,5 @@
-//! Union-find with parity over panels that have the same face out or opposite ones, as far as seams tell.
+//! Union-find with parity over panels that have the same face out or opposite ones, as far as seams
+//! tell.
 
 /// Relation between the faces of two panels: the same (`same`) or opposite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -47,7 +48,8 @@ impl ParityUnionFind {
         heads_same
     }
 
-    /// Adds all of `relations`; returns false if any contradicts what is known. Those that do not are added all the same.
+    /// Adds all of `relations`; returns false if any contradicts what is known. Those that do not
+    /// are added all the same.
     pub(super) fn join_all(&mut self, relations: &[FaceRelation]) -> bool {
         let mut fits = true;
         for relation in relations {

@@ -13,8 +13,8 @@ pub(super) struct TrackPath {
 }
 
 impl TrackPath {
-    /// Returns the stretches from one point to the other, all round where they are the same; nothing if more than `limit`,
-    /// or if an open line ends before.
+    /// Returns the stretches from one point to the other, all round where they are the same;
+    /// nothing if more than `limit`, or if an open line ends before.
     pub(super) fn walk(
         &self,
         from: TrackPosition,

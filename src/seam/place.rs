@@ -4,8 +4,8 @@ use super::Track;
 use crate::fault::{Fault, SeamCode};
 use crate::pattern::{Direction, Panel, Place};
 
-/// Places nearer than this to a corner are that corner \[m\]: the gap up to which a seam counts as closed,
-/// so the shift cannot be told from sewing, while a mesh edge that short would be a sliver.
+/// Places nearer than this to a corner are that corner \[m\]: the gap up to which a seam counts as
+/// closed, so the shift cannot be told from sewing, while a mesh edge that short would be a sliver.
 const SNAP_M: f64 = 1e-3;
 
 /// Snap distance as a share of the edge, so that very short edges keep their inner places.
@@ -23,8 +23,8 @@ pub(super) struct TrackPoint {
     pub at: TrackPosition,
 }
 
-/// A point of a track. A corner is always `Corner`, so its fractions 0 and 1 are exact; the ends of an open line are
-/// its corners 0 and 1.
+/// A point of a track. A corner is always `Corner`, so its fractions 0 and 1 are exact; the ends of
+/// an open line are its corners 0 and 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum TrackPosition {
     Corner(usize),
@@ -64,7 +64,8 @@ impl TrackPosition {
         ahead.into_iter().chain(behind.filter(|_| ahead != behind))
     }
 
-    /// Returns the edge and fraction from which a path in `direction` leaves; nothing at the end of an open line.
+    /// Returns the edge and fraction from which a path in `direction` leaves; nothing at the end of
+    /// an open line.
     pub(super) fn leaving(
         self,
         direction: Direction,
@@ -98,7 +99,8 @@ pub(super) fn opposite(direction: Direction) -> Direction {
     }
 }
 
-/// Returns the directions from one point to another along a single edge: none, one, or more than one on rings of one or two edges.
+/// Returns the directions from one point to another along a single edge: none, one, or more than
+/// one on rings of one or two edges.
 pub(super) fn directions_along_one_edge(
     from: TrackPosition,
     to: TrackPosition,
@@ -120,7 +122,8 @@ pub(super) fn directions_along_one_edge(
 /// Finds `place` on `panel`.
 ///
 /// # Errors
-/// Corner, edge, notch, hole or line that the panel does not have; a fraction that is not between 0 and 1.
+/// Corner, edge, notch, hole or line that the panel does not have; a fraction that is not between 0
+/// and 1.
 pub(super) fn resolve(panel: &Panel, place: &Place, pointer: &str) -> Result<TrackPoint, Fault> {
     let resolver = PlaceResolver { panel, pointer };
     match *place {

@@ -1,5 +1,5 @@
-//! Seams whose order the faces cannot tell: the only bridge between two parts, or the side of an internal line.
-//! The start positions of panels tell it.
+//! Seams whose order the faces cannot tell: the only bridge between two parts, or the side of an
+//! internal line. The start positions of panels tell it.
 
 use super::chords::Chords;
 use super::coloring::{SeamOrder, ShorterOrder};
@@ -26,7 +26,8 @@ struct LikelyReversal {
 }
 
 impl ReversalDetector<'_> {
-    /// Warns of the seams as picked that are likely reversed; gives them as they would be in the other order.
+    /// Warns of the seams as picked that are likely reversed; gives them as they would be in the
+    /// other order.
     pub(super) fn warn(
         &self,
         coloring: &FaceColoring,

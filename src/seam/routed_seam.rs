@@ -66,8 +66,8 @@ impl RoutedSeam {
         }
     }
 
-    /// Returns true if the ends that meet are both the upper or both the lower one of their side as drawn;
-    /// nothing where a side is not steep or goes over several panels.
+    /// Returns true if the ends that meet are both the upper or both the lower one of their side as
+    /// drawn; nothing where a side is not steep or goes over several panels.
     pub(super) fn heights_agree(&self, pattern: &Pattern) -> Option<bool> {
         let [a, b] = self.sides.each_ref().map(|runs| rise(runs, pattern));
         Some((a? > 0.0) == (b? > 0.0))
@@ -86,9 +86,9 @@ fn rise(runs: &[RoutedRun], pattern: &Pattern) -> Option<f64> {
     (rise.abs() >= MIN_STEEPNESS).then_some(rise)
 }
 
-/// Returns the face relations of matched stretches: in a two-sided surface two panels with the same side of the cloth out go in
-/// opposite directions along their seam, as the drawings of both have it. An internal line has cloth on both sides
-/// and says nothing.
+/// Returns the face relations of matched stretches: in a two-sided surface two panels with the same
+/// side of the cloth out go in opposite directions along their seam, as the drawings of both have
+/// it. An internal line has cloth on both sides and says nothing.
 pub(super) fn face_relations(pattern: &Pattern, matched: &[[Stretch; 2]]) -> Vec<FaceRelation> {
     let link = |[a, b]: &[Stretch; 2]| {
         let ways = [a, b].map(|stretch| stretch.has_cloth_on_right(pattern));

@@ -8,16 +8,19 @@ use crate::fault::{Fault, SeamCode, nearest};
 use crate::pattern::{Direction, OutlineRun, Panel, Pattern, Side};
 use std::collections::BTreeMap;
 
-/// Stretches that all seams of one request may have together: bounds the memory that long runs laid many times over one another would take.
+/// Stretches that all seams of one request may have together: bounds the memory that long runs laid
+/// many times over one another would take.
 const MAX_STRETCHES: usize = 200_000;
 
-/// Number of misspelled names that get a suggestion: the rest of a request full of them would only cost time.
+/// Number of misspelled names that get a suggestion: the rest of a request full of them would only
+/// cost time.
 const MAX_SUGGESTIONS: usize = 100;
 
 /// Sides shorter than this are nothing to sew \[m\]: outlines are read to a few micrometers.
 const MIN_SIDE_M: f64 = 1e-5;
 
-/// Stretches no longer than this are left out of a run \[m\]: far below what a drawing resolves, far above rounding.
+/// Stretches no longer than this are left out of a run \[m\]: far below what a drawing resolves,
+/// far above rounding.
 const NEGLIGIBLE_M: f64 = 1e-7;
 
 /// One run whose places are known.
@@ -48,7 +51,8 @@ pub(super) struct UnroutableSide {
     pub corrected: Option<Side>,
 }
 
-/// Turns requested sides into routed runs and keeps the bounds on the work that a request may cause.
+/// Turns requested sides into routed runs and keeps the bounds on the work that a request may
+/// cause.
 pub(super) struct RunResolver<'a> {
     pattern: &'a Pattern,
     panels: BTreeMap<&'a str, usize>,
@@ -75,7 +79,8 @@ impl<'a> RunResolver<'a> {
     /// Returns the routed runs of `side`, which stands at `pointer`.
     ///
     /// # Errors
-    /// The faults of all its runs, with the side as it could be sewn where every wrong run can be corrected.
+    /// The faults of all its runs, with the side as it could be sewn where every wrong run can be
+    /// corrected.
     pub(super) fn side(
         &mut self,
         side: &Side,
@@ -119,7 +124,8 @@ impl<'a> RunResolver<'a> {
         Err(UnroutableSide { faults, corrected })
     }
 
-    /// Returns the run with its panel's name and its direction put right, if that is all that is wrong with it.
+    /// Returns the run with its panel's name and its direction put right, if that is all that is
+    /// wrong with it.
     fn corrected(&mut self, run: &OutlineRun) -> Option<OutlineRun> {
         let mut corrected = run.clone();
         if !self.panels.contains_key(run.panel.as_str()) {
@@ -184,8 +190,8 @@ impl<'a> RunResolver<'a> {
         })
     }
 
-    /// Returns the point, or one named before that is as good as the same: a seam that ends where the next one
-    /// begins, each by its own figure, must not leave a sliver between them.
+    /// Returns the point, or one named before that is as good as the same: a seam that ends where
+    /// the next one begins, each by its own figure, must not leave a sliver between them.
     fn snap_to_known(&mut self, panel: usize, point: TrackPoint) -> TrackPoint {
         let TrackPosition::Inside { edge, at } = point.at else {
             return point;

@@ -9,12 +9,14 @@ pub struct Seam {
     pub id: String,
     /// Order of sewing: lower stages are sewn first.
     pub stage: u32,
-    /// Stretches of side A and side B that meet point to point, in order along the seam from `from` of A.
+    /// Stretches of side A and side B that meet point to point, in order along the seam from `from`
+    /// of A.
     ///
-    /// The two of a pair get equally many points, evenly by arc length, so that ease and gathers spread evenly between
-    /// matched notches: the start of the one meets the start of the other.
-    /// Each pair begins on either side where the one before it ends, at a corner or inside an edge, or where the next run of
-    /// that side begins. No stretch is empty. Fractions at corners are exactly 0 and 1.
+    /// The two of a pair get equally many points, evenly by arc length, so that ease and gathers
+    /// spread evenly between matched notches: the start of the one meets the start of the other.
+    /// Each pair begins on either side where the one before it ends, at a corner or inside an edge,
+    /// or where the next run of that side begins. No stretch is empty. Fractions at corners are
+    /// exactly 0 and 1.
     pub matched: Vec<[Stretch; 2]>,
 }
 
@@ -27,7 +29,8 @@ pub struct SeamSet {
     pub faces: Vec<Face>,
 }
 
-/// Number of mesh edges along two matched stretches of these lengths \[m\]: enough that neither side's are longer than `edge_length`.
+/// Number of mesh edges along two matched stretches of these lengths \[m\]: enough that neither
+/// side's are longer than `edge_length`.
 pub fn division_count(length_a: f64, length_b: f64, edge_length: f64) -> usize {
     #[expect(
         clippy::cast_possible_truncation,

@@ -14,7 +14,8 @@ pub struct Stretch {
     pub track: Track,
     /// Index of the edge in that track; 0 on internal lines.
     pub edge: usize,
-    /// Start: fraction of the edge's arc length, in the order of corners. Above `to` when it goes against the edge.
+    /// Start: fraction of the edge's arc length, in the order of corners. Above `to` when it goes
+    /// against the edge.
     pub from: f64,
     /// End, likewise.
     pub to: f64,
@@ -36,8 +37,8 @@ impl Stretch {
         }
     }
 
-    /// Returns true if the cloth lies to its right in the drawing, as it does along a clockwise outline;
-    /// nothing on internal lines, which have cloth on both sides.
+    /// Returns true if the cloth lies to its right in the drawing, as it does along a clockwise
+    /// outline; nothing on internal lines, which have cloth on both sides.
     pub(super) fn has_cloth_on_right(&self, pattern: &Pattern) -> Option<bool> {
         if matches!(self.track, Track::Line(_)) {
             return None;

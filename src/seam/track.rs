@@ -3,7 +3,8 @@
 use crate::pattern::point::distance;
 use crate::pattern::{Edge, Panel, Point2, polyline};
 
-/// An internal line whose ends are nearer than this is closed \[m\]: outlines are read to a few micrometers.
+/// An internal line whose ends are nearer than this is closed \[m\]: outlines are read to a few
+/// micrometers.
 const CLOSED_M: f64 = 1e-5;
 
 /// Track of a panel that stretches lie on: a sequence of edges numbered from 0.
@@ -18,7 +19,8 @@ pub enum Track {
 }
 
 impl Track {
-    /// Returns the edges of an outline or a hole; nothing for lines and for holes that are not there.
+    /// Returns the edges of an outline or a hole; nothing for lines and for holes that are not
+    /// there.
     fn edges(self, panel: &Panel) -> &[Edge] {
         match self {
             Self::Outline => &panel.edges,
@@ -69,7 +71,8 @@ impl Track {
     }
 }
 
-/// Returns true for the mirrored copy of another panel: its corners are numbered as its source's, so in space they run the other way round.
+/// Returns true for the mirrored copy of another panel: its corners are numbered as its source's,
+/// so in space they run the other way round.
 pub(super) fn is_mirrored(panel: &Panel) -> bool {
     panel.copy_of.is_some()
 }

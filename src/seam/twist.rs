@@ -12,8 +12,8 @@ use crate::fault::{Fault, SeamCode};
 /// Contradictory cycles that are reported at once: finding each costs a search over all panels.
 const MAX_REPORTED: usize = 50;
 
-/// Finds panels whose stated faces are the trouble; then the smallest contradictory cycle, takes the blamed seam out,
-/// and so on until none is left.
+/// Finds panels whose stated faces are the trouble; then the smallest contradictory cycle, takes
+/// the blamed seam out, and so on until none is left.
 pub(super) fn find(
     context: &SeamCheckContext<'_>,
     stated: &[Option<Face>],
@@ -41,7 +41,8 @@ pub(super) fn find(
     twists
 }
 
-/// Returns the constraints of stated faces and of the seams that must not twist, in the order of ids.
+/// Returns the constraints of stated faces and of the seams that must not twist, in the order of
+/// ids.
 fn constraints(
     context: &SeamCheckContext<'_>,
     stated: &[Option<Face>],
@@ -81,8 +82,9 @@ struct ContradictoryCycle<'a> {
 }
 
 impl ContradictoryCycle<'_> {
-    /// Returns the seam without which fewest contradictions are left; of several the one that would start far shorter in the
-    /// other order, then the one whose ends are upside down as drawn, then the one set last.
+    /// Returns the seam without which fewest contradictions are left; of several the one that would
+    /// start far shorter in the other order, then the one whose ends are upside down as drawn, then
+    /// the one set last.
     fn blamed(&self, coloring: &FaceColoring) -> Option<&SeamRelations<'_>> {
         let seams = self.cycle.iter().filter_map(|constraint| constraint.seam);
         let relations = self.context.relations;

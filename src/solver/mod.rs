@@ -1,9 +1,13 @@
-//! From a [`crate::scene::Scene`] to a [`Drape`] or a [`Trajectory`], each with a report that says how far to trust it.
+//! From a [`crate::scene::Scene`] to a [`Drape`] or a [`Trajectory`], each with a report that says
+//! how far to trust it.
 //!
-//! - `options`, `context`: what is asked for, and what may be used for it. `outcome`, `statistics`: what comes back, typed.
-//! - `model`: the particles and force terms of a scene; `forces`: the terms, a file each; `linalg`: sparse matrices.
+//! - `options`, `context`: what is asked for, and what may be used for it. `outcome`, `statistics`:
+//!   what comes back, typed.
+//! - `model`: the particles and force terms of a scene; `forces`: the terms, a file each; `linalg`:
+//!   sparse matrices.
 //! - `optimize`: Newton's method for a shape at rest; `integrate`: steps in time.
-//! - `drape`: the shape at rest, level by level; `report`: its measures, and every sentence of its report.
+//! - `drape`: the shape at rest, level by level; `report`: its measures, and every sentence of its
+//!   report.
 
 mod context;
 mod drape;

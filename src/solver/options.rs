@@ -3,7 +3,8 @@
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
-/// Stiffness of a stitch while sewing if none is asked for \[N/m\]: about that of the cloth beside it.
+/// Stiffness of a stitch while sewing if none is asked for \[N/m\]: about that of the cloth beside
+/// it.
 const SEWING_STIFFNESS: f64 = 1e4;
 /// Ratio of the stiffness of the spring of a closed seam to that of the stitch that closed it (P9).
 const CLOSED_STIFFENING: f64 = 10.0;
@@ -22,7 +23,8 @@ pub struct SolverOptions {
     pub method: Method,
     /// Length of mesh edges \[m\].
     pub edge_length_m: f64,
-    /// Residual r to reach for a drape (dimensionless); RMS position error in meters per simulated second for motion.
+    /// Residual r to reach for a drape (dimensionless); RMS position error in meters per simulated
+    /// second for motion.
     pub tolerance: f64,
     /// Fixed step of a trajectory \[s\].
     pub step_s: Option<f64>,
@@ -65,8 +67,8 @@ impl SolverOptions {
         self.seam_stiffness_n_m.unwrap_or(SEWING_STIFFNESS)
     }
 
-    /// Returns the stiffness of a stitch of a closed seam \[N/m\] which stitches of the stiffness `sewing` closed: the one asked
-    /// for, or much stiffer than that (P9).
+    /// Returns the stiffness of a stitch of a closed seam \[N/m\] which stitches of the stiffness
+    /// `sewing` closed: the one asked for, or much stiffer than that (P9).
     pub(crate) fn closed_seam_stiffness(&self, sewing: f64) -> f64 {
         self.seam_stiffness_n_m
             .unwrap_or(sewing * CLOSED_STIFFENING)

@@ -100,7 +100,8 @@ pub(crate) struct LevelOutcome {
     pub(crate) vertices: usize,
     /// The relaxed shape's figures, or why its seams did not close.
     pub(crate) relaxation: Result<RelaxOutcome, Unfinished>,
-    /// RMS distance from the shape that the coarser level handed on \[m\]; none on the level that was sewn.
+    /// RMS distance from the shape that the coarser level handed on \[m\]; none on the level that
+    /// was sewn.
     pub(crate) moved_m: Option<f64>,
     /// Iterations, fallbacks and times.
     pub(crate) statistics: SolveStatistics,

@@ -14,7 +14,8 @@ use crate::solver::{self, Drape, Method, SolverOptions};
 const REFERENCE_TOLERANCE: f64 = 1e-2;
 /// An error is certain if it is this many times the bound on that of its reference.
 const CERTAIN: f64 = 3.0;
-/// A run that did not converge and took this share of its time ran out of it: the solver ends a little before its time is up.
+/// A run that did not converge and took this share of its time ran out of it: the solver ends a
+/// little before its time is up.
 const OUT_OF_TIME: f64 = 0.7;
 
 /// All drapes on one mesh.
@@ -44,8 +45,8 @@ struct TimedDrape {
 }
 
 impl<'a, 'c, 'w> DrapeRuns<'a, 'c, 'w> {
-    /// Returns the weight of all drapes on a mesh: each run and going on from it, and the same for the two methods of the
-    /// reference.
+    /// Returns the weight of all drapes on a mesh: each run and going on from it, and the same for
+    /// the two methods of the reference.
     pub(super) fn weight(plan: &StudyPlan) -> f64 {
         2.0 * (plan.methods.len() * plan.tolerances.len()) as f64 + 4.0
     }
@@ -216,8 +217,8 @@ impl<'a, 'c, 'w> DrapeRuns<'a, 'c, 'w> {
         }
     }
 
-    /// Finds a rest shape by Newton's method and one by a method that steps, and compares them. Returns also the number of the
-    /// first.
+    /// Finds a rest shape by Newton's method and one by a method that steps, and compares them.
+    /// Returns also the number of the first.
     fn reference(&mut self) -> (StudyReference, Option<usize>) {
         let began = self.schedule.cpu_s();
         let first = self

@@ -4,8 +4,9 @@ use super::plan::{MeshResult, StudyScene};
 use crate::mesh::{ClothMesh, Locator};
 use nalgebra::Vector3;
 
-/// Returns for each mesh the RMS distance of its reference from that on the finest mesh that has one \[m\], over its vertices (of
-/// a motion: over frames too); none on the finest itself, and where there is nothing to compare.
+/// Returns for each mesh the RMS distance of its reference from that on the finest mesh that has
+/// one \[m\], over its vertices (of a motion: over frames too); none on the finest itself, and
+/// where there is nothing to compare.
 pub(super) fn mesh_errors(scenes: &[StudyScene], results: &[MeshResult]) -> Vec<Option<f64>> {
     let is_comparable =
         |i: &usize| !results[*i].shapes.is_empty() && !scenes[*i].scene.mesh.triangles.is_empty();
@@ -28,7 +29,8 @@ pub(super) fn mesh_errors(scenes: &[StudyScene], results: &[MeshResult]) -> Vec<
 /// Corners of a triangle with the weight of each.
 type CornerWeights = [(usize, f64); 3];
 
-/// Finds each vertex of `mesh` in a triangle of `fine`, if it lies in one; none if their panels differ.
+/// Finds each vertex of `mesh` in a triangle of `fine`, if it lies in one; none if their panels
+/// differ.
 fn interpolation_weights(mesh: &ClothMesh, fine: &ClothMesh) -> Option<Vec<Option<CornerWeights>>> {
     if mesh.panels.len() != fine.panels.len() {
         return None;
@@ -43,7 +45,8 @@ fn interpolation_weights(mesh: &ClothMesh, fine: &ClothMesh) -> Option<Vec<Optio
     Some(weights)
 }
 
-/// Returns the RMS distance between `shapes` and the points of `fine` at `weights` \[m\]; none if there are none.
+/// Returns the RMS distance between `shapes` and the points of `fine` at `weights` \[m\]; none if
+/// there are none.
 fn rms_distance_to(
     shapes: &[Vec<Vector3<f64>>],
     fine: &[Vec<Vector3<f64>>],

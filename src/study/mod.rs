@@ -1,5 +1,6 @@
-//! Studies: one garment by many methods, settings and meshes, against a reference that the study converges itself; error
-//! against run time as a table and a picture, observed orders, stability limits, and a recommendation.
+//! Studies: one garment by many methods, settings and meshes, against a reference that the study
+//! converges itself; error against run time as a table and a picture, observed orders, stability
+//! limits, and a recommendation.
 //!
 //! [`read_study`] → [`resolve`] → [`run`] → [`Study`] → [`plot_svg`].
 

@@ -1,9 +1,9 @@
-//! The reference of motions: Verlet and BDF2, each extrapolated to steps of zero, refined until they agree well below the errors
-//! that are to be measured.
+//! The reference of motions: Verlet and BDF2, each extrapolated to steps of zero, refined until
+//! they agree well below the errors that are to be measured.
 //!
-//! Both are of order 2, so of two motions with steps h and h/2 the extrapolation is (4 x(h/2) - x(h)) / 3 (L. F. Richardson,
-//! Phil. Trans. R. Soc. A 210, 1911). One is explicit and keeps energy, the other implicit and damps: what both agree on is
-//! the motion.
+//! Both are of order 2, so of two motions with steps h and h/2 the extrapolation is (4 x(h/2) -
+//! x(h)) / 3 (L. F. Richardson, Phil. Trans. R. Soc. A 210, 1911). One is explicit and keeps
+//! energy, the other implicit and damps: what both agree on is the motion.
 
 use super::finding::ReferenceFinding;
 use crate::solver::{Method, rms_distance};
@@ -48,15 +48,17 @@ struct ExtrapolatedMotion {
     apart_m: f64,
 }
 
-/// Makes a motion by a method in steps of a length \[s\], a part of a weight; returns none if there is no time for it.
+/// Makes a motion by a method in steps of a length \[s\], a part of a weight; returns none if there
+/// is no time for it.
 type MakeMotion<'a> = dyn FnMut(Method, f64, f64) -> Option<MotionFrames> + 'a;
 
 impl MotionReference {
     /// Weight of the reference among the parts of a study.
     pub(super) const WEIGHT: f64 = 8.0;
 
-    /// Begins with these steps of Verlet and BDF2 \[s\], and refines them until they agree well below the error that `smallest`
-    /// returns: the smallest one against a reference \[m\]. Returns none if not even the first pair was finished.
+    /// Begins with these steps of Verlet and BDF2 \[s\], and refines them until they agree well
+    /// below the error that `smallest` returns: the smallest one against a reference \[m\]. Returns
+    /// none if not even the first pair was finished.
     pub(super) fn refined(
         [explicit, implicit]: [f64; 2],
         motion: &mut MakeMotion<'_>,

@@ -11,17 +11,20 @@ use super::wording;
 use crate::solver::{self, Analysis, Drape, Method, SolverOptions, Start, Trajectory};
 use nalgebra::Vector3;
 
-/// Tolerance of runs with fixed steps, to which implicit steps are solved \[m/s\]: 2e-10 of the weight.
+/// Tolerance of runs with fixed steps, to which implicit steps are solved \[m/s\]: 2e-10 of the
+/// weight.
 const EXACT_TOLERANCE: f64 = 1e-7;
-/// Steps that are left to the study: shares of the limit of explicit methods, and of the time between two frames for implicit
-/// ones.
+/// Steps that are left to the study: shares of the limit of explicit methods, and of the time
+/// between two frames for implicit ones.
 const SHARES_OF_LIMIT: [f64; 4] = [0.8, 0.4, 0.2, 0.1];
 const SHARES_OF_FRAME: [f64; 4] = [0.25, 0.125, 0.0625, 0.03125];
 /// The most frames of a run that are compared.
 const MOST_FRAMES: usize = 31;
-/// An error is certain if it is this many times the distance between the two methods of the reference.
+/// An error is certain if it is this many times the distance between the two methods of the
+/// reference.
 const CERTAIN: f64 = 3.0;
-/// Weights of the start, and of the rest shape for the stability limits, among the parts of a study.
+/// Weights of the start, and of the rest shape for the stability limits, among the parts of a
+/// study.
 const START_WEIGHT: f64 = 1.0;
 const REST_WEIGHT: f64 = 1.0;
 /// Residual of that rest shape.
@@ -105,8 +108,8 @@ impl<'a, 'c, 'w> MotionRuns<'a, 'c, 'w> {
         }
     }
 
-    /// Finds the shape that motions begin with: what is sewn must be closed first, and what is at rest must have something to
-    /// move it.
+    /// Finds the shape that motions begin with: what is sewn must be closed first, and what is at
+    /// rest must have something to move it.
     fn start(&mut self, study: &mut Study) -> Option<Vec<Vector3<f64>>> {
         let scene = &self.scene.scene;
         if scene.mesh.stitches.is_empty() && scene.wind.is_none() {
@@ -230,7 +233,8 @@ impl<'a, 'c, 'w> MotionRuns<'a, 'c, 'w> {
         })
     }
 
-    /// Fills in the errors against a reference that is refined as far as they need. Returns also its frames.
+    /// Fills in the errors against a reference that is refined as far as they need. Returns also
+    /// its frames.
     fn measure(
         &mut self,
         made: &mut [MotionRun],
@@ -356,14 +360,16 @@ fn within(options: SolverOptions, time_s: f64) -> SolverOptions {
     }
 }
 
-/// Returns the shortest step of the finished runs by one of two methods \[s\]; infinite if there is none.
+/// Returns the shortest step of the finished runs by one of two methods \[s\]; infinite if there is
+/// none.
 fn shortest_step(made: &[MotionRun], methods: [&str; 2]) -> f64 {
     let finished = made.iter().filter(|m| m.frames.is_some());
     let such = finished.filter(|m| methods.contains(&m.run.used.as_str()));
     such.map(|m| m.step_s).fold(f64::INFINITY, f64::min)
 }
 
-/// Takes frames of a motion evenly over its time, the last one among them; the same ones for all meshes.
+/// Takes frames of a motion evenly over its time, the last one among them; the same ones for all
+/// meshes.
 fn compared_frames(motion: &Trajectory) -> MotionFrames {
     let last = motion.frames.len().saturating_sub(1);
     let count = last.min(MOST_FRAMES);

@@ -3,7 +3,8 @@
 use super::report::{StudyOrder, StudyRun};
 use crate::solver::Method;
 
-/// Returns the order of each method among `runs`, of which `steps` are the lengths of the steps taken \[s\].
+/// Returns the order of each method among `runs`, of which `steps` are the lengths of the steps
+/// taken \[s\].
 pub(super) fn orders(runs: &[StudyRun], steps: &[f64]) -> Vec<StudyOrder> {
     let mut orders: Vec<StudyOrder> = Vec::new();
     for run in runs.iter().filter(|run| run.step_s.is_some()) {
@@ -45,7 +46,8 @@ fn theory(method: Method) -> Option<f64> {
     }
 }
 
-/// Returns the slope of log error over log step by least squares; none with fewer than two different steps.
+/// Returns the slope of log error over log step by least squares; none with fewer than two
+/// different steps.
 fn slope(points: &[(f64, f64)]) -> Option<f64> {
     let positive = points.iter().filter(|(h, e)| *h > 0.0 && *e > 0.0);
     let logs: Vec<(f64, f64)> = positive.map(|(h, e)| (h.ln(), e.ln())).collect();

@@ -8,7 +8,8 @@ use nalgebra::Vector3;
 /// The settings that a study varies, on scenes that are assembled already.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StudyPlan {
-    /// Options that all runs have in common: analysis, membrane, seams, duration, frame rate, the time limit of one run.
+    /// Options that all runs have in common: analysis, membrane, seams, duration, frame rate, the
+    /// time limit of one run.
     pub simulate: SolverOptions,
     /// Methods.
     pub methods: Vec<Method>,

@@ -5,8 +5,9 @@ use super::wording::{edges, method_name, run_summary};
 use crate::export::{Plot, PlotPoint, PlotSeries};
 use crate::solver::Analysis;
 
-/// Draws work against precision of all runs as an SVG: CPU seconds across, the solver error up, both logarithmic; a curve for
-/// each method and mesh. Runs whose error is not known are listed below it.
+/// Draws work against precision of all runs as an SVG: CPU seconds across, the solver error up,
+/// both logarithmic; a curve for each method and mesh. Runs whose error is not known are listed
+/// below it.
 pub fn plot_svg(study: &Study) -> String {
     let (mut series, mut foot): (Vec<PlotSeries>, Vec<String>) = Default::default();
     let lengths = study.meshes.iter().map(|mesh| mesh.edge_length_m);

@@ -38,7 +38,8 @@ pub(super) enum StudyNote {
     MeshError { edge_length_m: f64, error_m: f64 },
 }
 
-/// Chooses a run on the finest mesh that has errors; none if no run there reached its tolerance with an error that is known.
+/// Chooses a run on the finest mesh that has errors; none if no run there reached its tolerance
+/// with an error that is known.
 pub(super) fn recommend(study: &Study) -> Option<Recommendation<'_>> {
     let is_usable = |r: &&StudyRun| r.converged && r.error_m.is_some();
     let usable: Vec<&StudyRun> = study.runs.iter().filter(is_usable).collect();
@@ -59,7 +60,8 @@ pub(super) fn recommend(study: &Study) -> Option<Recommendation<'_>> {
     })
 }
 
-/// Returns of each method the loosest run whose error is below `error_m`, the fastest one first: times alone may differ by chance.
+/// Returns of each method the loosest run whose error is below `error_m`, the fastest one first:
+/// times alone may differ by chance.
 fn loosest_of_each_method<'a>(runs: &[&'a StudyRun], error_m: f64) -> Vec<&'a StudyRun> {
     let mut good: Vec<&StudyRun> = Vec::new();
     let is_good = |r: &&&StudyRun| r.error_m.is_some_and(|e| e <= error_m);

@@ -1,5 +1,5 @@
-//! The result of a study. Errors are RMS over the vertices (of a motion: over its frames too) on the same mesh, unless it says
-//! otherwise.
+//! The result of a study. Errors are RMS over the vertices (of a motion: over its frames too) on
+//! the same mesh, unless it says otherwise.
 
 use crate::solver::{Analysis, MembraneModel, Method};
 use serde::{Deserialize, Serialize};
@@ -8,8 +8,8 @@ use utoipa::ToSchema;
 /// Name and version of the format of a study's result.
 pub const SCHEMA: &str = "seamster/study/1";
 
-/// The result of a study. All numbers are finite; apart from CPU times, and from what a time limit left out, the same study gives
-/// the same result.
+/// The result of a study. All numbers are finite; apart from CPU times, and from what a time limit
+/// left out, the same study gives the same result.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Study {
     /// Always `seamster/study/1`.
@@ -57,8 +57,9 @@ pub struct StudyMesh {
     pub reference: StudyReference,
     /// The rest shapes that runs on this mesh led to, the reference's first; none for a motion.
     pub minima: Vec<StudyMinimum>,
-    /// Distance of the reference from that on the finest mesh at the same points of the pattern \[m\]: the mesh error, apart
-    /// from solver errors, less that of the finest mesh. None on the finest mesh and where there is no reference.
+    /// Distance of the reference from that on the finest mesh at the same points of the pattern
+    /// \[m\]: the mesh error, apart from solver errors, less that of the finest mesh. None on the
+    /// finest mesh and where there is no reference.
     pub mesh_error_m: Option<f64>,
 }
 
@@ -111,15 +112,18 @@ pub struct StudyRun {
     pub vertices: usize,
     /// CPU time of the run, its reference not counted \[s\].
     pub cpu_s: f64,
-    /// Solver error: RMS distance to the rest shape that this run's own shape leads to, or from the reference motion \[m\].
+    /// Solver error: RMS distance to the rest shape that this run's own shape leads to, or from the
+    /// reference motion \[m\].
     pub error_m: Option<f64>,
-    /// True if the error is well above that of its reference. Where it is not, it is an upper bound.
+    /// True if the error is well above that of its reference. Where it is not, it is an upper
+    /// bound.
     pub error_certain: bool,
     /// The solver's own estimate of it \[m\].
     pub estimate_m: Option<f64>,
     /// True if the solver calls its estimate valid.
     pub estimate_valid: bool,
-    /// Energy of the shape it stopped at: all terms, and for a motion at its last frame with that of motion \[J\].
+    /// Energy of the shape it stopped at: all terms, and for a motion at its last frame with that
+    /// of motion \[J\].
     pub energy_j: f64,
     /// Residual r of a drape.
     pub residual: Option<f64>,
@@ -146,8 +150,8 @@ pub struct StudyOrder {
     pub edge_length_m: f64,
     /// The order found; none with fewer than two errors that are certain.
     pub observed: Option<f64>,
-    /// The same between the two shortest steps: where it is nearer to theory, the longer ones are too long for the stiffest part of
-    /// the motion.
+    /// The same between the two shortest steps: where it is nearer to theory, the longer ones are
+    /// too long for the stiffest part of the motion.
     pub finest: Option<f64>,
     /// The order of theory, where forces are smooth.
     pub theory: f64,
@@ -162,10 +166,11 @@ pub struct StudyStability {
     pub method: Method,
     /// Length of mesh edges \[m\].
     pub edge_length_m: f64,
-    /// The longest step, found by bisection, with which the disturbance did not grow \[s\]. None if no such step was found to be
-    /// unstable.
+    /// The longest step, found by bisection, with which the disturbance did not grow \[s\]. None if
+    /// no such step was found to be unstable.
     pub found_s: Option<f64>,
-    /// The limit from the highest frequency at that shape \[s\]. None for methods that theory calls stable with any step.
+    /// The limit from the highest frequency at that shape \[s\]. None for methods that theory calls
+    /// stable with any step.
     pub theory_s: Option<f64>,
     /// Longest step that was tried \[s\].
     pub tried_s: f64,

@@ -8,26 +8,29 @@ use utoipa::ToSchema;
 
 /// A garment, and the settings to vary. Only `garment` is required.
 ///
-/// The garment's own `simulate` states the rest: what is wanted, the membrane (one for the whole study), how seams close, and for
-/// a motion its duration and frame rate; its `method`, `tolerance`, `step_s` and `edge_length_m` are what an empty list stands for
-/// or are not used; its `time_limit_s` bounds every single run.
+/// The garment's own `simulate` states the rest: what is wanted, the membrane (one for the whole
+/// study), how seams close, and for a motion its duration and frame rate; its `method`,
+/// `tolerance`, `step_s` and `edge_length_m` are what an empty list stands for or are not used; its
+/// `time_limit_s` bounds every single run.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 #[schema(as = StudyAsked)]
 pub struct StudyRequest {
     /// The garment, as for a fit; here it may want a motion.
     pub garment: Garment,
-    /// Methods to compare. Empty: `newton`, `implicit_euler` and `symplectic_euler` for a drape, all four that step for a motion.
+    /// Methods to compare. Empty: `newton`, `implicit_euler` and `symplectic_euler` for a drape,
+    /// all four that step for a motion.
     #[serde(default)]
     #[schema(min_items = 0)]
     pub methods: Vec<Method>,
-    /// Tolerances, as in `simulate.tolerance`: the residual r to reach for a drape, metres per simulated second for a motion.
-    /// Empty: 1e-1, 1e-2, 1e-3 and 1e-4 for a drape, none for a motion.
+    /// Tolerances, as in `simulate.tolerance`: the residual r to reach for a drape, metres per
+    /// simulated second for a motion. Empty: 1e-1, 1e-2, 1e-3 and 1e-4 for a drape, none for a
+    /// motion.
     #[serde(default)]
     #[schema(min_items = 0)]
     pub tolerances: Vec<f64>,
-    /// Fixed steps of a motion \[s\]. Empty, and no tolerances given: each method's own, from its stability limit or a frame
-    /// downwards.
+    /// Fixed steps of a motion \[s\]. Empty, and no tolerances given: each method's own, from its
+    /// stability limit or a frame downwards.
     #[serde(default)]
     #[schema(min_items = 0)]
     pub steps_s: Vec<f64>,
@@ -35,7 +38,8 @@ pub struct StudyRequest {
     #[serde(default)]
     #[schema(min_items = 0)]
     pub edge_lengths_m: Vec<f64>,
-    /// CPU time of the whole study \[s\]; what it does not suffice for is left out and listed. Absent: 600.
+    /// CPU time of the whole study \[s\]; what it does not suffice for is left out and listed.
+    /// Absent: 600.
     #[serde(default)]
     pub time_limit_s: Option<f64>,
 }

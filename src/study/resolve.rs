@@ -36,8 +36,8 @@ pub struct ResolvedStudy {
 }
 
 impl ResolvedStudy {
-    /// Returns the request with nothing left open: the garment complete in itself, empty lists filled in (but for steps, which
-    /// depend on the scene). To be stored.
+    /// Returns the request with nothing left open: the garment complete in itself, empty lists
+    /// filled in (but for steps, which depend on the scene). To be stored.
     pub fn request(&self) -> &StudyRequest {
         &self.request
     }
@@ -108,7 +108,8 @@ pub fn resolve(
     })
 }
 
-/// Returns the garment for one mesh. Options of a motion alone belong to the study and not to the fit.
+/// Returns the garment for one mesh. Options of a motion alone belong to the study and not to the
+/// fit.
 fn on_mesh(garment: &Garment, options: &SolverOptions, edge_length_m: f64) -> Garment {
     let simulate = SolverOptions {
         analysis: Analysis::Static,

@@ -1,7 +1,8 @@
-//! The rest shape that a drape goes on to when it is not stopped: the reference that its error is measured by.
+//! The rest shape that a drape goes on to when it is not stopped: the reference that its error is
+//! measured by.
 //!
-//! Rest shapes are not unique, so the reference of a shape is the one that it leads to itself: Newton's method goes on from
-//! there to the round-off floor.
+//! Rest shapes are not unique, so the reference of a shape is the one that it leads to itself:
+//! Newton's method goes on from there to the round-off floor.
 
 use crate::scene::Scene;
 use crate::solver::{self, Context, Drape, Energy, SolverOptions, rms_distance};
@@ -21,8 +22,8 @@ pub struct RestShape {
 impl RestShape {
     /// Goes on from where `from` stopped, by the method and within the time of `options`.
     ///
-    /// Returns none if its seams are open (there is no rest shape to go on to), or if that method did not come to rest. Friction
-    /// goes on from where it held the cloth.
+    /// Returns none if its seams are open (there is no rest shape to go on to), or if that method
+    /// did not come to rest. Friction goes on from where it held the cloth.
     pub fn of(
         scene: &Scene,
         options: &SolverOptions,
@@ -44,8 +45,9 @@ impl RestShape {
         })
     }
 
-    /// Returns the error of the shape that it went on from \[m, RMS\]: two shapes that are both at the floor say nothing of the
-    /// distance to the exact one, which the estimate at the floor bounds.
+    /// Returns the error of the shape that it went on from \[m, RMS\]: two shapes that are both at
+    /// the floor say nothing of the distance to the exact one, which the estimate at the floor
+    /// bounds.
     pub fn error_m(&self) -> f64 {
         self.moved_m.max(self.estimate_m())
     }

@@ -5,9 +5,11 @@ use super::rest_shape::RestShape;
 use crate::solver::{Drape, rms_distance};
 use nalgebra::Vector3;
 
-/// Shapes nearer than this are the same \[m, RMS\]: a hundredth of a millimetre is nothing on a garment.
+/// Shapes nearer than this are the same \[m, RMS\]: a hundredth of a millimetre is nothing on a
+/// garment.
 const SAME_M: f64 = 1e-5;
-/// Shapes are also the same if they are nearer than this many times the estimates of their own errors.
+/// Shapes are also the same if they are nearer than this many times the estimates of their own
+/// errors.
 const SAME_ESTIMATES: f64 = 10.0;
 /// The most different shapes that are kept.
 const MOST_KEPT: usize = 16;
@@ -29,7 +31,8 @@ struct KnownRestShape {
 }
 
 impl RestShapes {
-    /// Returns the number of the shape that `rest` is, a new one if need be; none if there are too many.
+    /// Returns the number of the shape that `rest` is, a new one if need be; none if there are too
+    /// many.
     pub(super) fn find_or_add(&mut self, rest: &RestShape, is_run: bool) -> Option<usize> {
         let number = self.find(rest).or_else(|| self.add(rest))?;
         self.known[number].runs += usize::from(is_run);

@@ -1,4 +1,5 @@
-//! Runs a study: all its parts, in the order in which they are worth most should the time not suffice.
+//! Runs a study: all its parts, in the order in which they are worth most should the time not
+//! suffice.
 
 use super::drape_runs::DrapeRuns;
 use super::finding::StartShape;
@@ -40,10 +41,12 @@ pub fn run(study: &ResolvedStudy, context: &mut Context<'_>) -> Result<Study, Fa
     Ok(run_scenes(&scenes, &plan, context))
 }
 
-/// As [`run`], on scenes that are assembled already, such as raw ones: the same cloth on one mesh or several.
+/// As [`run`], on scenes that are assembled already, such as raw ones: the same cloth on one mesh
+/// or several.
 ///
 /// # Guarantees
-/// Ends soon after the time allowed and when canceled, with what was left out listed. All numbers are finite.
+/// Ends soon after the time allowed and when canceled, with what was left out listed. All numbers
+/// are finite.
 pub fn run_scenes(scenes: &[StudyScene], plan: &StudyPlan, context: &mut Context<'_>) -> Study {
     let is_motion = plan.simulate.analysis == Analysis::Transient;
     let runs = if is_motion {

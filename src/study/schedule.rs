@@ -5,7 +5,8 @@ use super::wording;
 use crate::progress::Progress;
 use crate::solver::Context;
 
-/// The most time a part may take, in shares of the time that is left: one slow method must not starve the others.
+/// The most time a part may take, in shares of the time that is left: one slow method must not
+/// starve the others.
 const MOST_SHARES: f64 = 3.0;
 
 /// The time and the parts that are left of a study.
@@ -25,7 +26,8 @@ pub(super) struct StudySchedule<'c, 'w> {
 }
 
 impl<'c, 'w> StudySchedule<'c, 'w> {
-    /// Begins a study whose parts weigh `weight`, in the CPU time allowed for all of it and for each run \[s\].
+    /// Begins a study whose parts weigh `weight`, in the CPU time allowed for all of it and for
+    /// each run \[s\].
     pub(super) fn new(
         context: &'c mut Context<'w>,
         [allowed, allowed_each]: [Option<f64>; 2],
@@ -68,8 +70,8 @@ impl<'c, 'w> StudySchedule<'c, 'w> {
         self.done += weight;
     }
 
-    /// Does a part of this weight, with a context of its own and the CPU time that it may take \[s\]. Returns none, and lists the
-    /// part as skipped, if it is too late.
+    /// Does a part of this weight, with a context of its own and the CPU time that it may take
+    /// \[s\]. Returns none, and lists the part as skipped, if it is too late.
     pub(super) fn run<T>(
         &mut self,
         part: StudyPart,

@@ -5,7 +5,8 @@ use crate::config::Limits;
 use crate::fault::{Fault, StudyCode};
 use crate::solver::{Analysis, Method, SolverOptions};
 
-/// Returns the faults of a request whose empty lists are filled in; its garment is not looked at, but for the options of a motion.
+/// Returns the faults of a request whose empty lists are filled in; its garment is not looked at,
+/// but for the options of a motion.
 pub(super) fn faults(request: &StudyRequest, limits: &Limits) -> Vec<Fault> {
     let mut faults = list_faults(request, limits);
     faults.extend(too_many_runs(request, limits));

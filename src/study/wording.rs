@@ -85,7 +85,8 @@ pub(super) fn ended_with_unstable_steps(why: &str) -> String {
     format!("{why}; some steps were above the stability limit of that moment")
 }
 
-/// Returns how a reference was found and confirmed, or why not. Errors from `certain` times its uncertainty on are certain.
+/// Returns how a reference was found and confirmed, or why not. Errors from `certain` times its
+/// uncertainty on are certain.
 pub(super) fn reference(finding: &ReferenceFinding, certain: f64) -> String {
     match finding {
         ReferenceFinding::NoneAtRest => "no method came to rest in the time allowed".to_owned(),

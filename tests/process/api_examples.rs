@@ -1,4 +1,5 @@
-//! Every script of `api/examples` against a started program: what the documentation says can be copied, works.
+//! Every script of `api/examples` against a started program: what the documentation says can be
+//! copied, works.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 

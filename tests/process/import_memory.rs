@@ -6,7 +6,8 @@ use seamster::pattern::{ImportOptions, import};
 use seamster_fixtures::dxf::DxfBuilder;
 use std::path::PathBuf;
 
-/// Peak of the memory of this process since [`reset_peak`] \[bytes\]; `None` where the system does not say.
+/// Peak of the memory of this process since [`reset_peak`] \[bytes\]; `None` where the system does
+/// not say.
 fn peak_memory() -> Option<usize> {
     usize::try_from(peak_bytes()?).ok()
 }
@@ -17,7 +18,8 @@ fn reset_peak() {
     let _ = std::fs::write("/proc/self/clear_refs", "5");
 }
 
-/// Pieces as CAD writes them: a block each, runs of polylines with a vertex in eight lines, turn points.
+/// Pieces as CAD writes them: a block each, runs of polylines with a vertex in eight lines, turn
+/// points.
 fn pieces() -> Vec<u8> {
     let mut file = DxfBuilder::metric();
     for i in 0..400 {

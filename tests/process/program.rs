@@ -47,7 +47,8 @@ pub(crate) fn sample(file: &str) -> String {
     format!("{}/static/samples/{file}", env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The sample skirt's garment, sewn coarsely and from a fabric of its own: what is tested here is not the shape.
+/// The sample skirt's garment, sewn coarsely and from a fabric of its own: what is tested here is
+/// not the shape.
 pub(crate) fn garment() -> Value {
     let text = std::fs::read_to_string(sample("skirt.garment.json")).unwrap();
     let mut garment: Value = serde_json::from_str(&text).unwrap();
@@ -162,7 +163,8 @@ impl Drop for Service {
     }
 }
 
-/// Reads the log of a service up to the line that tells where it listens; the rest is read and dropped.
+/// Reads the log of a service up to the line that tells where it listens; the rest is read and
+/// dropped.
 fn listening_address(log: ChildStderr) -> String {
     let mut lines = BufReader::new(log).lines().map_while(Result::ok);
     let address = lines.find_map(|line| {

@@ -1,6 +1,8 @@
-//! Times whole fits of the shipped samples over mesh edge lengths, one JSON line a run: `cargo run --release -p seamster-tools bench-samples`.
+//! Times whole fits of the shipped samples over mesh edge lengths, one JSON line a run:
+//! `cargo run --release -p seamster-tools bench-samples`.
 //!
-//! A time says nothing without the error reached: every line has the residual and the error estimate beside it.
+//! A time says nothing without the error reached: every line has the residual and the error
+//! estimate beside it.
 
 use seamster::config::Limits;
 use seamster::fit;

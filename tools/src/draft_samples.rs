@@ -1,7 +1,9 @@
-//! Drafts the sample patterns for the default dress form and writes them as DXF, each with its garment file.
+//! Drafts the sample patterns for the default dress form and writes them as DXF, each with its
+//! garment file.
 //!
-//! `cargo run -p seamster-tools draft-samples [FOLDER]` writes `static/samples` unless told otherwise. The files
-//! are in the repository: run it again after a change of `tests/fixtures/src/drafting`, and `tests/it/fit/samples.rs` checks that it was.
+//! `cargo run -p seamster-tools draft-samples [FOLDER]` writes `static/samples` unless told
+//! otherwise. The files are in the repository: run it again after a change of
+//! `tests/fixtures/src/drafting`, and `tests/it/fit/samples.rs` checks that it was.
 
 use std::path::Path;
 

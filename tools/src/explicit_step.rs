@@ -1,9 +1,11 @@
-//! Cost of one explicit step against the memory's bandwidth: `cargo run --release -p seamster-tools explicit-step`.
+//! Cost of one explicit step against the memory's bandwidth:
+//! `cargo run --release -p seamster-tools explicit-step`.
 //!
-//! One JSON line a run: nanoseconds a vertex and step (CPU of this thread: what a motion twice as long takes more, so that setting
-//! up is left out and all else is in), the bytes of the kernel's arrays a vertex, each counted once, and what share of the
-//! bandwidth of a triad a = b + s c that is. The triad runs in this program on arrays far larger than any cache, and on arrays of
-//! the size of the kernel's own.
+//! One JSON line a run: nanoseconds a vertex and step (CPU of this thread: what a motion twice as
+//! long takes more, so that setting up is left out and all else is in), the bytes of the kernel's
+//! arrays a vertex, each counted once, and what share of the bandwidth of a triad a = b + s c that
+//! is. The triad runs in this program on arrays far larger than any cache, and on arrays of the
+//! size of the kernel's own.
 
 use nalgebra::Vector3;
 use rustix::time::{ClockId, clock_gettime};
@@ -109,7 +111,8 @@ fn cpu_s() -> f64 {
     now.tv_sec as f64 + now.tv_nsec as f64 * 1e-9
 }
 
-/// Bandwidth of a = b + s c on three arrays of `bytes` together \[GB/s\], the best of several passes.
+/// Bandwidth of a = b + s c on three arrays of `bytes` together \[GB/s\], the best of several
+/// passes.
 fn triad(bytes: usize) -> f64 {
     let n = bytes / 24;
     let (mut a, b, c) = (vec![0.0; n], vec![1.0; n], vec![2.0; n]);

@@ -1,9 +1,11 @@
 //! Instructions that terms and reports take: `cargo run --release -p seamster-tools instructions`.
 //!
-//! Needs valgrind. The first table is that of the tests of `solver::left_out`: drapes of a scene that lacks a body, wind, bending
-//! and seams, against programs that put its two terms together by hand. The second is of whole fits of a shipped sample: how
-//! much of them the report takes, with its error estimate and the curve of error against run time, and how much the dress form.
-//! `--table docs/accuracy.md` writes both between `<!-- instructions: begin -->` and `<!-- instructions: end -->` there.
+//! Needs valgrind. The first table is that of the tests of `solver::left_out`: drapes of a scene
+//! that lacks a body, wind, bending and seams, against programs that put its two terms together by
+//! hand. The second is of whole fits of a shipped sample: how much of them the report takes, with
+//! its error estimate and the curve of error against run time, and how much the dress form.
+//! `--table docs/accuracy.md` writes both between `<!-- instructions: begin -->` and
+//! `<!-- instructions: end -->` there.
 
 use crate::marked;
 use clap::Args;
@@ -61,7 +63,8 @@ pub(crate) fn main(options: &InstructionsOptions) -> Result<(), String> {
     }
 }
 
-/// Sews the sample skirt: the program that is counted. Its clock stands still, since the time that counting takes is none of its.
+/// Sews the sample skirt: the program that is counted. Its clock stands still, since the time that
+/// counting takes is none of its.
 fn fit(edge_length: f64) {
     let simulate = json!({"edge_length_m": edge_length});
     let prepared = sample("skirt", json!({ "simulate": simulate }));
@@ -97,7 +100,8 @@ fn tables() -> Result<String, String> {
     Ok(out)
 }
 
-/// Returns true if a function is one of the matrix library, whose innermost ones have addresses for names.
+/// Returns true if a function is one of the matrix library, whose innermost ones have addresses for
+/// names.
 fn of_matrices(function: &str) -> bool {
     let crates = ["0x", "faer::", "pulp::", "nano_gemm", "private_gemm"];
     crates.iter().any(|name| function.contains(name))

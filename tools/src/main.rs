@@ -1,4 +1,5 @@
-//! Programs of the developers, a subcommand each: `cargo run --release -p seamster-tools -- --help`.
+//! Programs of the developers, a subcommand each:
+//! `cargo run --release -p seamster-tools -- --help`.
 
 mod accuracy;
 mod bench;

@@ -1,5 +1,5 @@
-//! Prints the truth table: what the project makes of the real data in the folder that `SEAMSTER_TEST_DATA` names,
-//! against what is known of it. Ends with 1 where anything differs.
+//! Prints the truth table: what the project makes of the real data in the folder that
+//! `SEAMSTER_TEST_DATA` names, against what is known of it. Ends with 1 where anything differs.
 
 use seamster_fixtures::truth;
 use std::process::ExitCode;

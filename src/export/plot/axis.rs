@@ -39,7 +39,8 @@ impl LogAxis {
         self.stretch[0] + share * (self.stretch[1] - self.stretch[0])
     }
 
-    /// Draws lines across the picture between `sides` at powers of ten, with their labels; thin ones at 2 and 5 if there is room.
+    /// Draws lines across the picture between `sides` at powers of ten, with their labels; thin
+    /// ones at 2 and 5 if there is room.
     pub(super) fn grid(&self, sides: [f64; 2], upright: bool) -> String {
         let [from, to] = self.ends;
         let every = (to - from - 1) / LABELS + 1;

@@ -1,7 +1,8 @@
-//! Work against precision as a picture (SVG): both axes logarithmic, a line a method, each with its name at its end.
+//! Work against precision as a picture (SVG): both axes logarithmic, a line a method, each with its
+//! name at its end.
 //!
-//! Methods are told apart by marker and dashes as well as by color. A hollow marker is a run that was stopped before it
-//! reached what was asked.
+//! Methods are told apart by marker and dashes as well as by color. A hollow marker is a run that
+//! was stopped before it reached what was asked.
 
 mod axis;
 mod style;
@@ -39,7 +40,8 @@ pub struct Plot {
 /// A curve: the runs of one method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlotSeries {
-    /// The method, with what else tells the curve from others; how it is drawn goes by how its name begins.
+    /// The method, with what else tells the curve from others; how it is drawn goes by how its name
+    /// begins.
     pub name: String,
     /// Runs, in the order in which they are joined.
     pub points: Vec<PlotPoint>,
@@ -148,8 +150,8 @@ fn curve(series: &PlotSeries, axes: [&LogAxis; 2]) -> String {
     out
 }
 
-/// Draws the name of each curve right of the picture, as near the height of its end as the others leave room, with a thin line from
-/// there.
+/// Draws the name of each curve right of the picture, as near the height of its end as the others
+/// leave room, with a thin line from there.
 fn names(series: &[PlotSeries], axes: [&LogAxis; 2]) -> String {
     let end = |s: &PlotSeries| {
         let drawn = s.points.iter().filter(|p| p.can_be_drawn());

@@ -92,7 +92,8 @@ impl CurveStyle {
         )
     }
 
-    /// Draws a marker, filled or hollow, `scale` times as large as others, with the text that a pointer on it is shown.
+    /// Draws a marker, filled or hollow, `scale` times as large as others, with the text that a
+    /// pointer on it is shown.
     pub(super) fn marker(&self, [x, y]: Point2, filled: bool, (scale, tip): (f64, &str)) -> String {
         let half = scale * HALF;
         let tip = format!("<title>{}</title>", escape(tip));

@@ -15,11 +15,12 @@ pub(super) fn coarse(ring: &[Point2]) -> Vec<Point2> {
     ring.iter().step_by(step).copied().collect()
 }
 
-/// Weight of the distance to the middle against that to the outline, for one place to be better than another.
+/// Weight of the distance to the middle against that to the outline, for one place to be better
+/// than another.
 const TO_MIDDLE: f64 = 0.15;
 
-/// Returns a place inside that is far from the outline and holes, with its distance; of places alike, the one nearest to
-/// the middle. Returns none if no place tried is inside.
+/// Returns a place inside that is far from the outline and holes, with its distance; of places
+/// alike, the one nearest to the middle. Returns none if no place tried is inside.
 pub(super) fn roomiest(ring: &[Point2], holes: &[Vec<Point2>]) -> Option<(Point2, f64)> {
     let [low, high] = bounds(ring);
     let at =
@@ -58,7 +59,8 @@ pub(super) fn reach(rings: &[&[Point2]], from: Point2, way: Point2) -> [f64; 2] 
     reach
 }
 
-/// Returns the ends of the line about which an outline is its own mirror image; of two, the one nearer to `wanted` (a direction).
+/// Returns the ends of the line about which an outline is its own mirror image; of two, the one
+/// nearer to `wanted` (a direction).
 pub(super) fn axis(ring: &[Point2], wanted: Point2, within: f64) -> Option<[Point2; 2]> {
     let (center, turn) = principal(ring)?;
     let unit = |angle: f64| [angle.cos(), angle.sin()];

@@ -1,4 +1,5 @@
-//! The places of panels on the sheet: side by side in rows, none over another, true to each other in size.
+//! The places of panels on the sheet: side by side in rows, none over another, true to each other
+//! in size.
 
 use crate::pattern::point::Point2;
 use crate::pattern::polyline::bounds;
@@ -7,10 +8,12 @@ use crate::pattern::{Edge, Panel};
 /// Wanted width of a sheet over its height.
 const SHAPE: f64 = 1.6;
 
-/// Size of a figure over the width of the sheet: such that it can be read where the sheet fills a screen.
+/// Size of a figure over the width of the sheet: such that it can be read where the sheet fills a
+/// screen.
 const FIGURE: f64 = 1.0 / 115.0;
 
-/// A panel's coordinates on the sheet: in millimeters, y down, the upper left corner of its box at the origin.
+/// A panel's coordinates on the sheet: in millimeters, y down, the upper left corner of its box at
+/// the origin.
 pub(super) struct PanelSketch {
     scale: f64,
     low: Point2,
@@ -78,7 +81,8 @@ pub(super) fn sheet(boxes: &[Point2], gap: f64) -> SheetLayout {
     order.sort_by(|a, b| boxes[*b][1].total_cmp(&boxes[*a][1]).then(a.cmp(b)));
     let widest = boxes.iter().map(|b| b[0] + 2.0 * gap).fold(0.0, f64::max);
     let long: f64 = boxes.iter().map(|b| b[0] + gap).sum::<f64>() + gap;
-    // Of some widths between that of one column and that of one row, the one that gives the wanted shape best.
+    // Of some widths between that of one column and that of one row, the one that gives the wanted
+    // shape best.
     let tries = (0..=60).map(|i| widest + (long - widest) * f64::from(i) / 60.0);
     let off = |sheet: &SheetLayout| (sheet.size[0] / sheet.size[1] / SHAPE).ln().abs();
     tries

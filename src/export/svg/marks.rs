@@ -6,7 +6,8 @@ use super::style::{FOLD_LINE, GRAIN_LINE, MARK};
 use crate::pattern::point::Point2;
 use crate::pattern::{Notch, NotchKind};
 
-/// An outline may be off its mirror image by this \[mm\]: a half is unfolded about a line to which its ends were 0.2 near.
+/// An outline may be off its mirror image by this \[mm\]: a half is unfolded about a line to which
+/// its ends were 0.2 near.
 const SYMMETRIC: f64 = 0.5;
 
 /// Draws a notch at a place of an outline, cut inwards.

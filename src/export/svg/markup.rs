@@ -1,6 +1,7 @@
 //! Elements as text: numbers, paths, and long texts cut short.
 //!
-//! Everything is said by attributes: a style sheet or a `style` would need leave from the content security policy.
+//! Everything is said by attributes: a style sheet or a `style` would need leave from the content
+//! security policy.
 
 use crate::pattern::point::{Point2, distance};
 

@@ -1,5 +1,5 @@
-//! A pattern as a drawing: its panels in true proportion on a sheet, with the names and numbers by which seams say what
-//! is sewn to what. The same pattern gives the same bytes.
+//! A pattern as a drawing: its panels in true proportion on a sheet, with the names and numbers by
+//! which seams say what is sewn to what. The same pattern gives the same bytes.
 
 mod interior;
 mod layout;
@@ -21,9 +21,10 @@ use style::{
 
 /// Draws a pattern as SVG 1.1 with a view box in millimeters.
 ///
-/// Drawn are outlines with corner and edge numbers, holes, names, grain, notches, drill holes, internal lines with
-/// their numbers, the fold of unfolded panels (dash and dot) and cut lines (dashed). The sheet has a color of its own,
-/// so that it can be read on a light page and on a dark one. Names are escaped; nothing in it runs or loads anything.
+/// Drawn are outlines with corner and edge numbers, holes, names, grain, notches, drill holes,
+/// internal lines with their numbers, the fold of unfolded panels (dash and dot) and cut lines
+/// (dashed). The sheet has a color of its own, so that it can be read on a light page and on a dark
+/// one. Names are escaped; nothing in it runs or loads anything.
 pub fn drawing_svg(pattern: &Pattern) -> String {
     let sketches: Vec<PanelSketch> = pattern.panels.iter().map(PanelSketch::of).collect();
     let sizes: Vec<Point2> = sketches.iter().map(PanelSketch::size).collect();

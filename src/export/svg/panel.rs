@@ -232,7 +232,8 @@ impl PanelLabel {
     }
 }
 
-/// Returns the id by which seams name the panel, where it is not its name, and the number of pieces that are cut.
+/// Returns the id by which seams name the panel, where it is not its name, and the number of pieces
+/// that are cut.
 fn note(panel: &Panel) -> String {
     let mut parts = Vec::new();
     if panel.id != panel.name {

@@ -1,4 +1,5 @@
-//! The style of lines and figures. Dark on a sheet of their own color, so that they can be read on any page.
+//! The style of lines and figures. Dark on a sheet of their own color, so that they can be read on
+//! any page.
 
 use super::markup::{number, path};
 use crate::export::xml::escape;
@@ -106,7 +107,8 @@ impl SvgText<'_> {
 
 /// Estimates the width of a text, in its size.
 pub(super) fn width(text: &str) -> f64 {
-    // Han and kana fill a square, capitals three quarters of one, small letters a bit more than half.
+    // Han and kana fill a square, capitals three quarters of one, small letters a bit more than
+    // half.
     let wide = |c: char| match c {
         c if u32::from(c) >= 0x2e80 => 1.0,
         c if c.is_uppercase() => 0.76,

@@ -6,8 +6,9 @@ use std::fmt;
 
 /// The code of a fault or a warning, `area/kind`.
 ///
-/// It is made of a variant of the enum of its area, such as [`SeamCode::Twisted`](super::SeamCode::Twisted), or read from a
-/// stored record, where a code of an older version is kept as it is.
+/// It is made of a variant of the enum of its area, such as
+/// [`SeamCode::Twisted`](super::SeamCode::Twisted), or read from a stored record, where a code of
+/// an older version is kept as it is.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct FaultCode(Cow<'static, str>);

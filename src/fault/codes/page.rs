@@ -23,7 +23,8 @@ const TABLES: &[&[CodeEntry]] = &[
     StudyCode::TABLE,
 ];
 
-/// Writes the page of all codes, each with its meaning and the usual fix, as `docs/faults.md` has it.
+/// Writes the page of all codes, each with its meaning and the usual fix, as `docs/faults.md` has
+/// it.
 pub fn codes_markdown() -> String {
     let mut page = String::from(
         "# Faults and warnings\n\n\

@@ -17,7 +17,8 @@ impl CodeEntry {
     }
 }
 
-/// Makes the enum of the codes of one area: each variant with its kind on the wire, its meaning and the usual fix.
+/// Makes the enum of the codes of one area: each variant with its kind on the wire, its meaning and
+/// the usual fix.
 macro_rules! fault_codes {
     (
         $(#[$doc:meta])*

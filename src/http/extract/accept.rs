@@ -2,7 +2,8 @@
 
 use axum::http::{HeaderMap, header};
 
-/// Returns the type of `offered` that the client prefers (`Accept`, RFC 9110); among equals, and without `Accept`, the first.
+/// Returns the type of `offered` that the client prefers (`Accept`, RFC 9110); among equals, and
+/// without `Accept`, the first.
 pub(in crate::http) fn preferred_type<'a>(
     headers: &HeaderMap,
     offered: &[&'a str],

@@ -7,7 +7,8 @@ use axum::http::{HeaderMap, header};
 use headers::{ContentLength, HeaderMapExt};
 use tokio_stream::StreamExt;
 
-/// Bytes above a limit that are still read before the refusal: a client that is cut off while it sends cannot read why.
+/// Bytes above a limit that are still read before the refusal: a client that is cut off while it
+/// sends cannot read why.
 const LINGER_BYTES: usize = 64 << 20;
 
 /// Reads a body of at most `limit` bytes.

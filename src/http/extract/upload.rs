@@ -52,7 +52,8 @@ impl Upload {
     }
 }
 
-/// Reads the parts of a form by name, together at most `max_bytes`; other and repeated parts are refused.
+/// Reads the parts of a form by name, together at most `max_bytes`; other and repeated parts are
+/// refused.
 pub(super) async fn read_form<const N: usize>(
     request: Request,
     max_bytes: usize,

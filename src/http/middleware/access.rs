@@ -7,7 +7,8 @@ use axum::http::{Method, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 
-/// Refuses hosts that are not of this service (a page that had its own name point here), and writing calls from foreign pages.
+/// Refuses hosts that are not of this service (a page that had its own name point here), and
+/// writing calls from foreign pages.
 pub(in crate::http) async fn require_own_site(
     State(state): State<AppState>,
     request: Request,
@@ -46,7 +47,8 @@ pub(in crate::http) async fn require_token(
 
 /// Returns the host that a request names.
 fn requested_host(request: &Request) -> &str {
-    // HTTP/1.1 with an absolute target names the host there, and that goes before the header (RFC 9112, 3.2.2).
+    // HTTP/1.1 with an absolute target names the host there, and that goes before the header (RFC
+    // 9112, 3.2.2).
     let target = request
         .uri()
         .authority()
@@ -55,7 +57,8 @@ fn requested_host(request: &Request) -> &str {
     target.or_else(header).unwrap_or_default()
 }
 
-/// Returns true if `origin` is a page of `host`. The scheme is not compared: a proxy may speak TLS for us.
+/// Returns true if `origin` is a page of `host`. The scheme is not compared: a proxy may speak TLS
+/// for us.
 fn is_same_origin(origin: &str, host: &str) -> bool {
     origin
         .split_once("://")

@@ -43,7 +43,8 @@ impl AccessPolicy {
             return false;
         };
         let given = digest(authorization.token().trim());
-        // Every token is compared to its last byte: the time says nothing about how near a guess was.
+        // Every token is compared to its last byte: the time says nothing about how near a guess
+        // was.
         self.tokens.iter().fold(false, |found, known| {
             let differing = known.iter().zip(given).fold(0, |sum, (a, b)| sum | (a ^ b));
             found | (differing == 0)

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use std::fmt::{self, Write};
 use std::sync::{Mutex, PoisonError};
 
-/// Number and time of requests by method, route and status. Routes are those of the router, never paths: labels stay few.
+/// Number and time of requests by method, route and status. Routes are those of the router, never
+/// paths: labels stay few.
 #[derive(Debug, Default)]
 pub(in crate::http) struct RequestMetrics {
     // A std mutex: held for one addition, never over an await.

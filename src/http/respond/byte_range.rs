@@ -14,9 +14,11 @@ pub(super) enum RequestedRange {
 }
 
 impl RequestedRange {
-    /// Reads `bytes=first-last`, `bytes=first-` or `bytes=-count` for a representation of `total` bytes.
+    /// Reads `bytes=first-last`, `bytes=first-` or `bytes=-count` for a representation of `total`
+    /// bytes.
     ///
-    /// The type of the `headers` crate does not tell a range that cannot be satisfied from one that is not understood.
+    /// The type of the `headers` crate does not tell a range that cannot be satisfied from one that
+    /// is not understood.
     pub(super) fn parse(header: &str, total: usize) -> Self {
         let Some((first, last)) = header
             .strip_prefix("bytes=")

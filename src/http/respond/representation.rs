@@ -1,4 +1,5 @@
-//! Representations: bytes with a strong `ETag`, answered by `If-None-Match`, `If-Range` and `Range` (RFC 9110).
+//! Representations: bytes with a strong `ETag`, answered by `If-None-Match`, `If-Range` and `Range`
+//! (RFC 9110).
 
 use super::byte_range::RequestedRange;
 use super::problem::Problem;
@@ -20,7 +21,8 @@ pub(in crate::http) struct Representation {
 }
 
 impl Representation {
-    /// Creates a representation, and hashes its bytes for the entity tag: to be called on a thread that may block.
+    /// Creates a representation, and hashes its bytes for the entity tag: to be called on a thread
+    /// that may block.
     pub(in crate::http) fn new(bytes: impl Into<Bytes>, content_type: impl Into<String>) -> Self {
         let bytes = bytes.into();
         let digest = Sha256::digest(&bytes).into();
@@ -40,7 +42,8 @@ impl Representation {
         }
     }
 
-    /// Answers with all of it, a part, or that it has not changed, as the headers of the request ask.
+    /// Answers with all of it, a part, or that it has not changed, as the headers of the request
+    /// ask.
     pub(in crate::http) fn respond(self, request: &HeaderMap) -> Result<Response, Problem> {
         let if_none_match = request.typed_get::<IfNoneMatch>();
         if if_none_match.is_some_and(|tags| !tags.precondition_passes(&self.etag)) {
@@ -90,7 +93,8 @@ impl Representation {
     }
 }
 
-/// Makes a representation in the compute pool, its hash included, and answers with what the headers ask for.
+/// Makes a representation in the compute pool, its hash included, and answers with what the headers
+/// ask for.
 pub(in crate::http) async fn respond_computed<B: Into<Bytes>>(
     state: &AppState,
     request: &HeaderMap,
@@ -101,7 +105,8 @@ pub(in crate::http) async fn respond_computed<B: Into<Bytes>>(
     state.run_compute(make).await??.respond(request)
 }
 
-/// Reads a representation from the store, hashes it there, and answers with what the headers ask for.
+/// Reads a representation from the store, hashes it there, and answers with what the headers ask
+/// for.
 pub(in crate::http) async fn respond_stored(
     state: &AppState,
     request: &HeaderMap,

@@ -26,7 +26,8 @@ pub(super) struct EventsQuery {}
 
 /// Events of a fit, as server-sent events
 ///
-/// `progress` carries a `Progress`, `status` a `Fit`; the stream ends after a final status. `Last-Event-ID` resumes.
+/// `progress` carries a `Progress`, `status` a `Fit`; the stream ends after a final status.
+/// `Last-Event-ID` resumes.
 #[utoipa::path(get, path = "/v1/fits/{id}/events", tag = "fits", operation_id = "events",
     params(("id" = Uuid, Path), ("Last-Event-ID" = Option<u64>, Header, description = "The last event that was read")),
     responses(
@@ -44,8 +45,8 @@ pub(super) async fn fit_events(
 
 /// Events of a study, as server-sent events
 ///
-/// `progress` carries a `Progress`, `status` a `StudyJob` without its report; the stream ends after a final status.
-/// `Last-Event-ID` resumes.
+/// `progress` carries a `Progress`, `status` a `StudyJob` without its report; the stream ends after
+/// a final status. `Last-Event-ID` resumes.
 #[utoipa::path(get, path = "/v1/studies/{id}/events", tag = "studies", operation_id = "events",
     params(("id" = Uuid, Path), ("Last-Event-ID" = Option<u64>, Header, description = "The last event that was read")),
     responses(

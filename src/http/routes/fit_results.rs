@@ -114,7 +114,8 @@ pub(super) async fn report(
     respond_stored(&state, &headers, JSON, read).await
 }
 
-/// The assembled scene in neutral JSON, for other simulators; made when it is asked for, whatever has become of the fit
+/// The assembled scene in neutral JSON, for other simulators; made when it is asked for, whatever
+/// has become of the fit
 #[utoipa::path(get, path = "/v1/fits/{id}/scene", tag = "results", params(("id" = Uuid, Path)), responses(
     (status = 200, description = "The scene", body = Object),
     (status = 404, description = "There is no such fit", body = Problem, content_type = "application/problem+json"),
@@ -130,7 +131,8 @@ pub(super) async fn scene(
     respond_computed(&state, &headers, JSON, make).await
 }
 
-/// Cancels the work for a request when the request is given up: meshing may take longer than a client waits.
+/// Cancels the work for a request when the request is given up: meshing may take longer than a
+/// client waits.
 struct CancelOnDrop(CancelToken);
 
 impl Drop for CancelOnDrop {

@@ -59,7 +59,8 @@ impl Submission {
     }
 }
 
-/// Returns the job once it has ended, or as it is after `wait`. Where too many wait already, as it is now: the wait is a preference only.
+/// Returns the job once it has ended, or as it is after `wait`. Where too many wait already, as it
+/// is now: the wait is a preference only.
 async fn wait_for_end(
     state: &AppState,
     record: JobRecord,
@@ -90,7 +91,8 @@ pub(super) fn cancel(app: &App, kind: JobKind, id: Uuid) -> Result<JobRecord, Pr
     app.queue.cancel(kind, id)?.ok_or_else(|| unknown(kind, id))
 }
 
-/// Answers 200 with a job that has ended, 202 with one that has not; `body` is the job as clients see it.
+/// Answers 200 with a job that has ended, 202 with one that has not; `body` is the job as clients
+/// see it.
 pub(super) fn respond(
     record: &JobRecord,
     body: &impl Serialize,

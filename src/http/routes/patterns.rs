@@ -25,7 +25,8 @@ pub(super) struct ImportQuery {
     pub units: Option<Units>,
     /// Size to import from a graded file; the sample size if absent.
     pub size: Option<String>,
-    /// Order of the three angles of a `GarmentCode` panel in its rotation: `xyz` (R = Rx Ry Rz, as it writes) if absent.
+    /// Order of the three angles of a `GarmentCode` panel in its rotation: `xyz` (R = Rx Ry Rz, as
+    /// it writes) if absent.
     #[param(inline)]
     pub rotation_order: Option<RotationOrder>,
 }

@@ -1,4 +1,5 @@
-//! `/v1/studies`: error against run time of a garment; studies started, found, listed, canceled and drawn.
+//! `/v1/studies`: error against run time of a garment; studies started, found, listed, canceled and
+//! drawn.
 
 use super::jobs::{self, Submission};
 use crate::http::extract::{JobListQuery, JsonWithDigest, PathId, ValidatedQuery};
@@ -37,7 +38,8 @@ pub(super) struct StudyJob {
     pub attempts: u32,
     /// Its progress.
     pub progress: Progress,
-    /// Reason why it failed. One that was stopped at its limit of CPU time has its report all the same.
+    /// Reason why it failed. One that was stopped at its limit of CPU time has its report all the
+    /// same.
     pub error: Option<Problem>,
     /// Its result: null until it has ended, and left out of lists and events.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -210,7 +212,8 @@ fn draw_plot(app: &App, id: Uuid) -> Result<String, Problem> {
     Ok(study::plot_svg(&report))
 }
 
-/// Request of a study, complete in itself: posted again, also to an empty service, it gives the same study
+/// Request of a study, complete in itself: posted again, also to an empty service, it gives the
+/// same study
 #[utoipa::path(get, path = "/v1/studies/{id}/asked", tag = "studies", operation_id = "asked", params(("id" = Uuid, Path)), responses(
     (status = 200, description = "The request", body = StudyRequest),
     (status = 404, description = "There is no such study", body = Problem, content_type = "application/problem+json")))]

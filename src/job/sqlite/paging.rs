@@ -10,7 +10,8 @@ pub(super) fn id_bound(request: &PageRequest) -> Value {
     id.as_bytes().to_vec().into()
 }
 
-/// Returns the number of rows to read: one more than the page holds, to learn whether there is a next page.
+/// Returns the number of rows to read: one more than the page holds, to learn whether there is a
+/// next page.
 pub(super) fn row_limit(request: &PageRequest) -> i64 {
     i64::try_from(request.limit).map_or(i64::MAX, |limit| limit.saturating_add(1))
 }

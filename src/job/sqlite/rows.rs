@@ -66,7 +66,8 @@ pub(super) fn insert_job(connection: &Connection, job: &NewJob<'_>) -> rusqlite:
     Ok(())
 }
 
-/// Returns the job that an idempotency key stands for, or that the key was used for another request.
+/// Returns the job that an idempotency key stands for, or that the key was used for another
+/// request.
 pub(super) fn job_of_key(
     connection: &Connection,
     key: &IdempotencyKey,

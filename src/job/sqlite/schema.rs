@@ -53,7 +53,8 @@ pub(super) fn open_database(
 ) -> Result<Connection, Box<dyn std::error::Error + Send + Sync>> {
     let mut connection = Connection::open(file)?;
     connection.pragma_update(None, "journal_mode", "WAL")?;
-    // FULL, since a job that was accepted must survive a power cut too; one flush per change is nothing beside a job.
+    // FULL, since a job that was accepted must survive a power cut too; one flush per change is
+    // nothing beside a job.
     connection.pragma_update(None, "synchronous", "FULL")?;
     let version: i64 = connection.pragma_query_value(None, "user_version", |row| row.get(0))?;
     let tables = match version {

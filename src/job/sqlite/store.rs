@@ -17,8 +17,8 @@ const LEASE: Duration = Duration::from_secs(30);
 
 /// Records, queue and documents in one `SQLite` file, for one process.
 ///
-/// Leases live in memory: whatever the file says is running when it is opened was left behind by a process that died, and
-/// goes back to the queue. A lock on the folder keeps a second process out.
+/// Leases live in memory: whatever the file says is running when it is opened was left behind by a
+/// process that died, and goes back to the queue. A lock on the folder keeps a second process out.
 pub struct SqliteStore {
     connection: Mutex<Connection>,
     pub(super) leases: Leases,
@@ -110,7 +110,8 @@ impl SqliteStore {
     }
 }
 
-/// Takes the lock that keeps a second process out; the system drops it when this process ends, however it ends.
+/// Takes the lock that keeps a second process out; the system drops it when this process ends,
+/// however it ends.
 fn lock_folder(folder: &Path) -> Result<File, Box<dyn std::error::Error + Send + Sync>> {
     std::fs::create_dir_all(folder)?;
     let lock = File::create(folder.join("lock"))?;

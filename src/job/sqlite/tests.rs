@@ -47,7 +47,8 @@ fn tables_of_another_version_are_refused() {
     assert!(SqliteStore::open(folder.path()).is_err());
 }
 
-/// The tables as version 1 made them, with a fit that ran, one that had ended, and the key of the first.
+/// The tables as version 1 made them, with a fit that ran, one that had ended, and the key of the
+/// first.
 const VERSION_1: &str = "
     CREATE TABLE fits (
         id BLOB PRIMARY KEY,

@@ -63,7 +63,8 @@ impl RunTable {
 impl ActiveRuns {
     /// Registers a run.
     ///
-    /// To be called before the record says that the job runs, so that a cancellation after that is heard.
+    /// To be called before the record says that the job runs, so that a cancellation after that is
+    /// heard.
     pub(super) fn register(&self, lease: Lease) -> StopFlag {
         let mut runs = self.lock();
         let flag = StopFlag::default();

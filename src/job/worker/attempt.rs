@@ -20,7 +20,8 @@ use std::time::{Duration, Instant};
 /// Shortest time between two reports of progress within a stage: a person cannot read faster.
 const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
 
-/// CPU time after which a study is stopped from outside, over its limit: it keeps to the limit itself, run by run.
+/// CPU time after which a study is stopped from outside, over its limit: it keeps to the limit
+/// itself, run by run.
 const STUDY_GRACE: f64 = 1.25;
 
 /// Runs the job that a lease is for, and ends the lease.
@@ -56,7 +57,8 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
     end(context, &record, &result, &progress)
 }
 
-/// Writes into the record that the job runs, or that it will not. Returns `None` if the job has ended already.
+/// Writes into the record that the job runs, or that it will not. Returns `None` if the job has
+/// ended already.
 fn begin(context: &WorkerContext, lease: Lease) -> Result<Option<Box<JobRecord>>, StoreError> {
     let limit = context.queue.limits.attempts;
     let update = update_record(&*context.queue.store, lease.job, |record| {
@@ -156,7 +158,8 @@ fn store_files(
     })
 }
 
-/// Writes the result into the record, unless the job is no longer this attempt's, and removes files that nothing names.
+/// Writes the result into the record, unless the job is no longer this attempt's, and removes files
+/// that nothing names.
 fn end(
     context: &WorkerContext,
     begun: &JobRecord,
@@ -178,7 +181,8 @@ fn end(
     Ok(())
 }
 
-/// Removes the files of this attempt, unless it is the winner, and those of earlier ones, if the record was written.
+/// Removes the files of this attempt, unless it is the winner, and those of earlier ones, if the
+/// record was written.
 fn remove_lost_files(context: &WorkerContext, begun: &JobRecord, winner: Option<Option<u32>>) {
     let own = (winner.flatten() != Some(begun.attempts)).then_some(begun.attempts);
     let earlier = if winner.is_some() {

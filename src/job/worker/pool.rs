@@ -12,16 +12,19 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
-/// Time after which an idle worker looks at the queue without a notice: notices may get lost, and leases run out without one.
+/// Time after which an idle worker looks at the queue without a notice: notices may get lost, and
+/// leases run out without one.
 const POLL_INTERVAL: Duration = Duration::from_secs(5);
 /// Renewals in the time of one lease.
 const RENEWALS: u32 = 5;
-/// Stack of a worker \[bytes\]: nested factorizations and a deep bounding-volume tree fit many times.
+/// Stack of a worker \[bytes\]: nested factorizations and a deep bounding-volume tree fit many
+/// times.
 const STACK: usize = 16 << 20;
 
 /// Threads that take jobs from a queue and run them, one at a time each.
 ///
-/// Beside the workers, one thread renews the leases, and one hears of cancellations; work on the workers cannot hold them up.
+/// Beside the workers, one thread renews the leases, and one hears of cancellations; work on the
+/// workers cannot hold them up.
 pub struct WorkerPool {
     context: Arc<WorkerContext>,
     workers: Vec<JoinHandle<()>>,
@@ -61,7 +64,8 @@ impl WorkerPool {
         })
     }
 
-    /// Stops taking jobs, gives running ones back to the queue and waits for the workers, at most `patience`.
+    /// Stops taking jobs, gives running ones back to the queue and waits for the workers, at most
+    /// `patience`.
     ///
     /// A run that does not stop in that time is left behind: the next start finds its job.
     pub fn shutdown(self, patience: Duration) {
@@ -100,7 +104,8 @@ fn spawn(
 /// Takes jobs one after the other until the pool is shut down.
 fn run_jobs(context: &WorkerContext) {
     loop {
-        // Read before the queue: a job that comes after the look at the queue still wakes this worker.
+        // Read before the queue: a job that comes after the look at the queue still wakes this
+        // worker.
         let seen = context.wake_signal.generation();
         if context.active_runs.is_closed() {
             return;
@@ -116,7 +121,8 @@ fn run_jobs(context: &WorkerContext) {
     }
 }
 
-/// Renews the leases of all runs until the last one has ended. Also finds a cancellation whose notice was lost.
+/// Renews the leases of all runs until the last one has ended. Also finds a cancellation whose
+/// notice was lost.
 fn renew_leases(context: &WorkerContext) {
     let store = &context.queue.store;
     let interval = store.lease_time() / RENEWALS;

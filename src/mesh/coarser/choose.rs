@@ -76,8 +76,8 @@ impl Choice {
         }
     }
 
-    /// Keeps the ends of seams: of two neighbors on an outline, one is sewn to a vertex beside which the other is not
-    /// sewn.
+    /// Keeps the ends of seams: of two neighbors on an outline, one is sewn to a vertex beside
+    /// which the other is not sewn.
     fn fix_seam_ends(&mut self, mesh: &ClothMesh, class: &[usize]) {
         let mut members: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for stitch in &mesh.stitches {
@@ -98,7 +98,8 @@ impl Choice {
         let none = vec![];
         let of = |v: usize| members.get(&class[v]).unwrap_or(&none);
         for &[v, w] in &beside {
-            // Every vertex sewn to `v` should have a neighbour on its outline that is sewn to `w`, and none if `w` is not sewn.
+            // Every vertex sewn to `v` should have a neighbour on its outline that is sewn to `w`,
+            // and none if `w` is not sewn.
             let goes_on = of(v)
                 .iter()
                 .all(|&a| of(w).iter().any(|&b| beside.contains(&[a, b])));
@@ -106,7 +107,8 @@ impl Choice {
         }
     }
 
-    /// Between vertices that must stay, every other one stays; what one side of a seam decides holds for the other.
+    /// Between vertices that must stay, every other one stays; what one side of a seam decides
+    /// holds for the other.
     fn thin_outlines(&mut self, class: &[usize]) {
         let mut decided: Vec<Option<bool>> = vec![None; class.len()];
         for v in (0..class.len()).filter(|&v| self.must_stay[v]) {

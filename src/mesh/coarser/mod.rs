@@ -1,7 +1,9 @@
-//! A coarser mesh of the same panels: about a third of the vertices, all of them vertices of the finer one.
+//! A coarser mesh of the same panels: about a third of the vertices, all of them vertices of the
+//! finer one.
 //!
-//! Outlines keep corners, ends of seams, and every other vertex between; the vertices of a stitch stay or go together, so
-//! that stitches are carried down. Inside, a maximal independent set stays. The rest is constrained Delaunay again.
+//! Outlines keep corners, ends of seams, and every other vertex between; the vertices of a stitch
+//! stay or go together, so that stitches are carried down. Inside, a maximal independent set stays.
+//! The rest is constrained Delaunay again.
 
 mod choose;
 mod weights;
@@ -24,12 +26,13 @@ pub struct CoarserMesh {
     pub mesh: ClothMesh,
     /// The finer vertex that each coarser one is; ascending.
     pub finer: Vec<usize>,
-    /// For each finer vertex, the corners of the coarse triangle that it lies in (outside the coarse outline: of the nearest
-    /// one) with its barycentric coordinates.
+    /// For each finer vertex, the corners of the coarse triangle that it lies in (outside the
+    /// coarse outline: of the nearest one) with its barycentric coordinates.
     pub weights: Vec<[(usize, f64); 3]>,
 }
 
-/// Returns the next coarser mesh that keeps the vertices `fixed`; `None` if there is none worth having.
+/// Returns the next coarser mesh that keeps the vertices `fixed`; `None` if there is none worth
+/// having.
 ///
 /// A panel whose thinned outline would cross itself keeps all its vertices.
 pub fn coarser(mesh: &ClothMesh, fixed: &[usize]) -> Option<CoarserMesh> {
@@ -53,8 +56,9 @@ pub fn coarser(mesh: &ClothMesh, fixed: &[usize]) -> Option<CoarserMesh> {
     }
 }
 
-/// Returns the triangles between the kept vertices of a panel, in the finer mesh's numbering, and deselects vertices that
-/// are in none of them. `None` if the thinned outline crosses itself, or loses a vertex that must stay.
+/// Returns the triangles between the kept vertices of a panel, in the finer mesh's numbering, and
+/// deselects vertices that are in none of them. `None` if the thinned outline crosses itself, or
+/// loses a vertex that must stay.
 fn triangles(
     mesh: &ClothMesh,
     panel: usize,

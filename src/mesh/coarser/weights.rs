@@ -4,8 +4,8 @@ use super::choose::neighbours;
 use crate::mesh::cloth_mesh::ClothMesh;
 use crate::mesh::locate::barycentric;
 
-/// For each finer vertex the corners of its coarse triangle, with barycentric coordinates; `number` is the coarse vertex that
-/// each finer one is, or `usize::MAX`.
+/// For each finer vertex the corners of its coarse triangle, with barycentric coordinates; `number`
+/// is the coarse vertex that each finer one is, or `usize::MAX`.
 pub(super) fn weights(
     mesh: &ClothMesh,
     coarse: &ClothMesh,

@@ -4,9 +4,9 @@ use super::TriangleMesh;
 use super::tree::{Feature, Nearest, Tree};
 use nalgebra::Vector3;
 
-/// Distances by the nearest point, signs by angle-weighted pseudonormals, which tell inside from outside at edges and
-/// corners as well (J. A. Bærentzen, H. Aanæs, "Signed distance computation using the angle weighted pseudonormal",
-/// IEEE TVCG 11(3), 2005).
+/// Distances by the nearest point, signs by angle-weighted pseudonormals, which tell inside from
+/// outside at edges and corners as well (J. A. Bærentzen, H. Aanæs, "Signed distance computation
+/// using the angle weighted pseudonormal", IEEE TVCG 11(3), 2005).
 #[derive(Clone, Debug)]
 pub(super) struct ExactDistance {
     tree: Tree,
@@ -14,7 +14,8 @@ pub(super) struct ExactDistance {
     bounds: [Vector3<f64>; 2],
 }
 
-/// Outward directions of a triangle; only their signs against a vector matter, so the edges' are not of length 1.
+/// Outward directions of a triangle; only their signs against a vector matter, so the edges' are
+/// not of length 1.
 #[derive(Clone, Copy, Debug, Default)]
 struct Normals {
     face: Vector3<f64>,
@@ -53,7 +54,8 @@ impl ExactDistance {
             .map_or(f64::NAN, |nearest| self.sign(p, &nearest))
     }
 
-    /// The same, sooner, if `near` is a point of the surface near the nearest one; it becomes the nearest one.
+    /// The same, sooner, if `near` is a point of the surface near the nearest one; it becomes the
+    /// nearest one.
     pub(super) fn signed_near(&self, p: &Vector3<f64>, near: &mut Vector3<f64>) -> f64 {
         // a little more than the distance to `near`, which must itself be found
         let within = (p - *near).norm() * 1.000_001 + 1e-12;
@@ -85,7 +87,8 @@ impl ExactDistance {
 
 fn normals(surface: &TriangleMesh) -> Vec<Normals> {
     let mut at_vertex = vec![Vector3::zeros(); surface.vertices.len()];
-    // (lower vertex, higher vertex, triangle, which edge of it): the two users of an edge come to lie side by side
+    // (lower vertex, higher vertex, triangle, which edge of it): the two users of an edge come to
+    // lie side by side
     let mut edges = Vec::with_capacity(3 * surface.triangles.len());
     let mut normals = vec![Normals::default(); surface.triangles.len()];
     for (t, triangle) in surface.triangles.iter().enumerate() {

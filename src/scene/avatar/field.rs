@@ -4,11 +4,13 @@ use super::exact::ExactDistance;
 use super::spline::{bends, interpolate, pivots, slopes, weights};
 use nalgebra::{Matrix3, Vector3};
 
-/// Spacing of the grid \[m\]: about the mesh edges of a body, so that its facets are not resolved but smoothed.
+/// Spacing of the grid \[m\]: about the mesh edges of a body, so that its facets are not resolved
+/// but smoothed.
 const SPACING: f64 = 0.009;
 /// Most nodes; a body that would need more gets a wider spacing.
 const NODES: f64 = 1.0e6;
-/// Nodes beyond the reach on each side: there the free ends of the spline are felt by less than 0.268^4 = 0.5 %.
+/// Nodes beyond the reach on each side: there the free ends of the spline are felt by less than
+/// 0.268^4 = 0.5 %.
 const MARGIN: f64 = 4.0;
 
 /// The signed distance of a body at a point, with its derivatives.
@@ -34,7 +36,8 @@ pub(super) struct DistanceField {
     coefficients: Vec<f64>,
 }
 
-/// A point in its cell: index of the first of its 4 x 4 x 4 coefficients, and where it is in the cell, 0 to 1.
+/// A point in its cell: index of the first of its 4 x 4 x 4 coefficients, and where it is in the
+/// cell, 0 to 1.
 struct Cell {
     first: usize,
     at: [f64; 3],
@@ -151,7 +154,8 @@ impl DistanceField {
         (distance <= self.reach).then_some(distance)
     }
 
-    /// Distance, gradient and second derivative, or `None` outside the grid or further than the reach.
+    /// Distance, gradient and second derivative, or `None` outside the grid or further than the
+    /// reach.
     pub(super) fn sample(&self, p: &Vector3<f64>) -> Option<BodySample> {
         let Cell { first, at } = self.cell(p)?;
         let [x, y, z] = at.map(|t| [weights(t), slopes(t), bends(t)]);

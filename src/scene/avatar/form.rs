@@ -9,7 +9,8 @@ use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 use utoipa::ToSchema;
 
-/// Rounds of fitting the sections to the measurements; each one leaves a few per cent of the error before.
+/// Rounds of fitting the sections to the measurements; each one leaves a few per cent of the error
+/// before.
 const ROUNDS: usize = 12;
 /// Error of a measurement at which fitting ends \[m\].
 const CLOSE: f64 = 2e-5;
@@ -52,11 +53,13 @@ impl Default for DressForm {
 }
 
 impl DressForm {
-    /// Makes the avatar: a closed, smooth torso from the top of the neck to below the crotch, without arms and legs,
-    /// whose level girths at bust, waist and hip are those asked for, within 1 mm.
+    /// Makes the avatar: a closed, smooth torso from the top of the neck to below the crotch,
+    /// without arms and legs, whose level girths at bust, waist and hip are those asked for, within
+    /// 1 mm.
     ///
     /// # Errors
-    /// `avatar/measurement`: measurements outside what a person has, each with its pointer (`/height_m`).
+    /// `avatar/measurement`: measurements outside what a person has, each with its pointer
+    /// (`/height_m`).
     pub fn build(&self) -> Result<Avatar, Faults> {
         Faults(self.check()).or(())?;
         let (torso, surface) = self.fit();
@@ -201,8 +204,8 @@ impl DressForm {
     }
 }
 
-/// Returns the points at which the outline seen from the front turns from neck to shoulder and from shoulder to arm,
-/// its slope passing 45 degrees: (x, y) and z of the widest line \[m\].
+/// Returns the points at which the outline seen from the front turns from neck to shoulder and from
+/// shoulder to arm, its slope passing 45 degrees: (x, y) and z of the widest line \[m\].
 fn shoulder_line(torso: &Torso) -> [[f64; 3]; 2] {
     let steps = 0..SHOULDER_STEPS;
     let point = |i: usize| {
@@ -221,7 +224,8 @@ fn shoulder_line(torso: &Torso) -> [[f64; 3]; 2] {
     [point(neck), point(tip)]
 }
 
-/// The landmarks that come in pairs: names without `_l`, and points on the left, near enough to the mesh to be put onto it.
+/// The landmarks that come in pairs: names without `_l`, and points on the left, near enough to the
+/// mesh to be put onto it.
 fn side_landmarks(torso: &Torso, height: f64) -> [(&'static str, Vector3<f64>); 7] {
     let at = |share: f64, angle: f64| {
         let section = torso.section(torso.parameter(share * height));
@@ -277,7 +281,8 @@ mod tests {
         }
     }
 
-    /// The smallest to the largest of EN 13402-3 and of people, slim, round, and of uncommon proportions.
+    /// The smallest to the largest of EN 13402-3 and of people, slim, round, and of uncommon
+    /// proportions.
     const FORMS: [DressForm; 7] = [
         form(1.68, 0.92, 0.74, 0.98),
         form(1.50, 0.76, 0.58, 0.82),

@@ -21,12 +21,15 @@ use field::DistanceField;
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
-/// Distance outside the surface up to which the smooth distance is offered \[m\]: more than cloth, its thickness and one Newton move.
+/// Distance outside the surface up to which the smooth distance is offered \[m\]: more than cloth,
+/// its thickness and one Newton move.
 const REACH: f64 = 0.04;
 
-/// A closed body with what is needed to place and drape on it: y up, facing +z, its left at +x, floor at y = 0 \[m\].
+/// A closed body with what is needed to place and drape on it: y up, facing +z, its left at +x,
+/// floor at y = 0 \[m\].
 ///
-/// Made by [`Avatar::from_surface`]; the surface is not to be changed afterwards, since the distances belong to it.
+/// Made by [`Avatar::from_surface`]; the surface is not to be changed afterwards, since the
+/// distances belong to it.
 #[derive(Clone, Debug)]
 pub struct Avatar {
     /// Name for a person.
@@ -70,8 +73,9 @@ impl Avatar {
     /// An avatar of a closed surface.
     ///
     /// # Errors
-    /// `avatar/...` with pointers into `/surface`: no triangles, indices or coordinates that are none, triangles
-    /// without area, a surface that is open, not two-sided or inside out, or larger than the limits.
+    /// `avatar/...` with pointers into `/surface`: no triangles, indices or coordinates that are
+    /// none, triangles without area, a surface that is open, not two-sided or inside out, or larger
+    /// than the limits.
     pub fn from_surface(
         name: &str,
         surface: TriangleMesh,
@@ -89,11 +93,13 @@ impl Avatar {
         })
     }
 
-    /// The smooth signed distance at `p` \[m\] with its first two derivatives, or `None` further than 4 cm outside.
+    /// The smooth signed distance at `p` \[m\] with its first two derivatives, or `None` further
+    /// than 4 cm outside.
     ///
-    /// One twice continuously differentiable function, the cubic spline through exact distances on a grid: the three
-    /// results are exact derivatives of each other, and the value differs from [`Avatar::exact_distance`] by some
-    /// tenths of a millimetre at most where the surface is smooth on the scale of the grid (9 mm).
+    /// One twice continuously differentiable function, the cubic spline through exact distances on
+    /// a grid: the three results are exact derivatives of each other, and the value differs from
+    /// [`Avatar::exact_distance`] by some tenths of a millimetre at most where the surface is
+    /// smooth on the scale of the grid (9 mm).
     pub fn sample(&self, p: &Vector3<f64>) -> Option<BodySample> {
         self.field.sample(p)
     }
@@ -113,7 +119,8 @@ impl Avatar {
         self.exact.nearest(p)
     }
 
-    /// Length of a tape laid round the body at height `y`: the perimeter of the convex hull of the slice \[m\].
+    /// Length of a tape laid round the body at height `y`: the perimeter of the convex hull of the
+    /// slice \[m\].
     pub fn girth_at(&self, y: f64) -> Option<f64> {
         slice::girth(&self.surface, y)
     }

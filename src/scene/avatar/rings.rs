@@ -1,11 +1,13 @@
-//! From the smooth torso to triangles: rings of vertices, denser where the surface bends, and the strips between.
+//! From the smooth torso to triangles: rings of vertices, denser where the surface bends, and the
+//! strips between.
 
 use super::TriangleMesh;
 use super::torso::{BUST_ANGLE, SEAT_ANGLE, Torso};
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Longest and shortest mesh edge of a form in size M \[m\]; others in proportion, so that all have about as many.
+/// Longest and shortest mesh edge of a form in size M \[m\]; others in proportion, so that all have
+/// about as many.
 const EDGE: [f64; 2] = [0.012, 0.004];
 /// Largest distance of a chord below its arc, likewise \[m\].
 const SAG: f64 = 0.000_15;
@@ -64,7 +66,8 @@ fn heights(torso: &Torso, size: f64) -> Vec<f64> {
     marks.iter().map(|mark| (1.0 + mark) * step).collect()
 }
 
-/// Returns the number of edges that each piece of a polyline is worth on a form `size` times as large as size M.
+/// Returns the number of edges that each piece of a polyline is worth on a form `size` times as
+/// large as size M.
 fn densities(points: &[[f64; 2]], size: f64) -> Vec<f64> {
     let pieces: Vec<[f64; 2]> = points
         .windows(2)
@@ -88,7 +91,8 @@ fn densities(points: &[[f64; 2]], size: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Marks along a polyline, in pieces and fractions of them, between which it is worth one edge or a little less.
+/// Marks along a polyline, in pieces and fractions of them, between which it is worth one edge or a
+/// little less.
 fn spread(density: &[f64]) -> Vec<f64> {
     let total: f64 = density.iter().sum();
     #[expect(
@@ -121,7 +125,8 @@ fn between(points: &[[f64; 2]], mark: f64) -> [f64; 2] {
     [0, 1].map(|k| (1.0 - s) * points[i][k] + s * points[i + 1][k])
 }
 
-/// Both halves of a stack of half rings, each from the front (x = 0) over the left to the back (x = 0).
+/// Both halves of a stack of half rings, each from the front (x = 0) over the left to the back (x =
+/// 0).
 fn mirrored(halves: &[Vec<Vector3<f64>>]) -> TriangleMesh {
     let mut mesh = TriangleMesh::default();
     let mut rings = Vec::new();

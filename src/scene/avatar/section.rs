@@ -5,8 +5,9 @@ use std::f64::consts::PI;
 /// Points that a half section is first sampled at; the mesh picks from these.
 const SAMPLES: usize = 256;
 
-/// A closed curve about (0, `centre`), symmetric in x: a superellipse whose front and back half differ in depth, with a
-/// pair of soft bumps on it. Its exponent is above 2, which keeps the curve smooth (C2) where the halves meet.
+/// A closed curve about (0, `centre`), symmetric in x: a superellipse whose front and back half
+/// differ in depth, with a pair of soft bumps on it. Its exponent is above 2, which keeps the curve
+/// smooth (C2) where the halves meet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Section {
     /// Height above the floor \[m\].
@@ -64,7 +65,8 @@ impl Section {
         let aspect = 0.5 * (self.front + self.back) / self.half_width;
         let mut half: Vec<_> = (0..=SAMPLES)
             .map(|i| {
-                // angles as of an ellipse, so that the points are spread about evenly on flat sections as well
+                // angles as of an ellipse, so that the points are spread about evenly on flat
+                // sections as well
                 let (sin, cos) = (PI * i as f64 / SAMPLES as f64).sin_cos();
                 self.point(sin.atan2(aspect * cos))
             })

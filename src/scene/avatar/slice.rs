@@ -2,7 +2,8 @@
 
 use super::TriangleMesh;
 
-/// Returns the crossings of the surface with height `y`: points (x, z) \[m\], two for each triangle crossed, in no order.
+/// Returns the crossings of the surface with height `y`: points (x, z) \[m\], two for each triangle
+/// crossed, in no order.
 fn points(surface: &TriangleMesh, y: f64) -> Vec<[f64; 2]> {
     let mut points = Vec::new();
     for t in 0..surface.triangles.len() {
@@ -31,7 +32,8 @@ pub(super) fn bounds(surface: &TriangleMesh, y: f64) -> Option<[[f64; 2]; 2]> {
     Some(bounds)
 }
 
-/// z of the back and of the front in the middle (x = 0) at height `y`, for a surface with edges along the middle \[m\].
+/// z of the back and of the front in the middle (x = 0) at height `y`, for a surface with edges
+/// along the middle \[m\].
 pub(super) fn middle(surface: &TriangleMesh, y: f64) -> Option<[f64; 2]> {
     let points = points(surface, y);
     let middle = || points.iter().filter(|p| p[0] == 0.0).map(|p| p[1]);
@@ -50,7 +52,8 @@ pub(super) fn girth(surface: &TriangleMesh, y: f64) -> Option<f64> {
     (!hull.is_empty()).then(|| girth.sum())
 }
 
-/// Convex hull, counter-clockwise (A. M. Andrew, "Another efficient algorithm for convex hulls in two dimensions", 1979).
+/// Convex hull, counter-clockwise (A. M. Andrew, "Another efficient algorithm for convex hulls in
+/// two dimensions", 1979).
 fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     points.sort_unstable_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     points.dedup();

@@ -1,4 +1,5 @@
-//! Uniform cubic B-splines: weights of a value and its derivatives, and the coefficients that interpolate.
+//! Uniform cubic B-splines: weights of a value and its derivatives, and the coefficients that
+//! interpolate.
 
 /// Weights of the four coefficients about a cell, at `t` from 0 to 1 along it.
 pub(super) fn weights(t: f64) -> [f64; 4] {
@@ -27,11 +28,13 @@ pub(super) fn bends(t: f64) -> [f64; 4] {
     [1.0 - t, 3.0 * t - 2.0, 1.0 - 3.0 * t, t]
 }
 
-/// Values at the knots to the coefficients of the spline through them, in place, along one line of an array.
+/// Values at the knots to the coefficients of the spline through them, in place, along one line of
+/// an array.
 ///
-/// Solves `(c[i-1] + 4 c[i] + c[i+1]) / 6 = f[i]` with natural ends, `c = f` there
-/// (M. Unser, "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16(6), 1999).
-/// `values` is read from `start` in steps of `stride`; `pivots` as made by [`pivots`] for the length of the line.
+/// Solves `(c[i-1] + 4 c[i] + c[i+1]) / 6 = f[i]` with natural ends, `c = f` there (M. Unser,
+/// "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16(6),
+/// 1999). `values` is read from `start` in steps of `stride`; `pivots` as made by [`pivots`] for
+/// the length of the line.
 pub(super) fn interpolate(values: &mut [f64], (start, stride): (usize, usize), pivots: &[f64]) {
     let last = pivots.len() - 1;
     let at = |i: usize| start + i * stride;

@@ -34,7 +34,8 @@ impl TriangleMesh {
         six_fold / 6.0
     }
 
-    /// Returns the faults that keep this from being the closed, two-sided, outward surface of a body.
+    /// Returns the faults that keep this from being the closed, two-sided, outward surface of a
+    /// body.
     pub(super) fn check(&self) -> Vec<Fault> {
         let faults = self.check_parts();
         if faults.is_empty() {

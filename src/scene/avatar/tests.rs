@@ -6,7 +6,8 @@ use std::sync::LazyLock;
 
 static FORM: LazyLock<Avatar> = LazyLock::new(|| DressForm::default().build().expect("size M"));
 
-/// A sphere of unit edges, by halving the edges of an octahedron `levels` times and putting the points on the sphere.
+/// A sphere of unit edges, by halving the edges of an octahedron `levels` times and putting the
+/// points on the sphere.
 fn sphere(radius: f64, levels: usize) -> TriangleMesh {
     let count = 1 << levels;
     let mut mesh = TriangleMesh::default();
@@ -78,7 +79,8 @@ fn capsule(radius: f64, length: f64) -> TriangleMesh {
     mesh
 }
 
-/// Points spread over a box about the origin by the golden ratio's higher relatives (R3 sequence, M. Roberts 2018).
+/// Points spread over a box about the origin by the golden ratio's higher relatives (R3 sequence,
+/// M. Roberts 2018).
 fn points(count: usize, half: Vector3<f64>) -> impl Iterator<Item = Vector3<f64>> {
     let steps = [0.819_172_513, 0.671_043_607, 0.549_700_478];
     (1..=count).map(move |i| {
@@ -96,7 +98,8 @@ fn codes(surface: TriangleMesh) -> Vec<String> {
     faults.0.into_iter().map(|f| f.code.to_string()).collect()
 }
 
-/// Facets of edge e lie within e²/(6 R) of a sphere (circumradius of a facet squared over 2 R, R0² <= e²/3).
+/// Facets of edge e lie within e²/(6 R) of a sphere (circumradius of a facet squared over 2 R, R0²
+/// <= e²/3).
 fn facet_depth(mesh: &TriangleMesh, radius: f64) -> f64 {
     let longest = (0..mesh.triangles.len())
         .map(|t| {
@@ -153,8 +156,8 @@ fn of_one(corners: [Vector3<f64>; 3]) -> tree::Tree {
     })
 }
 
-/// Distance d of a sphere has derivatives of order 4 below 15 / r³; a cubic spline through values spaced h errs by at
-/// most 5/384 h⁴ of those on each axis, plus what the facets add.
+/// Distance d of a sphere has derivatives of order 4 below 15 / r³; a cubic spline through values
+/// spaced h errs by at most 5/384 h⁴ of those on each axis, plus what the facets add.
 #[test]
 fn smooth_distance_of_a_sphere_is_the_closed_form() {
     let mesh = sphere(0.1, 5);
@@ -166,7 +169,8 @@ fn smooth_distance_of_a_sphere_is_the_closed_form() {
         if distance.abs() < 0.02 {
             let sample = avatar.sample(&p).expect("near");
             let error = (sample.distance - distance).abs();
-            // the interpolation of the facets' own depth can overshoot it by the spline's norm, 1.549 an axis
+            // the interpolation of the facets' own depth can overshoot it by the spline's norm,
+            // 1.549 an axis
             assert!(error < spline + 1.549_f64.powi(3) * depth, "{error} at {p}");
         }
     }
@@ -174,7 +178,8 @@ fn smooth_distance_of_a_sphere_is_the_closed_form() {
 
 #[test]
 fn smooth_distance_of_the_form_is_near_the_exact_one() {
-    // a fold of angle a between facets is a kink a |x| / 2, which a spline of spacing h cannot follow closer than a h / 4
+    // a fold of angle a between facets is a kink a |x| / 2, which a spline of spacing h cannot
+    // follow closer than a h / 4
     let widest = widest_fold(&FORM.surface);
     let bound = 0.25 * widest * 0.009;
     assert!(bound < 1e-3, "{widest}");
@@ -208,8 +213,8 @@ fn widest_fold(surface: &TriangleMesh) -> f64 {
     widest
 }
 
-/// Central differences err by h² f''' / 6 and by rounding, eps f / h: 1e-6 of the size of the result, at h = 1e-5 m
-/// with third derivatives up to 1e3 /m².
+/// Central differences err by h² f''' / 6 and by rounding, eps f / h: 1e-6 of the size of the
+/// result, at h = 1e-5 m with third derivatives up to 1e3 /m².
 #[test]
 fn gradient_and_hessian_are_those_of_the_distance() {
     let h = 1e-5;

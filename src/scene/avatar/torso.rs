@@ -8,8 +8,9 @@ pub(super) const HEIGHT: f64 = 1.68;
 
 /// Heights of the measured places, as shares of the body height.
 ///
-/// Near those of the CC0 `MakeHuman` woman of 1.68 m (bust 0.735, waist 0.651, hip 0.488, neck side 0.851, crotch
-/// 0.460), with the waist lowered to where a tailor ties it and the hip 20 cm below it.
+/// Near those of the CC0 `MakeHuman` woman of 1.68 m (bust 0.735, waist 0.651, hip 0.488, neck side
+/// 0.851, crotch 0.460), with the waist lowered to where a tailor ties it and the hip 20 cm below
+/// it.
 pub(super) mod share {
     pub(in super::super) const NECK: f64 = 0.868;
     pub(in super::super) const BUST: f64 = 0.726;
@@ -24,8 +25,9 @@ pub(super) mod share {
 pub(super) const BUST_ANGLE: f64 = 0.68;
 pub(super) const SEAT_ANGLE: f64 = 2.55;
 
-/// Control rows from the top of the neck to the bottom \[m\]: y, half width, z of the widest line, z of the front, z of
-/// the back, exponent. Drawn for this project; the surface is their cubic B-spline, so it stays within them.
+/// Control rows from the top of the neck to the bottom \[m\]: y, half width, z of the widest line,
+/// z of the front, z of the back, exponent. Drawn for this project; the surface is their cubic
+/// B-spline, so it stays within them.
 const ROWS: [[f64; 6]; 35] = [
     [1.500, 0.000, 0.018, 0.018, 0.018, 2.1],
     [1.500, 0.028, 0.018, 0.046, -0.011, 2.1],
@@ -78,7 +80,8 @@ pub(super) struct Scale {
 /// Sections along a parameter from 0 (top) to [`Torso::END`] (bottom).
 #[derive(Clone, Debug)]
 pub(super) struct Torso {
-    /// y, half width, z of the widest line, depth before it, depth behind it, exponent; a row more at each end.
+    /// y, half width, z of the widest line, depth before it, depth behind it, exponent; a row more
+    /// at each end.
     rows: Vec<[f64; 6]>,
     scale: Scale,
 }
@@ -89,7 +92,8 @@ impl Torso {
 
     pub(super) fn new(scale: Scale) -> Self {
         let mut rows: Vec<_> = ROWS.iter().map(|row| scale.apply(row)).collect();
-        // the rows go on mirrored beyond each pole, which makes it round and its tangent plane level
+        // the rows go on mirrored beyond each pole, which makes it round and its tangent plane
+        // level
         let beyond =
             |[y, half, centre, front, back, n]: [f64; 6]| [y, -half, centre, -front, -back, n];
         rows.insert(0, beyond(rows[1]));
@@ -193,7 +197,8 @@ impl Scale {
         ]
     }
 
-    /// The scale at the height of a row: a cubic between the measured places, level at each, so that none shows as a roll.
+    /// The scale at the height of a row: a cubic between the measured places, level at each, so
+    /// that none shows as a roll.
     fn between(&self, y: f64, shoulder: f64) -> f64 {
         let places = [
             (1.437, self.neck),

@@ -1,4 +1,5 @@
-//! The triangle nearest to a point, by a tree of discs: a piece of a surface fits one far closer than a box.
+//! The triangle nearest to a point, by a tree of discs: a piece of a surface fits one far closer
+//! than a box.
 
 use super::TriangleMesh;
 use nalgebra::Vector3;
@@ -63,7 +64,8 @@ impl Tree {
         Self { nodes, leaves }
     }
 
-    /// The nearest point among those closer than `within` \[m\]. Of several equally near ones, always the same.
+    /// The nearest point among those closer than `within` \[m\]. Of several equally near ones,
+    /// always the same.
     pub(super) fn nearest(&self, p: &Vector3<f64>, within: f64) -> Option<Nearest> {
         let mut best: Option<Nearest> = None;
         let mut bound = within * within;
@@ -176,7 +178,8 @@ fn grow(
     grow(leaves, (from + middle, to), nodes);
 }
 
-/// The point of a triangle nearest to `p` (C. Ericson, "Real-Time Collision Detection", 2005, section 5.1.5).
+/// The point of a triangle nearest to `p` (C. Ericson, "Real-Time Collision Detection", 2005,
+/// section 5.1.5).
 fn nearest_in_triangle(
     p: &Vector3<f64>,
     &[a, b, c]: &[Vector3<f64>; 3],

@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 
 /// Coordinates up to this are read \[m\]; beyond, rounding would be felt in the forces.
 const FAR: f64 = 1e4;
-/// Springs for each vertex that `Limits` allows: a net of structural, shear and bend springs has six.
+/// Springs for each vertex that `Limits` allows: a net of structural, shear and bend springs has
+/// six.
 const SPRINGS_PER_VERTEX: usize = 16;
 /// Triangles for each vertex that `Limits` allows: an endless mesh has two.
 const TRIANGLES_PER_VERTEX: usize = 3;
@@ -59,7 +60,8 @@ impl SceneCheck {
         }
     }
 
-    /// Returns true if the lists are as long as each other and as the limits allow, so that their entries can be looked at.
+    /// Returns true if the lists are as long as each other and as the limits allow, so that their
+    /// entries can be looked at.
     fn sizes(&mut self, scene: &RawScene, limits: &Limits) -> bool {
         let (count, most) = (self.vertex_count, limits.mesh_vertices);
         let longest = [
@@ -109,7 +111,8 @@ impl SceneCheck {
             }
             let [p, q, r] = triangle.map(|v| scene.uv_m[v]);
             let twice = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-            // so written that a NaN is not called a defect of the triangle: it is told of the vertex
+            // so written that a NaN is not called a defect of the triangle: it is told of the
+            // vertex
             (twice <= 0.0).then(|| {
                 let detail = format!(
                     "triangle {triangle:?} has no area or runs clockwise in uv_m: give its vertices counter-clockwise"

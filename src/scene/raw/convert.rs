@@ -12,9 +12,10 @@ impl RawScene {
     /// Checks everything and makes it a scene.
     ///
     /// # Errors
-    /// All faults together, each with a JSON pointer: lists longer than `limits` allow or of unlike lengths, indices of no
-    /// vertex, numbers that are not finite or have the wrong sign, springs and stitches from a vertex to itself, triangles
-    /// without area or clockwise, a body without size or direction.
+    /// All faults together, each with a JSON pointer: lists longer than `limits` allow or of unlike
+    /// lengths, indices of no vertex, numbers that are not finite or have the wrong sign, springs
+    /// and stitches from a vertex to itself, triangles without area or clockwise, a body without
+    /// size or direction.
     pub fn into_scene(self, limits: &Limits) -> Result<Scene, Faults> {
         check::check(&self, limits)?;
         let vertex_count = self.start_m.len();
@@ -58,8 +59,9 @@ impl RawScene {
     }
 }
 
-/// The pieces of cloth, as far as the numbering tells them apart: a new one begins where no triangle joins the vertices
-/// before to those after. `triangles` come in the order of their lowest vertex.
+/// The pieces of cloth, as far as the numbering tells them apart: a new one begins where no
+/// triangle joins the vertices before to those after. `triangles` come in the order of their lowest
+/// vertex.
 fn pieces(vertex_count: usize, triangles: &[[usize; 3]]) -> Vec<PanelRange> {
     let mut pieces: Vec<PanelRange> = vec![];
     let mut end = 0;

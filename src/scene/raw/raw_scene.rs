@@ -34,8 +34,8 @@ pub struct RawScene {
     pub friction: f64,
     /// Acceleration, its direction being down \[m/s²\].
     pub gravity_m_s2: [f64; 3],
-    /// Drag force over mass and velocity, the same for all vertices \[1/s\]; the method's own if absent. Rest shapes are the
-    /// same with any.
+    /// Drag force over mass and velocity, the same for all vertices \[1/s\]; the method's own if
+    /// absent. Rest shapes are the same with any.
     #[serde(default)]
     pub drag_1_s: Option<f64>,
     /// The coordinate in which nothing moves (0 x, 1 y, 2 z), for a problem in a plane.

@@ -1,8 +1,10 @@
-//! Segmental alignment: divides the outline of a panel into the edge roles of a template, at the least misfit.
+//! Segmental alignment: divides the outline of a panel into the edge roles of a template, at the
+//! least misfit.
 //!
-//! A template is the cycle of roles round a panel, each with the length, the bend and the corner that it usually has. Every
-//! way to divide the outline into these roles is compared by dynamic programming, from every edge and in both directions,
-//! so that it does not matter how the panel is turned in its drawing.
+//! A template is the cycle of roles round a panel, each with the length, the bend and the corner
+//! that it usually has. Every way to divide the outline into these roles is compared by dynamic
+//! programming, from every edge and in both directions, so that it does not matter how the panel is
+//! turned in its drawing.
 
 use super::edge_templates::{EdgeTemplate, PanelTemplate};
 use super::labeled_panel::RoleSegment;
@@ -68,7 +70,8 @@ impl AlignmentWeights {
     }
 }
 
-/// Returns the alignments of an outline with `template`, the best first: several for each first edge and direction.
+/// Returns the alignments of an outline with `template`, the best first: several for each first
+/// edge and direction.
 pub(super) fn align(
     features: &OutlineFeatures,
     template: &PanelTemplate,
@@ -236,7 +239,8 @@ impl SegmentalAligner<'_> {
         }
     }
 
-    /// Returns the misfit of a segment that ends before `to` as the `k`th role, with the corner after it.
+    /// Returns the misfit of a segment that ends before `to` as the `k`th role, with the corner
+    /// after it.
     fn role_cost(&self, run: &SegmentFeatures, k: usize, to: usize) -> f64 {
         let template = self.edge_template(k);
         let corner = self.features.joints[self.ring(to - 1)].to_degrees();
@@ -281,7 +285,8 @@ impl SegmentalAligner<'_> {
     }
 }
 
-/// Returns a division with as many edges in each role on the right as on the left, and the other way round.
+/// Returns a division with as many edges in each role on the right as on the left, and the other
+/// way round.
 fn evened(ends: &[usize]) -> Vec<Vec<usize>> {
     let roles = ends.len();
     let size = |k: usize| ends[k] - if k == 0 { 0 } else { ends[k - 1] };

@@ -1,7 +1,8 @@
 //! Assignment of one labeling to each panel: that with which its neighbors agree best.
 //!
-//! A labeling of a front is good if its side is as long as that of the back, and if it mirrors the other half. Starting
-//! from the likeliest labelings, each panel in turn takes the one that fits the others best, until none changes.
+//! A labeling of a front is good if its side is as long as that of the back, and if it mirrors the
+//! other half. Starting from the likeliest labelings, each panel in turn takes the one that fits
+//! the others best, until none changes.
 
 use super::labeled_panel::LabeledPanel;
 use super::labels::{EdgeRole, PanelKind};
@@ -132,7 +133,8 @@ impl CostTable {
         chosen[i] = best.unwrap_or_default();
     }
 
-    /// Takes the labelings of two panels that fit each other and the others best: two halves may be wrong together.
+    /// Takes the labelings of two panels that fit each other and the others best: two halves may be
+    /// wrong together.
     fn improve_pair(&self, chosen: &mut [usize], pair: &PairCosts) {
         let [i, j] = pair.ends;
         let of = |i: usize, but: usize| -> Vec<f64> {
@@ -179,7 +181,8 @@ impl AssignmentWeights {
         }
     }
 
-    /// Returns how little an edge of `a` fits the opening of `b` that it goes round: 0 where the two are not sewn together.
+    /// Returns how little an edge of `a` fits the opening of `b` that it goes round: 0 where the
+    /// two are not sewn together.
     fn opening_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
         let same = a.front_back == b.front_back
             && a.front_back.is_some()
@@ -208,7 +211,8 @@ impl AssignmentWeights {
             .filter_map(|role| a.segment(*role, None))
             .map(|s| {
                 let longer = (a.features.length(&s.edges) / opening).ln();
-                // Sleeves are gathered into armholes, skirts into waistbands and sleeves into cuffs: not the other way round.
+                // Sleeves are gathered into armholes, skirts into waistbands and sleeves into
+                // cuffs: not the other way round.
                 let gathered = if a.kind == PanelKind::Sleeve {
                     longer > 0.0
                 } else {
@@ -291,7 +295,8 @@ impl AssignmentWeights {
     }
 }
 
-/// Returns true for a sleeve and a bodice that do not go together: a sleeve needs an armhole; one that runs up to the neck a bodice without shoulders, any other one with.
+/// Returns true for a sleeve and a bodice that do not go together: a sleeve needs an armhole; one
+/// that runs up to the neck a bodice without shoulders, any other one with.
 fn is_misfit(a: &LabeledPanel, b: &LabeledPanel) -> bool {
     let (sleeve, bodice) = match (a.kind, b.kind) {
         (PanelKind::Sleeve, PanelKind::Bodice) => (a, b),

@@ -1,4 +1,5 @@
-//! Templates of panels: the cycle of edge roles round each kind, with usual lengths, bends and corners.
+//! Templates of panels: the cycle of edge roles round each kind, with usual lengths, bends and
+//! corners.
 
 use super::labels::EdgeRole;
 use serde::Deserialize;

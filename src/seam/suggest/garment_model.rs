@@ -124,7 +124,8 @@ impl GarmentModel {
         Some(part.chain_from(segment, from))
     }
 
-    /// Returns an upper or lower edge of a panel, from the wearer's side `from` to the other; of half a panel, what it has of that.
+    /// Returns an upper or lower edge of a panel, from the wearer's side `from` to the other; of
+    /// half a panel, what it has of that.
     pub(super) fn across(
         &self,
         part: &LabeledPanel,
@@ -157,7 +158,8 @@ impl GarmentModel {
         }
     }
 
-    /// Returns the edges of a role in front of the body from the wearer's left, or behind it from the right.
+    /// Returns the edges of a role in front of the body from the wearer's left, or behind it from
+    /// the right.
     pub(super) fn half_ring(
         &self,
         kind: PanelKind,

@@ -5,15 +5,18 @@ use super::edge_chain::{EdgeChain, EdgeStep, length};
 /// Corners count as meeting up to this share of the whole length, or this distance \[m\].
 const TOLERANCE_SHARE: f64 = 0.012;
 const TOLERANCE_M: f64 = 0.004;
-/// A closed seam may begin this share of its length away from where it is expected before that counts like a corner missed.
+/// A closed seam may begin this share of its length away from where it is expected before that
+/// counts like a corner missed.
 const USUAL_OFFSET: f64 = 0.06;
-/// Closed seams of more corners than this, those of both sides multiplied, are not turned: each way costs their product again.
+/// Closed seams of more corners than this, those of both sides multiplied, are not turned: each way
+/// costs their product again.
 const MAX_ROTATIONS: usize = 2_500;
 
 /// Two chains of edges that are sewn together, beginning at the same point.
 pub(super) type JoinedParts = [EdgeChain; 2];
 
-/// Splits two chains that begin and end together wherever a corner of the one meets a corner of the other.
+/// Splits two chains that begin and end together wherever a corner of the one meets a corner of the
+/// other.
 pub(super) fn split_at_corners(a: &[EdgeStep], b: &[EdgeStep]) -> Vec<JoinedParts> {
     let cuts = matching_corners(&corners(a), &corners(b), tolerance(a, b));
     let mut parts = vec![];
@@ -25,8 +28,8 @@ pub(super) fn split_at_corners(a: &[EdgeStep], b: &[EdgeStep]) -> Vec<JoinedPart
     parts
 }
 
-/// Splits two closed chains, which are expected to begin together but may be rotated against each other where
-/// their corners then meet better.
+/// Splits two closed chains, which are expected to begin together but may be rotated against each
+/// other where their corners then meet better.
 pub(super) fn split_ring(a: &[EdgeStep], b: &[EdgeStep]) -> Vec<JoinedParts> {
     split_rotated(a, b, USUAL_OFFSET)
 }
@@ -61,7 +64,8 @@ fn split_rotated(a: &[EdgeStep], b: &[EdgeStep], usual: f64) -> Vec<JoinedParts>
     split_at_corners(&rotated(a, best.1), &rotated(b, best.2))
 }
 
-/// Returns how well the corners of two chains meet: the number that do, less the square of how unusual their beginning is.
+/// Returns how well the corners of two chains meet: the number that do, less the square of how
+/// unusual their beginning is.
 pub(super) fn score(a: &[f64], b: &[f64], away: f64, tolerance: f64) -> f64 {
     #[expect(clippy::cast_precision_loss, reason = "a handful of corners")]
     let met = matching_corners(a, b, tolerance).len() as f64;
@@ -99,7 +103,8 @@ fn tolerance(a: &[EdgeStep], b: &[EdgeStep]) -> f64 {
     TOLERANCE_SHARE.max(TOLERANCE_M / shorter).min(0.1)
 }
 
-/// Returns pairs of corners each of which is the nearest of the other, as numbers of steps before them.
+/// Returns pairs of corners each of which is the nearest of the other, as numbers of steps before
+/// them.
 fn matching_corners(a: &[f64], b: &[f64], tolerance: f64) -> Vec<[usize; 2]> {
     let nearest = |x: f64, of: &[f64]| {
         (0..of.len()).min_by(|i, j| (of[*i] - x).abs().total_cmp(&(of[*j] - x).abs()))

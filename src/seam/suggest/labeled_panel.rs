@@ -1,4 +1,5 @@
-//! A panel as a part of a garment: its kind, and which of its edges are its hem, its side, its armhole.
+//! A panel as a part of a garment: its kind, and which of its edges are its hem, its side, its
+//! armhole.
 
 use super::edge_chain::{EdgeChain, EdgeStep, reversed};
 use super::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
@@ -19,7 +20,8 @@ pub(super) struct RoleSegment {
 /// A panel whose edges have roles.
 #[derive(Clone, Debug)]
 pub(super) struct LabeledPanel {
-    /// Its index in the pattern; mirrored copies that the suggestion adds come after all of the pattern's own.
+    /// Its index in the pattern; mirrored copies that the suggestion adds come after all of the
+    /// pattern's own.
     pub(super) panel: usize,
     pub(super) kind: PanelKind,
     /// Other kinds that its name says: the sleeve or the leg of a cuff.
@@ -45,7 +47,8 @@ pub(super) struct LabeledPanel {
 }
 
 impl LabeledPanel {
-    /// Returns the wearer's side on which a side of the drawing lies: a front with its outer side up has the wearer's right on its left.
+    /// Returns the wearer's side on which a side of the drawing lies: a front with its outer side
+    /// up has the wearer's right on its left.
     pub(super) fn laterality_of(&self, drawn_side: DrawnSide) -> Laterality {
         let behind = self.front_back == Some(FrontBack::Back);
         if (drawn_side == DrawnSide::Left) == (behind != self.drawn_from_inside) {
@@ -55,7 +58,8 @@ impl LabeledPanel {
         }
     }
 
-    /// Returns the side of the drawing at which a segment on the upper edge begins, in order of numbers.
+    /// Returns the side of the drawing at which a segment on the upper edge begins, in order of
+    /// numbers.
     pub(super) fn first_drawn_side(&self) -> DrawnSide {
         if self.features.mirrored {
             DrawnSide::Right

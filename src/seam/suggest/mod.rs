@@ -3,11 +3,12 @@
 //! 1. `classify` labels every panel: `names` takes hints from its name by the `lexicon`,
 //!    `outline_features` measures its outline, `align` divides that into the edge roles of the
 //!    `edge_templates` (hem, side, armhole), `penalties` count what speaks against a labeling, and
-//!    `assignment` chooses the labelings of all panels together; `orientation` tells front from back
-//!    and left from right.
+//!    `assignment` chooses the labelings of all panels together; `orientation` tells front from
+//!    back and left from right.
 //! 2. `rules` join the edge roles that each class of garment joins, a file a class; `join` splits a
 //!    seam where corners of both sides meet.
-//! 3. `select` keeps the seams that can be sewn together, `placement` puts the panels round the body.
+//! 3. `select` keeps the seams that can be sewn together, `placement` puts the panels round the
+//!    body.
 //!
 //! `lexicon.json` and `figures.json` hold the words and the numbers.
 
@@ -45,12 +46,14 @@ use std::collections::BTreeSet;
 
 /// Proposes seams and placements for `pattern` from the names, outlines and notches of its panels.
 ///
-/// What the pattern itself states (`seams`, `placements`) is not used. Seams are by corner numbers, one for each stretch
-/// between corners that meet. Every seam passes [`check`](crate::seam::check) together with all others.
+/// What the pattern itself states (`seams`, `placements`) is not used. Seams are by corner numbers,
+/// one for each stretch between corners that meet. Every seam passes [`check`](crate::seam::check)
+/// together with all others.
 ///
 /// # Assumptions
-/// Panels are those of one garment; of parts that are drawn in several styles (short and long sleeve) the first is
-/// taken. Lengths are those of the sew line. Sleeves, cuffs and bindings that are drawn once are worn on both sides.
+/// Panels are those of one garment; of parts that are drawn in several styles (short and long
+/// sleeve) the first is taken. Lengths are those of the sew line. Sleeves, cuffs and bindings that
+/// are drawn once are worn on both sides.
 pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
     if pattern.panels.len() > limits.suggested_panels {
         return too_many(pattern.panels.len(), limits.suggested_panels);

@@ -8,9 +8,10 @@ use std::rc::Rc;
 /// Lengths of two panels that mirror each other agree to this share.
 const TWIN_LENGTH_SHARE: f64 = 0.01;
 
-/// Returns true if a panel is drawn as seen through the body: as the names of halves like it say, or its file. Else backs that
-/// are drawn whole are taken to be drawn in one view with their fronts, as tools that know the body write them; halves
-/// and panels drawn on the fold are pieces to cut, which lie right side up.
+/// Returns true if a panel is drawn as seen through the body: as the names of halves like it say,
+/// or its file. Else backs that are drawn whole are taken to be drawn in one view with their
+/// fronts, as tools that know the body write them; halves and panels drawn on the fold are pieces
+/// to cut, which lie right side up.
 pub(super) fn is_drawn_from_inside(
     pattern: &Pattern,
     parts: &[LabeledPanel],
@@ -46,7 +47,8 @@ pub(super) fn outer_drawn_side(part: &LabeledPanel) -> Option<DrawnSide> {
     part.segments.first().map(|s| s.drawn_side)
 }
 
-/// Gives fronts and backs to body panels whose names do not say: the deeper neck, the shorter crotch is the front.
+/// Gives fronts and backs to body panels whose names do not say: the deeper neck, the shorter
+/// crotch is the front.
 pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
     for (kind, role, front_is_longer) in [
         (PanelKind::Bodice, EdgeRole::Neck, true),
@@ -99,8 +101,9 @@ pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
     }
 }
 
-/// Gives every half a side of the wearer, adding the mirrored copy of those that are drawn once. Of panels that are
-/// neither drawn as a pair nor called left or right the first is taken: others are other styles of the same part.
+/// Gives every half a side of the wearer, adding the mirrored copy of those that are drawn once. Of
+/// panels that are neither drawn as a pair nor called left or right the first is taken: others are
+/// other styles of the same part.
 pub(super) fn assign_left_right(pattern: &Pattern, parts: &mut Vec<LabeledPanel>) {
     let mut taken: Vec<usize> = vec![];
     let mut spare: Vec<usize> = vec![];

@@ -6,14 +6,17 @@ use std::f64::consts::{PI, TAU};
 
 /// Outlines of more edges than this fit no template.
 pub(super) const MAX_EDGES: usize = 40;
-/// Distance from a corner over which its direction is measured \[m\]: above the noise of digitized outlines, below their curvature.
+/// Distance from a corner over which its direction is measured \[m\]: above the noise of digitized
+/// outlines, below their curvature.
 const DIRECTION_LENGTH_M: f64 = 0.008;
-/// A dart is no wider at its tip than this \[rad\], and no wider at its mouth than this \[m\]; a slit for a godet may be.
+/// A dart is no wider at its tip than this \[rad\], and no wider at its mouth than this \[m\]; a
+/// slit for a godet may be.
 const MAX_DART: [f64; 2] = [PI / 2.4, 0.16];
 /// A wider one on the axis of a symmetric panel is a neck \[m\].
 const MIN_NECK_M: f64 = 0.1;
 const MAX_SLIT: [f64; 2] = [PI / 1.6, 0.5];
-/// The legs of a dart are straight up to this (deviation over chord), as long as each other up to this share, and no shorter than this \[m\].
+/// The legs of a dart are straight up to this (deviation over chord), as long as each other up to
+/// this share, and no shorter than this \[m\].
 const MAX_LEG_BULGE: f64 = 0.12;
 const MAX_LEG_DIFFERENCE: f64 = 0.03;
 const MIN_LEG_M: f64 = 0.015;
@@ -70,7 +73,8 @@ pub(super) struct OutlineFeatures {
 }
 
 impl OutlineFeatures {
-    /// Measures a panel. Where a pattern has godets, the wide slits that they are set into count as darts too.
+    /// Measures a panel. Where a pattern has godets, the wide slits that they are set into count as
+    /// darts too.
     pub(super) fn of(panel: &Panel, slits: bool) -> Self {
         let mirrored = panel.copy_of.is_some();
         let sense = if mirrored { 1.0 } else { -1.0 };
@@ -120,7 +124,8 @@ impl OutlineFeatures {
     pub(super) fn is_symmetric(&self) -> bool {
         let count = self.ring.len();
         let edge = |k: usize| self.edges[self.ring[k % count]];
-        // An axis goes through a corner or the middle of an edge: reading on from it is reading back from it.
+        // An axis goes through a corner or the middle of an edge: reading on from it is reading
+        // back from it.
         count <= MAX_EDGES
             && (0..2 * count).any(|axis| {
                 let (on, back) = (axis / 2 + axis % 2, (axis / 2 + count - 1) % count);
@@ -147,7 +152,8 @@ impl OutlineFeatures {
         extent(0) >= extent(1)
     }
 
-    /// Returns the distance of a point from the straight line through the ends of a run of edges, positive on the side of the panel \[m\].
+    /// Returns the distance of a point from the straight line through the ends of a run of edges,
+    /// positive on the side of the panel \[m\].
     pub(super) fn above(&self, edges: &[usize], point: Point2) -> f64 {
         let (Some(first), Some(last)) = (edges.first(), edges.last()) else {
             return 0.0;
@@ -290,8 +296,8 @@ fn are_legs(a: EdgeFeatures, b: EdgeFeatures) -> bool {
         && straight(b)
 }
 
-/// The edges left once darts are sewn, and the turns between them: where a dart was, its two mouth corners become one,
-/// whose inner angle is the sum of theirs.
+/// The edges left once darts are sewn, and the turns between them: where a dart was, its two mouth
+/// corners become one, whose inner angle is the sum of theirs.
 fn ring(count: usize, turns: &[f64], darts: &[Dart]) -> (Vec<usize>, Vec<f64>) {
     let is_leg = |edge: usize| darts.iter().any(|d| d.inward == edge || d.outward == edge);
     let ring: Vec<usize> = (0..count).filter(|edge| !is_leg(*edge)).collect();

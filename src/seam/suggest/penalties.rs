@@ -1,4 +1,5 @@
-//! Penalties of a labeling of a panel: by its name, its symmetry, its drawing, and how such panels are made.
+//! Penalties of a labeling of a panel: by its name, its symmetry, its drawing, and how such panels
+//! are made.
 
 use super::edge_chain::EdgeStep;
 use super::labeled_panel::LabeledPanel;
@@ -52,7 +53,8 @@ pub(super) fn half_penalty(
     }
 }
 
-/// Returns the penalty for how a panel would be drawn: on its side, hem up, or a front as seen through the body.
+/// Returns the penalty for how a panel would be drawn: on its side, hem up, or a front as seen
+/// through the body.
 pub(super) fn drawing_penalty(
     part: &LabeledPanel,
     upright: Option<bool>,
@@ -96,8 +98,9 @@ pub(super) fn drawing_penalty(
     cost
 }
 
-/// Returns true if a labeling has what no such panel has: shoulders that rise towards the arm, an underarm longer than the sleeve,
-/// a cap that is straight, a hood whose opening is round, slits for godets in the waist.
+/// Returns true if a labeling has what no such panel has: shoulders that rise towards the arm, an
+/// underarm longer than the sleeve, a cap that is straight, a hood whose opening is round, slits
+/// for godets in the waist.
 fn is_implausible(part: &LabeledPanel, weights: &PenaltyWeights) -> bool {
     let hem = part.role_edges(EdgeRole::Hem);
     let rising = part.segments_of(EdgeRole::Shoulder).any(|shoulder| {

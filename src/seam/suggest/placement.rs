@@ -158,7 +158,8 @@ fn down_the_arm(length: f64, side: f64) -> [f64; 3] {
     [0.64 * side * length, -0.76 * length, 0.0]
 }
 
-/// Returns the direction on the drawing that is up, from the hem into the panel \[degrees\]; nothing where it is that of the drawing.
+/// Returns the direction on the drawing that is up, from the hem into the panel \[degrees\];
+/// nothing where it is that of the drawing.
 fn up(part: &LabeledPanel) -> Option<f64> {
     let hem = part.segment(EdgeRole::Hem, None)?;
     let (first, last) = (hem.edges.first()?, hem.edges.last()?);

@@ -1,4 +1,5 @@
-//! Selects of the proposed seams a set that can be sewn together, without twist and without overlap.
+//! Selects of the proposed seams a set that can be sewn together, without twist and without
+//! overlap.
 
 use super::suggestion::SuggestedSeam;
 use crate::config::Limits;
@@ -12,13 +13,15 @@ const EDGE_LENGTH: f64 = 0.02;
 /// Number of times that one seam is left out by itself; then all that are still wrong go.
 const MAX_SINGLE_REMOVALS: usize = 30;
 
-/// Returns the seams that can be sewn together. Of those that cannot, the least sure is left out first.
+/// Returns the seams that can be sewn together. Of those that cannot, the least sure is left out
+/// first.
 pub(super) fn select_compatible(
     pattern: &Pattern,
     mut seams: Vec<SuggestedSeam>,
     limits: &Limits,
 ) -> Vec<SuggestedSeam> {
-    // Of two that clash the later one is refused: the surest come first, and their order comes back at the end.
+    // Of two that clash the later one is refused: the surest come first, and their order comes back
+    // at the end.
     let order: Vec<String> = seams.iter().map(|s| s.pair.id.clone()).collect();
     seams.sort_by(|a, b| b.confidence.total_cmp(&a.confidence));
     seams.truncate(limits.seams);

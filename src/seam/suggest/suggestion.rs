@@ -21,7 +21,8 @@ pub struct SuggestedSeam {
 /// Seams and placements proposed for a pattern.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Suggestion {
-    /// Seams that can be sewn together. They may name mirrored copies (`sleeve~mirror`) of panels that are drawn once.
+    /// Seams that can be sewn together. They may name mirrored copies (`sleeve~mirror`) of panels
+    /// that are drawn once.
     pub seams: Vec<SuggestedSeam>,
     /// Proposals by id of the panel, as a garment states them.
     pub panels: BTreeMap<String, SuggestedPanel>,

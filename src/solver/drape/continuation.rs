@@ -1,17 +1,18 @@
-//! Stiffness continuation: cloth far stiffer than any worn is sewn and draped softer first, then made stiffer tenfold at a
-//! time, each time from the shape before.
+//! Stiffness continuation: cloth far stiffer than any worn is sewn and draped softer first, then
+//! made stiffer tenfold at a time, each time from the shape before.
 //!
-//! The step of Newton's method goes along a straight line, while stiff cloth turns: a step d stretches an edge l by d² / (2 l), so
-//! the stiffer the cloth, the shorter the steps, and folds that are still to form take thousands. A shape at rest of softer cloth
-//! has its folds already, and strains in proportion to its softness; ten times stiffer, most of the way is one linear step.
-//! Poplin 1e4 times stiffer, hung by two corners: not at rest after 2000 iterations, and after 250 so; 100 times stiffer and
-//! sewn, 125 instead of 509.
+//! The step of Newton's method goes along a straight line, while stiff cloth turns: a step d
+//! stretches an edge l by d² / (2 l), so the stiffer the cloth, the shorter the steps, and folds
+//! that are still to form take thousands. A shape at rest of softer cloth has its folds already,
+//! and strains in proportion to its softness; ten times stiffer, most of the way is one linear
+//! step. Poplin 1e4 times stiffer, hung by two corners: not at rest after 2000 iterations, and
+//! after 250 so; 100 times stiffer and sewn, 125 instead of 509.
 
 use crate::scene::{Fabric, Membrane, Scene};
 use crate::solver::model::system::STANDARD_GRAVITY;
 
-/// Strain of cloth under its own weight below which it is softened first: that of organza, the stiffest for its weight that
-/// ships, is at least twice as large.
+/// Strain of cloth under its own weight below which it is softened first: that of organza, the
+/// stiffest for its weight that ships, is at least twice as large.
 const STIFF_STRAIN: f64 = 3e-6;
 /// Least strain of the softest cloth, with which it begins: half of poplin's.
 const SOFT_STRAIN: f64 = 1.5e-5;
@@ -20,7 +21,8 @@ const FACTOR: f64 = 10.0;
 /// Largest number of softer scenes: beyond a factor of 1e12 forces are rounding.
 const SOFTER_SCENES: usize = 12;
 
-/// Makes ever softer versions of `scene`, the last of which is to be draped first; none if it is not stiff.
+/// Makes ever softer versions of `scene`, the last of which is to be draped first; none if it is
+/// not stiff.
 ///
 /// Stretch and shear are capped, not scaled: what is soft beside something stiff stays as it is.
 pub(crate) fn softened_scenes(scene: &Scene) -> Vec<Scene> {
@@ -38,7 +40,8 @@ pub(crate) fn softened_scenes(scene: &Scene) -> Vec<Scene> {
     softer
 }
 
-/// Returns the largest modulus of any fabric, or the stiffness of the stiffest spring of a net \[N/m\].
+/// Returns the largest modulus of any fabric, or the stiffness of the stiffest spring of a net
+/// \[N/m\].
 fn stiffest(scene: &Scene) -> f64 {
     let given = matches!(scene.membrane, Membrane::Springs(_));
     let fabrics = scene.fabrics.iter().filter(|_| !given);
@@ -47,8 +50,8 @@ fn stiffest(scene: &Scene) -> f64 {
     moduli.chain(springs).fold(0.0, f64::max)
 }
 
-/// Returns the weight of the garment under standard gravity over the largest extent of a panel, or of the start of a net without
-/// one \[N/m\].
+/// Returns the weight of the garment under standard gravity over the largest extent of a panel, or
+/// of the start of a net without one \[N/m\].
 fn weight_per_width(scene: &Scene) -> f64 {
     let weight = scene.mass.iter().sum::<f64>() * STANDARD_GRAVITY;
     let flat = scene.mesh.panels.iter().flat_map(|panel| {
@@ -132,7 +135,8 @@ mod tests {
         assert!(softened_scenes(&pair(1e4)).is_empty());
     }
 
-    /// 2 N/m against 1e7 N/m is 2e-7: tenfold softer twice brings it above 1.5e-5, and the soft spring stays.
+    /// 2 N/m against 1e7 N/m is 2e-7: tenfold softer twice brings it above 1.5e-5, and the soft
+    /// spring stays.
     #[test]
     fn what_is_stiff_is_softened_tenfold_until_it_strains() {
         let softer: Vec<_> = softened_scenes(&pair(1e7))

@@ -1,4 +1,5 @@
-//! Distance of a shape from the solution: by the Hessian where that tells it, else by the moves of the shape.
+//! Distance of a shape from the solution: by the Hessian where that tells it, else by the moves of
+//! the shape.
 
 use crate::solver::drape::stage::StageOutcome;
 use crate::solver::model::system::System;
@@ -11,7 +12,8 @@ use crate::solver::outcome::{
 use crate::solver::report::cost_model::remaining_moves;
 use nalgebra::Vector3;
 
-/// Estimates how far the shape of a stage is from the solution of its mesh, `‖H⁻¹ f‖`; none where the Hessian does not tell.
+/// Estimates how far the shape of a stage is from the solution of its mesh, `‖H⁻¹ f‖`; none where
+/// the Hessian does not tell.
 #[inline(never)] // so that a profile tells what it takes
 pub(crate) fn estimate_by_hessian(
     system: &mut System<'_>,
@@ -39,8 +41,9 @@ pub(crate) fn estimate_by_hessian(
     })
 }
 
-/// Estimates how far a shape is from the solution where its Hessian does not tell, by the moves of its last level and of those
-/// before; `finer` levels were not run. A valid estimate is returned as it is.
+/// Estimates how far a shape is from the solution where its Hessian does not tell, by the moves of
+/// its last level and of those before; `finer` levels were not run. A valid estimate is returned as
+/// it is.
 pub(crate) fn estimate_by_moves(
     levels: &[LevelOutcome],
     last: &RelaxOutcome,

@@ -8,9 +8,11 @@ use crate::solver::outcome::ForceBalance;
 use crate::solver::report::measure::energies;
 use nalgebra::Vector3;
 
-/// Measures residual, floor and energies of the shape `x` \[m; `#V`\] with its seams as stiff springs.
+/// Measures residual, floor and energies of the shape `x` \[m; `#V`\] with its seams as stiff
+/// springs.
 ///
-/// All of it is finite for any finite shape: what would be beyond all numbers is the greatest of them, since JSON has no other.
+/// All of it is finite for any finite shape: what would be beyond all numbers is the greatest of
+/// them, since JSON has no other.
 pub(crate) fn measure_unrelaxed(
     scene: &Scene,
     options: &SolverOptions,

@@ -1,4 +1,5 @@
-//! A hierarchy of ever coarser meshes of one scene, and the interpolation of shapes from each to the next finer one.
+//! A hierarchy of ever coarser meshes of one scene, and the interpolation of shapes from each to
+//! the next finer one.
 
 use crate::scene::{CoarserScene, Scene, coarser};
 use crate::solver::drape::continuation::softened_scenes;
@@ -20,7 +21,8 @@ impl<'s> MeshHierarchy<'s> {
         }
     }
 
-    /// Makes all levels worth having; of stiff cloth, softer ones of the same mesh come before the scene itself.
+    /// Makes all levels worth having; of stiff cloth, softer ones of the same mesh come before the
+    /// scene itself.
     pub(crate) fn new(finest: &'s Scene) -> Self {
         let same_mesh = |scene: Scene| CoarserScene {
             finer: (0..scene.start.len()).collect(),
@@ -64,8 +66,9 @@ impl<'s> MeshHierarchy<'s> {
 
     /// Interpolates the shape `x` of level `level` on the next finer one.
     ///
-    /// Within each coarse triangle the image of p is `sum w_i (x_i + G_i (p - p_i) / 2)`, `G_i` the mean deformation gradient at
-    /// corner i: exact for quadratic shapes where the gradients are, so that bent cloth is handed on bent and not faceted.
+    /// Within each coarse triangle the image of p is `sum w_i (x_i + G_i (p - p_i) / 2)`, `G_i` the
+    /// mean deformation gradient at corner i: exact for quadratic shapes where the gradients are,
+    /// so that bent cloth is handed on bent and not faceted.
     pub(crate) fn refine(&self, level: usize, x: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
         let coarse = &self.coarser[level - 1];
         if self.is_softer(level) {
@@ -98,8 +101,8 @@ impl<'s> MeshHierarchy<'s> {
     }
 }
 
-/// Returns the deformation gradient at each vertex, the images of the two unit vectors of the pattern: the mean over its
-/// triangles, weighted by area.
+/// Returns the deformation gradient at each vertex, the images of the two unit vectors of the
+/// pattern: the mean over its triangles, weighted by area.
 fn gradients(scene: &Scene, x: &[Vector3<f64>]) -> Vec<[Vector3<f64>; 2]> {
     let uv = &scene.mesh.uv;
     let mut sum = vec![[Vector3::zeros(); 2]; x.len()];

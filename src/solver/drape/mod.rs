@@ -2,14 +2,15 @@
 //!
 //! In the order of a run, which [`multilevel`] leads:
 //!
-//! 1. [`hierarchy`] makes ever coarser meshes of the scene, and [`continuation`] softer versions of stiff cloth.
+//! 1. [`hierarchy`] makes ever coarser meshes of the scene, and [`continuation`] softer versions of
+//!    stiff cloth.
 //! 2. [`perturb`] moves particles of the start apart that lie in one point.
-//! 3. [`solve_level`] runs each level, coarsest first: [`sew`] pulls its seams shut, unless a coarser level did, and [`relax`]
-//!    closes them for good and finds the shape at rest. Both run [`stage`]s, by Newton's method or by motion, and a
-//!    [`monitor`] follows every iteration.
+//! 3. [`solve_level`] runs each level, coarsest first: [`sew`] pulls its seams shut, unless a
+//!    coarser level did, and [`relax`] closes them for good and finds the shape at rest. Both run
+//!    [`stage`]s, by Newton's method or by motion, and a [`monitor`] follows every iteration.
 //! 4. The shape of a level is refined to the next one while the time allows.
-//! 5. [`error_estimate`] tells how far the last shape is from the solution; of a shape that was never relaxed,
-//!    [`force_balance`] tells the forces.
+//! 5. [`error_estimate`] tells how far the last shape is from the solution; of a shape that was
+//!    never relaxed, [`force_balance`] tells the forces.
 //!
 //! The outcome is typed ([`crate::solver::outcome`]) and is put into words after the solve.
 

@@ -134,8 +134,8 @@ impl<'c, 'w> Monitor<'c, 'w> {
 
     /// Records an iteration; breaks if the drape is to stop.
     ///
-    /// The time is up when another iteration as long as the last ones, and the factor that an error estimate takes, would end
-    /// after the limit: an iteration is not cut short.
+    /// The time is up when another iteration as long as the last ones, and the factor that an error
+    /// estimate takes, would end after the limit: an iteration is not cut short.
     #[inline(never)] // so that a profile tells what it takes
     pub(crate) fn record(&mut self, record: &IterationRecord<'_>) -> ControlFlow<Termination> {
         let cpu_s = self.cpu_s();

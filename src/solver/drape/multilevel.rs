@@ -1,4 +1,5 @@
-//! A drape from start to end: the coarsest level is sewn and relaxed, and each finer one begins with the shape of the last.
+//! A drape from start to end: the coarsest level is sewn and relaxed, and each finer one begins
+//! with the shape of the last.
 
 use crate::scene::Scene;
 use crate::solver::context::Context;
@@ -22,10 +23,12 @@ use crate::solver::report::measure::{measure_shape, rms_distance};
 use crate::solver::statistics::{Fallback, SolveStatistics};
 use nalgebra::Vector3;
 
-/// Residual to which the coarser levels are solved: their shapes are off by their mesh error anyway.
+/// Residual to which the coarser levels are solved: their shapes are off by their mesh error
+/// anyway.
 const COARSE_TOLERANCE: f64 = 1e-3;
 
-/// Residual at which a drape stops at the latest, over its round-off floor; below a few floors rounding decides.
+/// Residual at which a drape stops at the latest, over its round-off floor; below a few floors
+/// rounding decides.
 const FLOOR_MULTIPLE: f64 = 10.0;
 /// The same of a drape that is continued.
 const CONTINUED_FLOOR_MULTIPLE: f64 = 3.0;
@@ -33,8 +36,8 @@ const CONTINUED_FLOOR_MULTIPLE: f64 = 3.0;
 /// Sews and drapes.
 ///
 /// # Guarantees
-/// Ends within the limits of the context and never with a shape that is not finite; the report says whether the shape is at
-/// rest, and why not where it is not.
+/// Ends within the limits of the context and never with a shape that is not finite; the report says
+/// whether the shape is at rest, and why not where it is not.
 ///
 /// # Limitations
 /// Rest shapes are not unique: cloth folds one way or another. Cloth passes through cloth.
@@ -224,7 +227,8 @@ impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
         }
     }
 
-    /// Carries the shape of level `number` to the next finer one, and keeps it if it is to tell the mesh error.
+    /// Carries the shape of level `number` to the next finer one, and keeps it if it is to tell the
+    /// mesh error.
     fn refine(&mut self, number: usize, x: &[Vector3<f64>], is_at_rest: bool) -> Vec<Vector3<f64>> {
         let x = self.hierarchy.refine(number, x);
         if self.hierarchy.is_softer(number) {

@@ -1,8 +1,9 @@
-//! Perturbation of a degenerate start: particles in one point, or on a line, have no direction to be pushed apart in.
+//! Perturbation of a degenerate start: particles in one point, or on a line, have no direction to
+//! be pushed apart in.
 //!
-//! The force of a spring of no length is zero and so is that of a triangle without area, so such a start may be a shape at rest
-//! (a maximum or a saddle of the energy) that no method leaves. Moving its particles by a hundredth of an edge, the same way
-//! every time, lets it be left.
+//! The force of a spring of no length is zero and so is that of a triangle without area, so such a
+//! start may be a shape at rest (a maximum or a saddle of the energy) that no method leaves. Moving
+//! its particles by a hundredth of an edge, the same way every time, lets it be left.
 
 use crate::scene::Scene;
 use nalgebra::Vector3;
@@ -43,7 +44,8 @@ pub(crate) fn perturb_degenerate(scene: &Scene, x: &mut [Vector3<f64>]) {
     }
 }
 
-/// Generates pseudo-random numbers from -1 to 1, the same every time (the linear congruential generator of D. E. Knuth's MMIX).
+/// Generates pseudo-random numbers from -1 to 1, the same every time (the linear congruential
+/// generator of D. E. Knuth's MMIX).
 fn random_numbers() -> impl FnMut() -> f64 {
     let mut seed = 1_u64;
     move || {

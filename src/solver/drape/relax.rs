@@ -1,4 +1,5 @@
-//! Relaxation (P10): the seams are closed for good, and the garment falls until nothing moves any more.
+//! Relaxation (P10): the seams are closed for good, and the garment falls until nothing moves any
+//! more.
 
 use crate::solver::drape::drag::{RELAXATION_DRAG, RELAXATION_SPEED_LIMIT, SETTLED};
 use crate::solver::drape::error_estimate::estimate_by_hessian;
@@ -32,7 +33,8 @@ const MOTION: DynamicRelaxation = DynamicRelaxation {
     tolerance: SETTLED,
 };
 
-/// Closes the seams for good, as welds or as springs stiffer than `stiffness` \[N/m\], and lets the garment come to rest.
+/// Closes the seams for good, as welds or as springs stiffer than `stiffness` \[N/m\], and lets the
+/// garment come to rest.
 pub(crate) fn relax(
     level: &mut Level<'_, '_, '_>,
     x: &mut Vec<Vector3<f64>>,

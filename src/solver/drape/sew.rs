@@ -36,7 +36,8 @@ pub(crate) fn sew(level: &mut Level<'_, '_, '_>, x: &mut [Vector3<f64>]) -> SewO
     }
 }
 
-/// Closes all stages, later ones with the stiffness that closed the earlier; returns the last stiffness \[N/m\].
+/// Closes all stages, later ones with the stiffness that closed the earlier; returns the last
+/// stiffness \[N/m\].
 fn close_stages(
     level: &mut Level<'_, '_, '_>,
     x: &mut [Vector3<f64>],

@@ -1,4 +1,5 @@
-//! The solve of one level (P9, P10): pull the seams shut, close them for good, let the garment fall and come to rest.
+//! The solve of one level (P9, P10): pull the seams shut, close them for good, let the garment fall
+//! and come to rest.
 
 use crate::solver::drape::level::Level;
 use crate::solver::drape::relax::relax;
@@ -8,8 +9,8 @@ use crate::solver::report::measure::rms_distance;
 use crate::solver::statistics::SolveStatistics;
 use nalgebra::Vector3;
 
-/// Finds the shape at rest of a level from `x` \[m; `#V`\], its seams closed first unless they are. `x` becomes that shape, or the
-/// best one so far.
+/// Finds the shape at rest of a level from `x` \[m; `#V`\], its seams closed first unless they are.
+/// `x` becomes that shape, or the best one so far.
 pub(crate) fn solve_level(
     level: &mut Level<'_, '_, '_>,
     x: &mut Vec<Vector3<f64>>,

@@ -44,7 +44,8 @@ pub(crate) struct StageMethod {
     pub(crate) limits: IterationLimits,
 }
 
-/// Runs one stage from `x`, which becomes its last accepted shape; returns Newton's method too, if that ran.
+/// Runs one stage from `x`, which becomes its last accepted shape; returns Newton's method too, if
+/// that ran.
 pub(crate) fn run_stage(
     system: &mut System<'_>,
     x: &mut [Vector3<f64>],
@@ -101,7 +102,8 @@ impl StageOutcome {
         }
     }
 
-    /// Returns why the stage ended; `canceled` tells an interruption by the cancel token from one by the time limit.
+    /// Returns why the stage ended; `canceled` tells an interruption by the cancel token from one
+    /// by the time limit.
     pub(crate) fn end(&self, canceled: bool) -> StageEnd {
         if let Some(limit_s) = self.stability_limit {
             return StageEnd::StepTooLong { limit_s };

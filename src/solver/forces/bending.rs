@@ -1,29 +1,35 @@
-//! Quadratic bending, orthotropic: a triangle bends as the quadratic surface through it and its neighbors.
+//! Quadratic bending, orthotropic: a triangle bends as the quadratic surface through it and its
+//! neighbors.
 //!
-//! The curvatures `κ_warp`, `κ_weft` and `κ_twist` of a triangle are those of the quadratic function through its three corners and
-//! the far corners of the three triangles that share an edge with it (E. Grinspun, Y. Gingold, J. Reisman, D. Zorin, "Computing
-//! discrete shape operators on general meshes", Eurographics 2006), taken in the flat rest shape, in each coordinate of space. Cloth
-//! hardly stretches, so that the flat rest shape will do (M. Bergou, M. Wardetzky, D. Harmon, D. Zorin, E. Grinspun, "A quadratic
-//! bending model for inextensible surfaces", SGP 2006), and the second derivative of the energy is constant and positive
-//! semidefinite.
+//! The curvatures `κ_warp`, `κ_weft` and `κ_twist` of a triangle are those of the quadratic
+//! function through its three corners and the far corners of the three triangles that share an edge
+//! with it (E. Grinspun, Y. Gingold, J. Reisman, D. Zorin, "Computing discrete shape operators on
+//! general meshes", Eurographics 2006), taken in the flat rest shape, in each coordinate of space.
+//! Cloth hardly stretches, so that the flat rest shape will do (M. Bergou, M. Wardetzky, D. Harmon,
+//! D. Zorin, E. Grinspun, "A quadratic bending model for inextensible surfaces", SGP 2006), and the
+//! second derivative of the energy is constant and positive semidefinite.
 //!
-//! With A the area, the energy is `A/2 (Bw |κ_warp|² + Bf |κ_weft|² + (Bw + Bf) |κ_twist|²)`: a plate without Poisson coupling, of which
-//! a strip cut at an angle a to the warp has the rigidity Bw cos² a + Bf sin² a. Where a neighbor is missing, the energy is
-//! the least that the others allow, which is what a free edge does.
+//! With A the area, the energy is `A/2 (Bw |κ_warp|² + Bf |κ_weft|² + (Bw + Bf) |κ_twist|²)`: a
+//! plate without Poisson coupling, of which a strip cut at an angle a to the warp has the rigidity
+//! Bw cos² a + Bf sin² a. Where a neighbor is missing, the energy is the least that the others
+//! allow, which is what a free edge does.
 //!
 //! # Limitations
-//! Energies of quadratic shapes are exact on every mesh. Shapes at rest converge to those of the plate on meshes that look the
-//! same from every vertex, as the inside of a lattice does; where triangles alternate, cloth comes out softer.
+//! Energies of quadratic shapes are exact on every mesh. Shapes at rest converge to those of the
+//! plate on meshes that look the same from every vertex, as the inside of a lattice does; where
+//! triangles alternate, cloth comes out softer.
 
 use crate::solver::forces::{PairForce, PairForces, Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
 
-/// Least stiffness against bending in one way, over that in another, that a triangle's neighbors may be too badly placed to
-/// tell apart: below it they are taken to say nothing more. Meshes of garments stay above 0.3.
+/// Least stiffness against bending in one way, over that in another, that a triangle's neighbors
+/// may be too badly placed to tell apart: below it they are taken to say nothing more. Meshes of
+/// garments stay above 0.3.
 const SINGULAR: f64 = 0.03;
 
-/// A triangle with its neighbors: its corners, then the far corner of the neighbor across from each.
+/// A triangle with its neighbors: its corners, then the far corner of the neighbor across from
+/// each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BendPatch {
     /// The first corner again where there is no neighbor.
@@ -32,10 +38,12 @@ pub(crate) struct BendPatch {
     pub(crate) weights: [[f64; 6]; 3],
 }
 
-/// The far corner of a neighbor: a particle, and its place when the neighbor is unfolded into the triangle's plane \[m\].
+/// The far corner of a neighbor: a particle, and its place when the neighbor is unfolded into the
+/// triangle's plane \[m\].
 type Wing = (usize, [f64; 2]);
 
-/// Returns half the squares and the product of the coordinates: the functions of unit curvature along warp, weft and twist.
+/// Returns half the squares and the product of the coordinates: the functions of unit curvature
+/// along warp, weft and twist.
 fn unit_curvatures([x, y]: [f64; 2]) -> [f64; 3] {
     [0.5 * x * x, 0.5 * y * y, x * y]
 }
@@ -45,8 +53,8 @@ fn twice_area(p: [f64; 2], q: [f64; 2], r: [f64; 2]) -> f64 {
 }
 
 impl BendPatch {
-    /// Returns the patch of a triangle at `rest` in warp-weft coordinates \[m\], with bending rigidities along warp and weft \[N m\].
-    /// `None` if it has no area or no neighbor.
+    /// Returns the patch of a triangle at `rest` in warp-weft coordinates \[m\], with bending
+    /// rigidities along warp and weft \[N m\]. `None` if it has no area or no neighbor.
     pub(crate) fn new(
         corners: [usize; 3],
         rest: [[f64; 2]; 3],
@@ -62,7 +70,8 @@ impl BendPatch {
         }
         let [a, b, c] = corners;
         let mut particles = [a, b, c, a, a, a];
-        // How far each wing stands off the plane of the triangle: by weights of positions, and by curvature.
+        // How far each wing stands off the plane of the triangle: by weights of positions, and by
+        // curvature.
         let mut standoff = [[0.0; 6]; 3];
         let mut by_curvature = Matrix3::zeros();
         for (k, wing) in wings.iter().enumerate() {
@@ -78,7 +87,8 @@ impl BendPatch {
             standoff[k] = row.map(|w| w / norm);
             by_curvature.set_row(k, &(curved.transpose() / norm));
         }
-        // The least energy with standoffs s is A/2 s·M⁻¹ s, M = G D⁻¹ Gᵀ with G the standoffs by curvature.
+        // The least energy with standoffs s is A/2 s·M⁻¹ s, M = G D⁻¹ Gᵀ with G the standoffs by
+        // curvature.
         let m = by_curvature * Matrix3::from_diagonal(&softness) * by_curvature.transpose();
         let eigen = SymmetricEigen::new(m);
         let mut weights = [[0.0; 6]; 3];
@@ -98,7 +108,8 @@ impl BendPatch {
     }
 }
 
-/// Returns the height of wing `k` at `at` over the plane of the triangle: by the six positions, and for unit curvatures.
+/// Returns the height of wing `k` at `at` over the plane of the triangle: by the six positions, and
+/// for unit curvatures.
 fn above_plane(rest: [[f64; 2]; 3], at: [f64; 2], k: usize) -> ([f64; 6], Vector3<f64>) {
     let [p, q, r] = rest;
     let whole = twice_area(p, q, r);
@@ -204,7 +215,8 @@ impl Potential for BendForce {
             for (&(i, j), &slot) in PAIRS.iter().zip(slots) {
                 let mut product = u[i] * u[j] + v[i] * v[j] + w[i] * w[j];
                 if i != j && patch.particles[i] == patch.particles[j] {
-                    // Two wings that are one particle, at the tip of a dart: both halves fall on the diagonal.
+                    // Two wings that are one particle, at the tip of a dart: both halves fall on
+                    // the diagonal.
                     product *= 2.0;
                 }
                 hessian.add(slot, &Matrix3::from_diagonal_element(product));
@@ -227,7 +239,8 @@ impl Potential for BendForce {
         for patch in &self.patches {
             let (p, [u, v, w]) = (&patch.particles, &patch.weights);
             let links = PAIRS.iter().filter(|&&(i, j)| p[i] != p[j]);
-            // The weights of each row add up to 0, so that the force is one of differences of positions.
+            // The weights of each row add up to 0, so that the force is one of differences of
+            // positions.
             pair_forces.pairs.extend(links.map(|&(i, j)| PairForce {
                 a: p[i],
                 b: p[j],

@@ -1,20 +1,25 @@
 //! Orthotropic membrane of triangles: the continuum that cloth is.
 //!
-//! Saint Venant-Kirchhoff triangles of constant strain, which for an isotropic cloth are the biquadratic triangular
-//! springs with coupling terms of H. Delingette, "Triangular Springs for Modeling Nonlinear Membranes" (IEEE TVCG 14(2), 2008).
-//! With F = \[f1 f2\] the deformed images of the unit vectors along warp and weft, E11 = (f1·f1 - 1)/2, E22 likewise and
-//! γ = f1·f2, the energy of a triangle is A/2 (Kw E11² + Kf E22² + G γ²): warp, weft and shear moduli per width, no Poisson coupling.
+//! Saint Venant-Kirchhoff triangles of constant strain, which for an isotropic cloth are the
+//! biquadratic triangular springs with coupling terms of H. Delingette, "Triangular Springs for
+//! Modeling Nonlinear Membranes" (IEEE TVCG 14(2), 2008). With F = \[f1 f2\] the deformed images of
+//! the unit vectors along warp and weft, E11 = (f1·f1 - 1)/2, E22 likewise and γ = f1·f2, the
+//! energy of a triangle is A/2 (Kw E11² + Kf E22² + G γ²): warp, weft and shear moduli per width,
+//! no Poisson coupling.
 //!
-//! Thin cloth that is pressed together along a thread does not shorten but folds. Folds narrower than a triangle have no shape
-//! on the mesh, so the triangle has their energy instead: beyond the compression at which a strip as long as the mesh edges l buckles,
-//! π² B / (K l²) (L. Euler), the pressure rises as that of the strip does, by half of itself for a shortening of all its length
-//! (the elastica). With ever finer meshes the threshold goes to infinity, and what is left is the continuum above.
+//! Thin cloth that is pressed together along a thread does not shorten but folds. Folds narrower
+//! than a triangle have no shape on the mesh, so the triangle has their energy instead: beyond the
+//! compression at which a strip as long as the mesh edges l buckles, π² B / (K l²) (L. Euler), the
+//! pressure rises as that of the strip does, by half of itself for a shortening of all its length
+//! (the elastica). With ever finer meshes the threshold goes to infinity, and what is left is the
+//! continuum above.
 
 use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix2, Matrix3, Vector3};
 
-/// Rise of the load of a buckled strip with its shortening, over the load at which it buckles: that of the elastica near there.
+/// Rise of the load of a buckled strip with its shortening, over the load at which it buckles: that
+/// of the elastica near there.
 const AFTER_BUCKLING: f64 = 0.5;
 
 /// A triangle of membrane.
@@ -32,7 +37,8 @@ pub(crate) struct MembraneTriangle {
 }
 
 impl MembraneTriangle {
-    /// Returns the triangle with these rest positions in warp-weft coordinates \[m\]; `None` if it has no area.
+    /// Returns the triangle with these rest positions in warp-weft coordinates \[m\]; `None` if it
+    /// has no area.
     pub(crate) fn new(
         particles: [usize; 3],
         rest: [[f64; 2]; 3],
@@ -55,8 +61,9 @@ impl MembraneTriangle {
         })
     }
 
-    /// Returns the same triangle of a cloth of these bending rigidities along warp and weft \[N m\], that buckles where it is pressed together
-    /// into folds as wide as the edges of the mesh \[m\]. With one width for all, even strain is even stress.
+    /// Returns the same triangle of a cloth of these bending rigidities along warp and weft
+    /// \[N m\], that buckles where it is pressed together into folds as wide as the edges of the
+    /// mesh \[m\]. With one width for all, even strain is even stress.
     pub(crate) fn with_buckling(mut self, rigidity: [f64; 2], edge: f64) -> Self {
         let euler = (std::f64::consts::PI / edge).powi(2);
         self.critical = [0, 1].map(|i| euler * rigidity[i] / self.moduli[i]);
@@ -254,7 +261,8 @@ impl Potential for ContinuumForce {
     }
 }
 
-/// Returns the tensile part of a stress (warp, weft, shear): its negative principal values become zero.
+/// Returns the tensile part of a stress (warp, weft, shear): its negative principal values become
+/// zero.
 fn tension(s: [f64; 3]) -> [f64; 3] {
     let eigen = Matrix2::new(s[0], s[2], s[2], s[1]).symmetric_eigen();
     let positive = eigen.eigenvalues.map(|v| v.max(0.0));

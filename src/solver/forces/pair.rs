@@ -1,9 +1,11 @@
 //! Pair forces: forces between two particles and constant forces.
 //!
-//! A pair force pulls particle `a` with (`stiffness` - `stiffness_times_rest` / |d|) d, d = xb - xa, and `b` with the opposite. A spring of stiffness k and
-//! rest length L is the pair (k, k L). A row of quadratic bending, energy `|sum w_i x_i|² / 2` with `sum w_i = 0`, is the pairs
-//! `(-w_i w_j, 0)` of all pairs: its force `-w_i sum w_j x_j` is the same as `-sum w_i w_j (x_j - x_i)`. So springs and bending between the same two
-//! particles are one pair, and the differences lose less to rounding than the positions would.
+//! A pair force pulls particle `a` with (`stiffness` - `stiffness_times_rest` / |d|) d, d = xb -
+//! xa, and `b` with the opposite. A spring of stiffness k and rest length L is the pair (k, k L). A
+//! row of quadratic bending, energy `|sum w_i x_i|² / 2` with `sum w_i = 0`, is the pairs
+//! `(-w_i w_j, 0)` of all pairs: its force `-w_i sum w_j x_j` is the same as
+//! `-sum w_i w_j (x_j - x_i)`. So springs and bending between the same two particles are one pair,
+//! and the differences lose less to rounding than the positions would.
 
 use nalgebra::Vector3;
 

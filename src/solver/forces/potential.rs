@@ -37,8 +37,9 @@ impl TermKind {
 
 /// One term of the energy of a garment.
 ///
-/// `x` are particle positions \[m\], `#P`. Energies are in joules, forces in newtons, Hessians in newtons per meter.
-/// A force that is not conservative, such as wind, has an energy of its own around each accepted shape, see `wind.rs`.
+/// `x` are particle positions \[m\], `#P`. Energies are in joules, forces in newtons, Hessians in
+/// newtons per meter. A force that is not conservative, such as wind, has an energy of its own
+/// around each accepted shape, see `wind.rs`.
 pub(crate) trait Potential {
     /// Returns what the term is reported as.
     fn kind(&self) -> TermKind;
@@ -55,8 +56,8 @@ pub(crate) trait Potential {
     /// Adds the negative gradient of the energy to `force` \[N\].
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]);
 
-    /// Adds the Hessian of the energy, less the share `hessian_modification` of the part that may be indefinite: at 0 the
-    /// true Hessian, at 1 a positive semidefinite one.
+    /// Adds the Hessian of the energy, less the share `hessian_modification` of the part that may
+    /// be indefinite: at 0 the true Hessian, at 1 a positive semidefinite one.
     fn add_hessian(
         &mut self,
         x: &[Vector3<f64>],
@@ -64,17 +65,18 @@ pub(crate) trait Potential {
         hessian: &mut BlockMatrix,
     );
 
-    /// Adds to each particle a bound on the row sum of the Hessian in the rest shape \[N/m\]: it limits explicit steps and
-    /// scales the rounding of forces.
+    /// Adds to each particle a bound on the row sum of the Hessian in the rest shape \[N/m\]: it
+    /// limits explicit steps and scales the rounding of forces.
     fn add_stiffness_bound(&self, stiffness: &mut [f64]);
 
-    /// Returns true if the force is the gradient of one energy everywhere, so that its Jacobian is symmetric.
+    /// Returns true if the force is the gradient of one energy everywhere, so that its Jacobian is
+    /// symmetric.
     fn is_conservative(&self) -> bool {
         true
     }
 
-    /// Adds to `out` the antisymmetric part of the negative Jacobian of the force at `x`, times `d`; nothing if the term is
-    /// conservative.
+    /// Adds to `out` the antisymmetric part of the negative Jacobian of the force at `x`, times
+    /// `d`; nothing if the term is conservative.
     fn add_antisymmetric_product(
         &self,
         _x: &[Vector3<f64>],
@@ -86,15 +88,16 @@ pub(crate) trait Potential {
     /// Takes `x` as an accepted shape, from which lagged quantities are computed anew.
     fn accept(&mut self, _x: &[Vector3<f64>]) {}
 
-    /// Sets the velocities of the particles \[m/s\] and the time \[s\], for forces that depend on either.
+    /// Sets the velocities of the particles \[m/s\] and the time \[s\], for forces that depend on
+    /// either.
     fn set_motion(&mut self, _velocity: &[Vector3<f64>], _time: f64) {}
 
-    /// Makes the term act, while `taut`, as stiffly as in any shape near the one at hand: what yields under compression
-    /// does not.
+    /// Makes the term act, while `taut`, as stiffly as in any shape near the one at hand: what
+    /// yields under compression does not.
     fn set_taut(&mut self, _taut: bool) {}
 
-    /// Adds the term to `pair_forces` if it consists of pair forces and constant forces only; returns false, and adds
-    /// nothing, if it does not.
+    /// Adds the term to `pair_forces` if it consists of pair forces and constant forces only;
+    /// returns false, and adds nothing, if it does not.
     fn add_to_pair_forces(&self, _pair_forces: &mut PairForces) -> bool {
         false
     }

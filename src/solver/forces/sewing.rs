@@ -1,4 +1,5 @@
-//! The seam force F = -k l of the paper (P8): springs of rest length zero between the two points of each stitch.
+//! The seam force F = -k l of the paper (P8): springs of rest length zero between the two points of
+//! each stitch.
 
 use crate::solver::forces::{PairForce, PairForces, Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
@@ -67,7 +68,8 @@ impl Potential for SewingForce {
         _hessian_modification: f64,
         hessian: &mut BlockMatrix,
     ) {
-        // A central spring of rest length 0, without its rounding: n nᵀ + (I - n nᵀ) is not I to the last bit.
+        // A central spring of rest length 0, without its rounding: n nᵀ + (I - n nᵀ) is not I to
+        // the last bit.
         let block = Matrix3::identity() * self.stiffness;
         for &[aa, bb, ab] in &self.slots {
             hessian.add(aa, &block);

@@ -1,4 +1,5 @@
-//! Every force against the differences of its energy, every second derivative against those of its force, and closed forms.
+//! Every force against the differences of its energy, every second derivative against those of its
+//! force, and closed forms.
 
 use crate::scene::{Body, DressForm, FiberSpring};
 use crate::solver::forces::contact::{BodyContact, Friction};
@@ -55,8 +56,8 @@ fn net(force: &mut dyn Potential, x: &[Vector3<f64>]) -> Vec<f64> {
     f.iter().flat_map(|v| [v.x, v.y, v.z]).collect()
 }
 
-/// Central differences with step `h` have errors of order h² times the third derivative plus rounding eps |E| / h: `within`
-/// bounds both, relative to the largest number compared.
+/// Central differences with step `h` have errors of order h² times the third derivative plus
+/// rounding eps |E| / h: `within` bounds both, relative to the largest number compared.
 fn check_derivatives(force: &mut dyn Potential, x: &[Vector3<f64>], h: f64, within: f64) {
     let analytic = net(force, x);
     let second = dense(force, x, 0.0);
@@ -146,7 +147,8 @@ fn fibers() -> FiberForce {
     ])
 }
 
-/// Cloth pressed to 0.8 of its length carries the load of a strip as long as a mesh edge that has buckled, and no more.
+/// Cloth pressed to 0.8 of its length carries the load of a strip as long as a mesh edge that has
+/// buckled, and no more.
 #[test]
 fn a_triangle_pressed_together_carries_the_load_of_a_buckled_strip() {
     let (rigidity, edge) = (1e-5, 0.01_f64);
@@ -160,7 +162,8 @@ fn a_triangle_pressed_together_carries_the_load_of_a_buckled_strip() {
     let x = rest.map(|[u, v]| Vector3::new(0.8 * u, v, 0.0));
     let mut net = [Vector3::zeros(); 3];
     force.add_force(&x, &mut net);
-    // Green's strain of 0.8 is -0.18; a stress S pushes corner 1 by A S 0.8 times the gradient 1/l of its shape function.
+    // Green's strain of 0.8 is -0.18; a stress S pushes corner 1 by A S 0.8 times the gradient 1/l
+    // of its shape function.
     let critical = std::f64::consts::PI.powi(2) * rigidity / (edge * edge);
     let stress = critical * (1.0 + 0.5 * (0.18 - critical / 1000.0));
     let push = membrane.area * stress * 0.8 / edge;
@@ -199,7 +202,8 @@ fn forces_are_the_gradients_of_their_energies() {
         }),
     ];
     for force in &mut forces {
-        // h = 1e-5: h² and eps / h are both about 1e-10; a margin of a hundred for the third derivatives.
+        // h = 1e-5: h² and eps / h are both about 1e-10; a margin of a hundred for the third
+        // derivatives.
         check_derivatives(force.as_mut(), &x, 1e-5, 1e-8);
         check_convex(force.as_mut(), &x);
     }
@@ -226,18 +230,21 @@ fn contact_and_friction_are_the_gradients_of_their_energy() {
     let mut contact = BodyContact::new(Body::Avatar(avatar), 2e-3, &[1e-4; 4])
         .with_friction(Some(Friction::new(0.3, 4)));
     contact.accept(&x);
-    // One sticks, the others slip: the first moves by less than the give of its spring (0.3 x 0.8 mm).
+    // One sticks, the others slip: the first moves by less than the give of its spring (0.3 x 0.8
+    // mm).
     x[0] += Vector3::new(5e-5, 0.0, 0.0);
     x[1] += Vector3::new(2e-3, 0.0, 0.0);
     x[2] += Vector3::new(0.0, 3e-3, 0.0);
-    // The field bends on the scale of its grid, 9 mm: h = 1e-7 keeps h² d³ below 1e-10 and rounding of the energy near 1e-7.
+    // The field bends on the scale of its grid, 9 mm: h = 1e-7 keeps h² d³ below 1e-10 and rounding
+    // of the energy near 1e-7.
     check_derivatives(&mut contact, &x, 1e-7, 1e-5);
     check_convex(&mut contact, &x);
 }
 
 #[test]
 fn a_stretched_patch_has_no_net_force_inside_and_the_energy_of_the_continuum() {
-    // A square of four triangles about a point off its middle, stretched by 3 % along warp and 1 % along weft.
+    // A square of four triangles about a point off its middle, stretched by 3 % along warp and 1 %
+    // along weft.
     let flat = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.4, 0.3]];
     let moduli = [1000.0, 300.0, 20.0];
     let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]];

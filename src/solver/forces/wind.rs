@@ -1,19 +1,23 @@
 //! Wind (P11): the force of moving air on each triangle, both sides of which it meets.
 //!
-//! With v the velocity of the air less that of the triangle, n its normal and A its area, as it lies,
-//! `F = ρ/2 A (c_n |v·n| (v·n) n + c_t |v_t| v_t)`, `v_t` the part of v along the cloth: pressure drag on the component across the
-//! cloth (the cross-flow principle) and friction along it. Each corner has a third.
-//! S. F. Hoerner, "Fluid-Dynamic Drag" (1965): 1.17 for a square plate across the flow; a plate along the flow has
-//! 0.074 Re^(-1/5) a side (Prandtl), both sides together 0.012 for half a metre at 5 m/s.
+//! With v the velocity of the air less that of the triangle, n its normal and A its area, as it
+//! lies, `F = ρ/2 A (c_n |v·n| (v·n) n + c_t |v_t| v_t)`, `v_t` the part of v along the cloth:
+//! pressure drag on the component across the cloth (the cross-flow principle) and friction along
+//! it. Each corner has a third. S. F. Hoerner, "Fluid-Dynamic Drag" (1965): 1.17 for a square plate
+//! across the flow; a plate along the flow has 0.074 Re^(-1/5) a side (Prandtl), both sides
+//! together 0.012 for half a metre at 5 m/s.
 //!
 //! # Limitations
-//! Cloth does not shelter cloth, and the body does not shelter it either; the air does not feel the cloth.
+//! Cloth does not shelter cloth, and the body does not shelter it either; the air does not feel the
+//! cloth.
 //!
 //! # Energy
-//! The force follows the cloth, so it is not conservative. Since the last accepted shape x0 it has done the work
-//! (f(x0) + f(x))·(x - x0) / 2 along the straight way, to third order; less that is the energy here. At x0 its gradient is -f
-//! exactly and its second derivative the symmetric part of -df/dx, so that Newton's steps, which start there, find the shape where
-//! the true forces balance. The antisymmetric part, as large where cloth streams in the wind, goes into the step by `linalg/nonsymmetric.rs`.
+//! The force follows the cloth, so it is not conservative. Since the last accepted shape x0 it has
+//! done the work (f(x0) + f(x))·(x - x0) / 2 along the straight way, to third order; less that is
+//! the energy here. At x0 its gradient is -f exactly and its second derivative the symmetric part
+//! of -df/dx, so that Newton's steps, which start there, find the shape where the true forces
+//! balance. The antisymmetric part, as large where cloth streams in the wind, goes into the step by
+//! `linalg/nonsymmetric.rs`.
 
 use crate::scene::Wind;
 use crate::solver::forces::{Potential, TermKind};
@@ -45,7 +49,8 @@ pub(crate) struct WindForce {
 const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 
 impl WindForce {
-    /// Returns the force of the mean of `wind` on `triangles` of particles, its work counted from `start` \[m\].
+    /// Returns the force of the mean of `wind` on `triangles` of particles, its work counted from
+    /// `start` \[m\].
     pub(crate) fn new(wind: Wind, triangles: Vec<[usize; 3]>, start: &[Vector3<f64>]) -> Self {
         let mut force = Self {
             wind,
@@ -200,7 +205,8 @@ impl Potential for WindForce {
         for t in &self.triangles {
             let third = self.third_by_corner(t, x);
             let moved = t.map(|v| d[v]);
-            // All corners have the same force, so that rows of its derivative are alike and columns are those of the corners.
+            // All corners have the same force, so that rows of its derivative are alike and columns
+            // are those of the corners.
             let rows = third[0] * moved[0] + third[1] * moved[1] + third[2] * moved[2];
             let sum = moved[0] + moved[1] + moved[2];
             for (&particle, third) in t.iter().zip(&third) {
@@ -263,8 +269,8 @@ mod tests {
         x
     }
 
-    /// Central differences of step 1e-5 are off by h² times third derivatives of order 100, and rounding over h: 1e-8 of the
-    /// largest number.
+    /// Central differences of step 1e-5 are off by h² times third derivatives of order 100, and
+    /// rounding over h: 1e-8 of the largest number.
     #[test]
     fn at_the_accepted_shape_it_is_the_gradient_of_its_energy() {
         let (x, h) = (shape(), 1e-5);

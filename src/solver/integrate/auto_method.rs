@@ -1,9 +1,10 @@
-//! The automatic choice of method: Verlet or BDF2, whichever takes fewer operations by a count. No clock is asked, so the choice is
-//! the same on every machine.
+//! The automatic choice of method: Verlet or BDF2, whichever takes fewer operations by a count. No
+//! clock is asked, so the choice is the same on every machine.
 //!
-//! Both are of order 2. For a motion with acceleration g and frequency ω the third derivative of position is about g ω, so the
-//! step that meets the tolerance is h = √(tolerance / (C g ω)), C = 1/6 for Verlet and 2/9 for BDF2. Verlet's is also bounded by
-//! stability. ω is the fundamental frequency of the cloth ([`crate::solver::integrate::damping`]).
+//! Both are of order 2. For a motion with acceleration g and frequency ω the third derivative of
+//! position is about g ω, so the step that meets the tolerance is h = √(tolerance / (C g ω)), C =
+//! 1/6 for Verlet and 2/9 for BDF2. Verlet's is also bounded by stability. ω is the fundamental
+//! frequency of the cloth ([`crate::solver::integrate::damping`]).
 
 use crate::solver::integrate::integrator::Integrator;
 use crate::solver::integrate::outcome::{MethodReason, StepCost};
@@ -29,7 +30,8 @@ pub(crate) struct MethodCriteria {
 }
 
 impl MethodCriteria {
-    /// Returns the step of a method with the error constant `constant` that meets the tolerance \[s\].
+    /// Returns the step of a method with the error constant `constant` that meets the tolerance
+    /// \[s\].
     fn accurate_step(&self, constant: f64) -> f64 {
         let jerk = STANDARD_GRAVITY * self.frequency;
         (self.tolerance / (constant * jerk)).sqrt()

@@ -1,12 +1,14 @@
 //! Drag from the fabric.
 //!
-//! A fabric gives a share ζ of critical damping. It is that of the fundamental mode of the cloth hung by one end under standard
-//! gravity: a hanging strip of length L swings with ω = j₀₁/2 √(g/L), j₀₁ = 2.4048 (D. Bernoulli 1732; the first zero of J₀), and
-//! drag F = -c m v damps a mode of frequency ω by c / (2 ω), so c = 2 ζ ω. L is the longest side of the largest panel.
+//! A fabric gives a share ζ of critical damping. It is that of the fundamental mode of the cloth
+//! hung by one end under standard gravity: a hanging strip of length L swings with ω = j₀₁/2
+//! √(g/L), j₀₁ = 2.4048 (D. Bernoulli 1732; the first zero of J₀), and drag F = -c m v damps a mode
+//! of frequency ω by c / (2 ω), so c = 2 ζ ω. L is the longest side of the largest panel.
 //!
-//! Drag in proportion to mass is the paper's `C_d` (P8) shared out by mass. It damps slow modes most. A part in proportion to
-//! stiffness, which would damp fast ones, is left out: it would shorten explicit steps by as much as it damps, and implicit
-//! methods damp what their step cannot follow anyway.
+//! Drag in proportion to mass is the paper's `C_d` (P8) shared out by mass. It damps slow modes
+//! most. A part in proportion to stiffness, which would damp fast ones, is left out: it would
+//! shorten explicit steps by as much as it damps, and implicit methods damp what their step cannot
+//! follow anyway.
 
 use crate::scene::Scene;
 use crate::solver::model::system::STANDARD_GRAVITY;
@@ -35,7 +37,8 @@ pub(crate) fn fundamental_frequency(scene: &Scene) -> f64 {
     }
 }
 
-/// Returns the drag per mass `C_d / m` of the cloth of `scene` \[1/s\], by the mean ζ of its panels' mass.
+/// Returns the drag per mass `C_d / m` of the cloth of `scene` \[1/s\], by the mean ζ of its
+/// panels' mass.
 pub(crate) fn drag(scene: &Scene) -> f64 {
     let (mut mass, mut damped) = (0.0, 0.0);
     for (panel, cut) in scene.mesh.panels.iter().zip(&scene.cut) {

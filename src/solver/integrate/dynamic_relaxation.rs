@@ -1,7 +1,9 @@
-//! The shape at rest by dynamic relaxation (A. S. Day, The Engineer 219, 1965): steps with drag until nothing moves any more.
+//! The shape at rest by dynamic relaxation (A. S. Day, The Engineer 219, 1965): steps with drag
+//! until nothing moves any more.
 //!
-//! The loop is not that of a motion ([`crate::solver::integrate::simulation`]): steps follow stability and growth, not a
-//! tolerance and frames; every block is shown to the caller; and what goes wrong is begun anew from rest in shorter steps.
+//! The loop is not that of a motion ([`crate::solver::integrate::simulation`]): steps follow
+//! stability and growth, not a tolerance and frames; every block is shown to the caller; and what
+//! goes wrong is begun anew from rest in shorter steps.
 
 use crate::solver::integrate::energy_monitor::EnergyMonitor;
 use crate::solver::integrate::integrator::{ParticleState, StepError};
@@ -14,7 +16,8 @@ use crate::solver::options::Method;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 
-/// Implicit step at the start, and the longest one \[s\]: a garment sways at about 4 rad/s, which such steps damp but follow.
+/// Implicit step at the start, and the longest one \[s\]: a garment sways at about 4 rad/s, which
+/// such steps damp but follow.
 const FIRST_IMPLICIT: f64 = 0.01;
 const LONGEST_IMPLICIT: f64 = 0.05;
 /// Shortest implicit step \[s\]; where that has no solution, none has.
@@ -23,10 +26,12 @@ const SHORTEST_IMPLICIT: f64 = 1e-7;
 const GROWTH: f64 = 1.5;
 /// Residual to which implicit steps are solved, against the one that is to be reached.
 const SOLVED: f64 = 0.1;
-/// Least share of the stable step that is gone down to where steps drive the cloth, and where forces became infinite.
+/// Least share of the stable step that is gone down to where steps drive the cloth, and where
+/// forces became infinite.
 const LEAST_DRIVEN: f64 = 0.05;
 const LEAST_SHARE: f64 = 1e-3;
-/// Blocks of steps after which the stability limit is computed anew, since cloth stiffens as it stretches.
+/// Blocks of steps after which the stability limit is computed anew, since cloth stiffens as it
+/// stretches.
 const BLOCKS_A_LIMIT: usize = 40;
 
 /// Damping and bounds of a motion to rest.
@@ -36,8 +41,8 @@ pub(crate) struct DynamicRelaxation {
     pub(crate) method: Method,
     /// Drag per mass `C_d / m` \[1/s\].
     pub(crate) drag: f64,
-    /// Greatest speed of explicit steps \[m/s\]: at the steps in question far less than the layer on the skin, so that nothing
-    /// passes through.
+    /// Greatest speed of explicit steps \[m/s\]: at the steps in question far less than the layer
+    /// on the skin, so that nothing passes through.
     pub(crate) speed_limit: f64,
     /// The step asked for \[s\]; the method's own if absent.
     pub(crate) step: Option<f64>,

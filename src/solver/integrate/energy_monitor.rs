@@ -1,9 +1,10 @@
 //! Detection of explicit steps that drive the cloth: its energy must fall by what drag dissipates.
 //!
-//! Below the stability limit no mode of linear springs is driven; but cloth yields to pressure and pulls when taut, and an
-//! oscillator that is stiff to one side only is driven by some steps far below its limit (a parametric resonance of the steps: each
-//! side's map is a rotation, their product need not be). Drag takes 2 c K a second, K the kinetic energy. Where the energy falls
-//! by less than half of that, the steps are too long.
+//! Below the stability limit no mode of linear springs is driven; but cloth yields to pressure and
+//! pulls when taut, and an oscillator that is stiff to one side only is driven by some steps far
+//! below its limit (a parametric resonance of the steps: each side's map is a rotation, their
+//! product need not be). Drag takes 2 c K a second, K the kinetic energy. Where the energy falls by
+//! less than half of that, the steps are too long.
 
 use crate::solver::integrate::integrator::ParticleState;
 use crate::solver::model::system::System;
@@ -39,7 +40,8 @@ impl EnergyMonitor {
         }
     }
 
-    /// Returns true if the cloth gained energy by its steps, the last block of which took `time` \[s\].
+    /// Returns true if the cloth gained energy by its steps, the last block of which took `time`
+    /// \[s\].
     pub(crate) fn gains_energy(
         &mut self,
         system: &mut System<'_>,

@@ -10,7 +10,8 @@ pub(crate) struct ParticleState {
     pub(crate) v: Vec<Vector3<f64>>,
     /// \[s\]
     pub(crate) time: f64,
-    /// True if wind gusts and feels how the cloth moves; what is to come to rest does so in the mean wind.
+    /// True if wind gusts and feels how the cloth moves; what is to come to rest does so in the
+    /// mean wind.
     pub(crate) windy: bool,
 }
 
@@ -63,7 +64,8 @@ pub(crate) trait Integrator {
 
     /// Takes `count` steps of `h` \[s\] from `state`.
     ///
-    /// Returns an estimate of the local error of position of the last step over its length \[m/s, RMS\].
+    /// Returns an estimate of the local error of position of the last step over its length
+    /// \[m/s, RMS\].
     fn advance(
         &mut self,
         system: &mut System<'_>,
@@ -75,10 +77,12 @@ pub(crate) trait Integrator {
     /// Remembers that the steps of `h` \[s\] that began at `before` are part of the trajectory.
     fn accept(&mut self, _before: &ParticleState, _h: f64) {}
 
-    /// Returns the operations of one step, counted; what they cost a processor is about the same for all.
+    /// Returns the operations of one step, counted; what they cost a processor is about the same
+    /// for all.
     fn operations(&self) -> f64;
 
-    /// Returns the bytes of the arrays that an explicit step reads or writes, each counted once; 0 for an implicit one.
+    /// Returns the bytes of the arrays that an explicit step reads or writes, each counted once; 0
+    /// for an implicit one.
     fn step_bytes(&self) -> u64 {
         0
     }
@@ -91,7 +95,8 @@ pub(crate) trait Integrator {
 
 /// Tells the terms with memory (friction, wind) of the state from which a step begins.
 ///
-/// Velocities are those that the step begins with (with Verlet, of the half step before): wind is lagged by a step.
+/// Velocities are those that the step begins with (with Verlet, of the half step before): wind is
+/// lagged by a step.
 pub(crate) fn accept(system: &mut System<'_>, state: &ParticleState) {
     if state.windy {
         system.set_motion(&state.v, state.time);

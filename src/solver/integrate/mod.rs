@@ -1,7 +1,9 @@
-//! Time integration: methods that step from one time to the next, explicit and implicit, with fixed or chosen steps.
+//! Time integration: methods that step from one time to the next, explicit and implicit, with fixed
+//! or chosen steps.
 //!
-//! m dv/dt = F(x) - c m v (P8), c the drag per mass. Every method moves an [`integrator::ParticleState`] and serves for a motion
-//! ([`trajectory()`]) or, with drag, for the shape at rest ([`dynamic_relaxation`]).
+//! m dv/dt = F(x) - c m v (P8), c the drag per mass. Every method moves an
+//! [`integrator::ParticleState`] and serves for a motion ([`trajectory()`]) or, with drag, for the
+//! shape at rest ([`dynamic_relaxation`]).
 
 pub(crate) mod auto_method;
 pub(crate) mod damping;

@@ -1,4 +1,5 @@
-//! Results of motions and reasons for choosing or refusing methods, as values; [`crate::solver::report::motion`] words them.
+//! Results of motions and reasons for choosing or refusing methods, as values;
+//! [`crate::solver::report::motion`] words them.
 
 /// A number of steps above the limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,7 +13,8 @@ pub(crate) struct StepExcess {
 }
 
 impl StepExcess {
-    /// Returns the excess of `time_s` in steps of `step_s` \[s\] over `limit` steps, if there is one.
+    /// Returns the excess of `time_s` in steps of `step_s` \[s\] over `limit` steps, if there is
+    /// one.
     pub(crate) fn of(time_s: f64, step_s: f64, limit: u64) -> Option<Self> {
         (time_s / step_s > limit as f64).then_some(Self {
             time_s,

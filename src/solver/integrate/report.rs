@@ -63,7 +63,8 @@ pub struct MotionReport {
     pub simulated_s: f64,
     /// Steps taken.
     pub steps: u64,
-    /// Steps taken back because their error was above the tolerance or their equations were not solved.
+    /// Steps taken back because their error was above the tolerance or their equations were not
+    /// solved.
     pub rejected: u64,
     /// Shortest step \[s\].
     pub step_min_s: f64,
@@ -71,7 +72,8 @@ pub struct MotionReport {
     pub step_max_s: f64,
     /// The longest stable step at the start \[s\]; none for implicit methods.
     pub stability_limit_s: Option<f64>,
-    /// Bytes of the arrays that an explicit step reads or writes, each counted once; 0 for an implicit one.
+    /// Bytes of the arrays that an explicit step reads or writes, each counted once; 0 for an
+    /// implicit one.
     pub step_bytes: u64,
     /// Estimated local errors of position of all steps, added up \[m, RMS\].
     pub local_errors_m: f64,

@@ -1,8 +1,8 @@
 //! The steps of a motion, from frame to frame.
 //!
-//! Steps end on the times of frames, so no frame is interpolated: the time between two frames is divided evenly by the longest
-//! step that may be taken. A step that is not given is chosen by [`crate::solver::integrate::step_control`], for explicit methods below the stability
-//! limit too.
+//! Steps end on the times of frames, so no frame is interpolated: the time between two frames is
+//! divided evenly by the longest step that may be taken. A step that is not given is chosen by
+//! [`crate::solver::integrate::step_control`], for explicit methods below the stability limit too.
 
 use crate::progress::Progress;
 use crate::solver::Context;
@@ -22,14 +22,15 @@ use crate::solver::report::measure::energies;
 const DURATION: f64 = 1.0;
 /// Frames per simulated second if none are asked for.
 const FRAME_RATE: f64 = 30.0;
-/// Residual to which implicit steps are solved, over the tolerance \[s/m\]: a net force of r times the weight moves a particle
-/// by g r / 2 in a second, which then is 1 % of the tolerance.
+/// Residual to which implicit steps are solved, over the tolerance \[s/m\]: a net force of r times
+/// the weight moves a particle by g r / 2 in a second, which then is 1 % of the tolerance.
 const SOLVED: f64 = 2e-3;
 /// Step that implicit methods begin with where it is chosen \[s\].
 const FIRST_IMPLICIT: f64 = 1e-3;
 /// Shortest step \[s\]; what a step cannot follow then is no motion of cloth.
 const SHORTEST: f64 = 1e-8;
-/// Blocks of steps after which the stability limit is computed anew, since cloth stiffens as it stretches.
+/// Blocks of steps after which the stability limit is computed anew, since cloth stiffens as it
+/// stretches.
 const BLOCKS_A_LIMIT: u64 = 40;
 
 /// A motion that is being simulated.

@@ -1,12 +1,15 @@
 //! The length of the next step, from the error of the last.
 //!
-//! Steps are chosen so that the estimated local error of position over the step's length stays below the tolerance ("error per
-//! unit step": E. Hairer, S. P. Nørsett, G. Wanner, "Solving Ordinary Differential Equations I", II.4), so that what adds up over
-//! a simulated second is about the tolerance. The estimates compare a step with the derivatives that its own velocities and
-//! forces show: nothing is computed twice, as step doubling would (three solves for two), and no second method is carried along.
+//! Steps are chosen so that the estimated local error of position over the step's length stays
+//! below the tolerance ("error per unit step": E. Hairer, S. P. Nørsett, G. Wanner, "Solving
+//! Ordinary Differential Equations I", II.4), so that what adds up over a simulated second is about
+//! the tolerance. The estimates compare a step with the derivatives that its own velocities and
+//! forces show: nothing is computed twice, as step doubling would (three solves for two), and no
+//! second method is carried along.
 //!
 //! # Limitations
-//! Errors of velocity move later positions; where motion is faster than 1 rad/s they add to what is estimated here.
+//! Errors of velocity move later positions; where motion is faster than 1 rad/s they add to what is
+//! estimated here.
 
 /// Share of the tolerance that is aimed at.
 const AIM: f64 = 0.7;
@@ -47,7 +50,8 @@ impl StepControl {
         }
     }
 
-    /// Returns the next step \[s\], and how often it fits: `remaining` \[s\] is divided evenly by the longest step that may be taken.
+    /// Returns the next step \[s\], and how often it fits: `remaining` \[s\] is divided evenly by
+    /// the longest step that may be taken.
     pub(crate) fn next(&self, remaining: f64) -> (f64, u64) {
         let wanted = self.wanted.min(self.longest);
         // A share of 1e-9 is rounding, not another step.
@@ -61,7 +65,8 @@ impl StepControl {
         (remaining / parts, count)
     }
 
-    /// Returns true if a step of `h` \[s\] with this error over its length \[m/s\] is accepted, and chooses the next one by it.
+    /// Returns true if a step of `h` \[s\] with this error over its length \[m/s\] is accepted, and
+    /// chooses the next one by it.
     pub(crate) fn accepts(&mut self, h: f64, error: f64) -> bool {
         let Some(tolerance) = self.tolerance else {
             self.wanted = self.fixed;
@@ -91,7 +96,8 @@ mod tests {
         assert_eq!(control.next(0.003 * 7.0).1, 7);
     }
 
-    /// With an error of k h^p over the step's length the step that is aimed at is (0.7 tolerance / k)^(1/p).
+    /// With an error of k h^p over the step's length the step that is aimed at is (0.7 tolerance /
+    /// k)^(1/p).
     #[test]
     fn steps_settle_where_the_error_is_what_is_aimed_at() {
         for order in [1, 2] {

@@ -26,12 +26,12 @@ pub struct Start {
 
 /// Simulates the motion of `scene` from `from` for [`SolverOptions::duration_s`].
 ///
-/// Seams are taken as closed: drape a garment that is not sewn first. Drag is the scene's, or that of its fabrics
-/// (`damping::drag`).
+/// Seams are taken as closed: drape a garment that is not sewn first. Drag is the scene's, or that
+/// of its fabrics (`damping::drag`).
 ///
 /// # Guarantees
-/// Ends within the limits of the context; frames are finite. The report says whether all of the time was simulated, and why
-/// not where it was not. Same input, same bytes.
+/// Ends within the limits of the context; frames are finite. The report says whether all of the
+/// time was simulated, and why not where it was not. Same input, same bytes.
 pub fn trajectory(
     scene: &Scene,
     options: &SolverOptions,

@@ -59,7 +59,8 @@ fn membranes(scene: &Scene) -> Vec<MembraneTriangle> {
         .collect()
 }
 
-/// Bytes \[B\] of the arrays of [`system`] that has as many particles and triangles, counted from what they hold.
+/// Bytes \[B\] of the arrays of [`system`] that has as many particles and triangles, counted from
+/// what they hold.
 pub(crate) fn bytes_of_arrays(scene: &Scene, weight: bool) -> usize {
     let vectors = if weight { 2 } else { 0 };
     let of_particle = size_of::<f64>() + size_of::<bool>() + vectors * size_of::<Vector3<f64>>();

@@ -1,7 +1,9 @@
-//! Terms that a scene lacks are never entered: its drape takes the instructions of a program that has only its terms.
+//! Terms that a scene lacks are never entered: its drape takes the instructions of a program that
+//! has only its terms.
 //!
-//! Each program is a test of its own that is run alone, in a process under callgrind. What the report takes is left out of the
-//! comparison (see [`REPORT`]); `make instructions` tells what that is of a whole fit.
+//! Each program is a test of its own that is run alone, in a process under callgrind. What the
+//! report takes is left out of the comparison (see [`REPORT`]); `make instructions` tells what that
+//! is of a whole fit.
 
 use crate::config::Limits;
 use crate::progress::CancelToken;
@@ -137,7 +139,8 @@ fn profile(name: &str) -> Profile {
     callgrind::run(&arguments).unwrap_or_else(|why| panic!("{name}: {why}"))
 }
 
-/// Instructions of the drape `name` without its report, of the program `by_hand`, and of the report.
+/// Instructions of the drape `name` without its report, of the program `by_hand`, and of the
+/// report.
 fn compare(name: &str, by_hand: &str) -> (Profile, [u64; 3]) {
     let (profile_of_drape, by_hand) = (profile(name), profile(by_hand));
     let report: u64 = REPORT.iter().filter_map(|f| profile_of_drape.of(f)).sum();

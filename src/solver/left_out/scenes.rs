@@ -51,7 +51,8 @@ impl Has {
     }
 }
 
-/// Two sheets side by side of `cells` x `cells` squares each, hung by their upper edges, a ball behind them.
+/// Two sheets side by side of `cells` x `cells` squares each, hung by their upper edges, a ball
+/// behind them.
 pub(crate) fn scene(has: Has, cells: usize) -> Scene {
     let mut fabric: Fabric = library()["cotton-poplin"].clone();
     if !has.bending {
@@ -96,7 +97,8 @@ const CUT: Cut = Cut {
     face_down: false,
 };
 
-/// Both sheets, column by column, the second one beside the first; and where they start: a little bent.
+/// Both sheets, column by column, the second one beside the first; and where they start: a little
+/// bent.
 fn sheets(cells: usize, sewn: bool) -> (ClothMesh, Vec<Vector3<f64>>) {
     let (mut mesh, mut start) = (ClothMesh::default(), vec![]);
     let rows = cells + 1;

@@ -1,4 +1,5 @@
-//! Every combination of what a scene may have or lack gives the terms that it needs, and the report names the others.
+//! Every combination of what a scene may have or lack gives the terms that it needs, and the report
+//! names the others.
 
 use crate::config::Limits;
 use crate::progress::CancelToken;

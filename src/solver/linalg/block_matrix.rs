@@ -2,7 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-/// Lower triangle of a symmetric block matrix, column by column, rows ascending: the diagonal block comes first in each column.
+/// Lower triangle of a symmetric block matrix, column by column, rows ascending: the diagonal block
+/// comes first in each column.
 #[derive(Clone, Debug)]
 pub(crate) struct Sparsity {
     column_start: Vec<usize>,
@@ -10,7 +11,8 @@ pub(crate) struct Sparsity {
 }
 
 impl Sparsity {
-    /// Returns the sparsity in which the particles of each pair act on each other, and each on itself.
+    /// Returns the sparsity in which the particles of each pair act on each other, and each on
+    /// itself.
     pub(crate) fn from_pairs(particle_count: usize, mut pairs: Vec<(usize, usize)>) -> Self {
         // (column, row) with column <= row: the lower triangle.
         for pair in &mut pairs {
@@ -91,7 +93,8 @@ impl BlockMatrix {
         self.blocks.fill(Matrix3::zeros());
     }
 
-    /// Adds `block`, the derivative of the first particle's force by the second's position, to the slot of the two.
+    /// Adds `block`, the derivative of the first particle's force by the second's position, to the
+    /// slot of the two.
     #[inline]
     pub(crate) fn add(&mut self, slot: Slot, block: &Matrix3<f64>) {
         if slot.transposed {
@@ -107,7 +110,8 @@ impl BlockMatrix {
         self.blocks[index] += block;
     }
 
-    /// Removes fixed particles from the system: their rows and columns become those of the identity.
+    /// Removes fixed particles from the system: their rows and columns become those of the
+    /// identity.
     pub(crate) fn constrain(&mut self, sparsity: &Sparsity, is_fixed: &[bool]) {
         for column in 0..sparsity.particle_count() {
             for (row, k) in sparsity.column(column) {

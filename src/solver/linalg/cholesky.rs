@@ -73,7 +73,8 @@ impl BlockCholesky {
     }
 }
 
-/// Returns column starts and rows of the lower triangle, number by number, in the order in which [`BlockCholesky::gather`] walks it.
+/// Returns column starts and rows of the lower triangle, number by number, in the order in which
+/// [`BlockCholesky::gather`] walks it.
 fn scalar_pattern(sparsity: &Sparsity) -> (Vec<usize>, Vec<usize>) {
     let mut column_start = vec![0];
     let mut rows = Vec::with_capacity(9 * sparsity.block_count());
@@ -136,7 +137,8 @@ mod tests {
             .expect("regular");
         for (i, v) in solution.iter().enumerate() {
             for r in 0..3 {
-                // Condition number below 10 (Gershgorin), so a few hundred units of rounding are ample.
+                // Condition number below 10 (Gershgorin), so a few hundred units of rounding are
+                // ample.
                 assert!((v[r] - exact[3 * i + r]).abs() < 1e-13);
             }
         }

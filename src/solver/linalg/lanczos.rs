@@ -1,13 +1,14 @@
-//! The largest eigenvalue of a symmetric operator by Lanczos iteration (C. Lanczos, J. Res. Nat. Bur. Stand. 45(4), 1950).
+//! The largest eigenvalue of a symmetric operator by Lanczos iteration (C. Lanczos, J. Res. Nat.
+//! Bur. Stand. 45(4), 1950).
 //!
-//! Only products of the operator with vectors are needed. The Ritz value comes from below; from a random start its mean relative
-//! error after k products with n unknowns is at most 0.103 (ln(n (k - 1)^4) / (k - 1))² (J. Kuczyński, H. Woźniakowski, SIAM J.
-//! Matrix Anal. Appl. 13(4), 1992).
+//! Only products of the operator with vectors are needed. The Ritz value comes from below; from a
+//! random start its mean relative error after k products with n unknowns is at most 0.103 (ln(n (k -
+//! 1)^4) / (k - 1))² (J. Kuczyński, H. Woźniakowski, SIAM J. Matrix Anal. Appl. 13(4), 1992).
 
 use nalgebra::Vector3;
 
-/// Share of the Ritz value below which the remainder of a product counts as zero: products by differences carry about 1e-6 of
-/// rounding.
+/// Share of the Ritz value below which the remainder of a product counts as zero: products by
+/// differences carry about 1e-6 of rounding.
 const BREAKDOWN: f64 = 1e-6;
 /// Bisections of the interval that holds the largest eigenvalue of the tridiagonal matrix.
 const BISECTIONS: usize = 60;
@@ -17,7 +18,8 @@ const BISECTIONS: usize = 60;
 pub(crate) struct LanczosLimits {
     /// Products at most.
     pub(crate) products: usize,
-    /// Relative change over a tenth of the products at which the Ritz value counts as converged; 0 to take all products.
+    /// Relative change over a tenth of the products at which the Ritz value counts as converged; 0
+    /// to take all products.
     pub(crate) tolerance: f64,
 }
 
@@ -29,8 +31,8 @@ pub(crate) struct RitzValue {
     pub(crate) products: usize,
 }
 
-/// Returns the largest Ritz value of the operator that `multiply` applies to its first argument and writes to its second, from
-/// the vector `start`.
+/// Returns the largest Ritz value of the operator that `multiply` applies to its first argument and
+/// writes to its second, from the vector `start`.
 pub(crate) fn largest_ritz_value(
     start: Vec<Vector3<f64>>,
     limits: LanczosLimits,
@@ -74,7 +76,8 @@ pub(crate) fn largest_ritz_value(
     }
 }
 
-/// Returns `count` vectors that favor no direction, components between -0.5 and 0.5, the same at every call.
+/// Returns `count` vectors that favor no direction, components between -0.5 and 0.5, the same at
+/// every call.
 pub(crate) fn pseudo_random_vectors(count: usize) -> Vec<Vector3<f64>> {
     let mut seed = 1_u64;
     let mut number = || {
@@ -101,7 +104,8 @@ fn normalize(z: &mut [Vector3<f64>]) -> f64 {
     length
 }
 
-/// Returns the largest eigenvalue of a symmetric tridiagonal matrix, by bisection on the count of negative pivots (Sturm).
+/// Returns the largest eigenvalue of a symmetric tridiagonal matrix, by bisection on the count of
+/// negative pivots (Sturm).
 fn largest_of_tridiagonal(diagonal: &[f64], off_diagonal: &[f64]) -> f64 {
     let off = |i: usize| off_diagonal.get(i).copied().unwrap_or(0.0);
     let radius = |i: usize| if i == 0 { 0.0 } else { off(i - 1) } + off(i);

@@ -1,15 +1,19 @@
-//! The linear system of a Newton step where some force is not conservative: P + N, P the symmetric part, N the antisymmetric one.
+//! The linear system of a Newton step where some force is not conservative: P + N, P the symmetric
+//! part, N the antisymmetric one.
 //!
-//! The conjugate gradient method for a positive definite symmetric part that can be factored (P. Concus, G. H. Golub, "A generalized
-//! conjugate gradient method for nonsymmetric systems of linear equations", 1976; O. Widlund, "A Lanczos method for a class of
-//! nonsymmetric systems of linear equations", SIAM J. Numer. Anal. 15(4), 1978): each iteration solves with P once and applies N
-//! once. With b the largest |eigenvalue| of P⁻¹ N, the error falls by (sqrt(1 + b²) - 1) / b an iteration.
+//! The conjugate gradient method for a positive definite symmetric part that can be factored (P.
+//! Concus, G. H. Golub, "A generalized conjugate gradient method for nonsymmetric systems of linear
+//! equations", 1976; O. Widlund, "A Lanczos method for a class of nonsymmetric systems of linear
+//! equations", SIAM J. Numer. Anal. 15(4), 1978): each iteration solves with P once and applies N
+//! once. With b the largest |eigenvalue| of P⁻¹ N, the error falls by (sqrt(1 + b²) - 1) / b an
+//! iteration.
 
 use nalgebra::Vector3;
 
 /// Share of the first residual at which the step is near enough for Newton's method.
 const NEAR: f64 = 1e-3;
-/// Iterations at most: what is left then makes a step that is not quite Newton's, but still downhill.
+/// Iterations at most: what is left then makes a step that is not quite Newton's, but still
+/// downhill.
 const MOST: usize = 60;
 
 /// Writes a matrix times its first argument into its second.
@@ -29,8 +33,8 @@ pub(crate) struct NonsymmetricSolver {
 }
 
 impl NonsymmetricSolver {
-    /// Turns `step`, the solution of P step = `force`, into that of (P + N) step = `force`: `solve` solves with P in place,
-    /// `apply` writes N times its first argument into its second.
+    /// Turns `step`, the solution of P step = `force`, into that of (P + N) step = `force`: `solve`
+    /// solves with P in place, `apply` writes N times its first argument into its second.
     pub(crate) fn correct(
         &mut self,
         force: &[Vector3<f64>],
@@ -83,7 +87,8 @@ fn dot(a: &[Vector3<f64>], b: &[Vector3<f64>]) -> f64 {
 mod tests {
     use super::*;
 
-    /// P the identity and N rotations by unlike rates: (1 + N) x = f in closed form, pair of coordinates by pair.
+    /// P the identity and N rotations by unlike rates: (1 + N) x = f in closed form, pair of
+    /// coordinates by pair.
     #[test]
     fn it_solves_a_system_with_a_large_antisymmetric_part() {
         let rate = |i: usize| 0.5 + i as f64;

@@ -1,9 +1,12 @@
-//! An order of elimination with little fill: nested dissection of the graph of particles that act on each other.
+//! An order of elimination with little fill: nested dissection of the graph of particles that act
+//! on each other.
 //!
-//! A. George, "Nested dissection of a regular finite element mesh", SIAM J. Numer. Anal. 10(2), 1973. A part of the graph is
-//! halved along the distance from a vertex at its rim (as A. George and J. W.-H. Liu do in "An automatic nested dissection
-//! algorithm for irregular finite element problems", SIAM J. Numer. Anal. 15(5), 1978); what touches the other half is
-//! eliminated last. The factor of a garment of 3500 to 5000 particles then takes a sixth less time than minimum degree's.
+//! A. George, "Nested dissection of a regular finite element mesh", SIAM J. Numer. Anal. 10(2), 1973.
+//! A part of the graph is halved along the distance from a vertex at its rim (as A. George and J.
+//! W.-H. Liu do in "An automatic nested dissection algorithm for irregular finite element
+//! problems", SIAM J. Numer. Anal. 15(5), 1978); what touches the other half is eliminated last.
+//! The factor of a garment of 3500 to 5000 particles then takes a sixth less time than minimum
+//! degree's.
 
 use crate::solver::linalg::block_matrix::Sparsity;
 
@@ -99,7 +102,8 @@ impl Work {
         }
         let mut far = piece[piece.len() - 1];
         let mut along = piece;
-        // The last reached is at the rim; from there once more, it is at the end of the longest way.
+        // The last reached is at the rim; from there once more, it is at the end of the longest
+        // way.
         for _ in 0..2 {
             let search = self.next_seen;
             self.next_seen += 1;

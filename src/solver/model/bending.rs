@@ -6,7 +6,8 @@ use crate::solver::model::dof_map::DofMap;
 use crate::solver::model::rest_shape::rest_triangles;
 use std::collections::BTreeMap;
 
-/// Returns every triangle with its neighbors, also across welded seams: a seam pressed open bends like the cloth.
+/// Returns every triangle with its neighbors, also across welded seams: a seam pressed open bends
+/// like the cloth.
 pub(crate) fn bend_patches(scene: &Scene, dof_map: &DofMap) -> Vec<BendPatch> {
     let sides = sides(scene, dof_map);
     let least = scene.least_bending_n_m;
@@ -34,7 +35,8 @@ pub(crate) fn bend_patches(scene: &Scene, dof_map: &DofMap) -> Vec<BendPatch> {
 struct BendSide {
     /// The particle that is not on the edge.
     far: usize,
-    /// Its place from the middle of the edge: along it, from its lower to its higher particle, and across \[m\].
+    /// Its place from the middle of the edge: along it, from its lower to its higher particle, and
+    /// across \[m\].
     along: f64,
     across: f64,
     /// True if the edge runs from its lower to its higher particle round the triangle.
@@ -80,7 +82,8 @@ fn edge_frame(rest: [[f64; 2]; 3], k: usize) -> ([f64; 2], [f64; 2]) {
     )
 }
 
-/// Returns the far corner of the neighbor across from corner `k`, unfolded into the plane of the triangle.
+/// Returns the far corner of the neighbor across from corner `k`, unfolded into the plane of the
+/// triangle.
 fn unfolded(rest: [[f64; 2]; 3], k: usize, mine: &BendSide, other: &BendSide) -> [f64; 2] {
     let (middle, along) = edge_frame(rest, k);
     let forward = if mine.rising {

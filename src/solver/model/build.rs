@@ -14,11 +14,13 @@ use crate::solver::model::system::{System, TimedTerm};
 use crate::solver::options::SolverOptions;
 use nalgebra::Vector3;
 
-/// Distance that cloth is kept from the skin, besides half its thickness \[m\]: what keeps the middles of triangles, which
-/// cut across the body's curves, outside too (an edge of 12 mm sags 0.9 mm into a shoulder of 20 mm radius).
+/// Distance that cloth is kept from the skin, besides half its thickness \[m\]: what keeps the
+/// middles of triangles, which cut across the body's curves, outside too (an edge of 12 mm sags 0.9
+/// mm into a shoulder of 20 mm radius).
 const SKIN_OFFSET: f64 = 2e-3;
 
-/// Distance for which explicit steps carry on a sample of the body \[m\]: third-order terms stay below 1e-11 m.
+/// Distance for which explicit steps carry on a sample of the body \[m\]: third-order terms stay
+/// below 1e-11 m.
 const EXPLICIT_REUSE: f64 = 2e-5;
 
 /// Seams, loads and contact of a system, besides the cloth of its scene.

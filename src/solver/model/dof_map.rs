@@ -1,4 +1,5 @@
-//! The particle of each vertex: one of its own while sewing, one for all vertices of a stitch once it is welded.
+//! The particle of each vertex: one of its own while sewing, one for all vertices of a stitch once
+//! it is welded.
 
 use nalgebra::Vector3;
 

@@ -1,4 +1,5 @@
-//! The membrane of a system: triangles of the continuum, springs on mesh edges, springs as given, fibers.
+//! The membrane of a system: triangles of the continuum, springs on mesh edges, springs as given,
+//! fibers.
 
 use crate::scene::{FiberSpring, Membrane, NetSpring, Scene};
 use crate::solver::forces::{
@@ -23,7 +24,8 @@ pub fn springs(scene: &Scene) -> Vec<(usize, usize, f64, f64)> {
         .collect()
 }
 
-/// Returns the membrane of `scene`; `model` is that of fabrics, springs and fibers are what they are.
+/// Returns the membrane of `scene`; `model` is that of fabrics, springs and fibers are what they
+/// are.
 pub(crate) fn membrane_force(
     scene: &Scene,
     model: MembraneModel,
@@ -63,9 +65,10 @@ fn triangles(scene: &Scene, dof_map: &DofMap) -> Vec<MembraneTriangle> {
 
 /// Returns springs on the edges of the mesh, panel by panel.
 ///
-/// Their constants are those of A. Van Gelder, "Approximate simulation of elastic membranes by triangulated spring meshes"
-/// (Journal of Graphics Tools 3(2), 1998), k = E sum A / l² over the edge's triangles, with the modulus of an orthotropic cloth
-/// along the edge, 1/E = cos⁴/Kw + sin⁴/Kf + sin² cos²/G.
+/// Their constants are those of A. Van Gelder, "Approximate simulation of elastic membranes by
+/// triangulated spring meshes" (Journal of Graphics Tools 3(2), 1998), k = E sum A / l² over the
+/// edge's triangles, with the modulus of an orthotropic cloth along the edge, 1/E = cos⁴/Kw +
+/// sin⁴/Kf + sin² cos²/G.
 fn edge_springs(scene: &Scene, dof_map: &DofMap) -> Vec<Spring> {
     let mut edges: BTreeMap<(usize, usize), Spring> = BTreeMap::new();
     for (t, fabric, rest) in cut_triangles(scene) {

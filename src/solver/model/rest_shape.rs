@@ -1,11 +1,13 @@
-//! The rest shape of a scene: its triangles flat, in the coordinates of their cloth, and the area of each vertex.
+//! The rest shape of a scene: its triangles flat, in the coordinates of their cloth, and the area
+//! of each vertex.
 
 use crate::scene::{Fabric, Scene};
 
 /// Mass per area of cloth of which only the mass is known \[kg/m²\]: a shirt's.
 const TYPICAL_DENSITY: f64 = 0.2;
 
-/// Returns the cloth area that each vertex stands for: a third of each of its triangles \[m²\]; guessed from its mass where there are none.
+/// Returns the cloth area that each vertex stands for: a third of each of its triangles \[m²\];
+/// guessed from its mass where there are none.
 pub(crate) fn vertex_areas(scene: &Scene) -> Vec<f64> {
     if scene.mesh.triangles.is_empty() {
         return scene.mass.iter().map(|m| m / TYPICAL_DENSITY).collect();
@@ -48,7 +50,8 @@ pub(crate) fn cut_triangles(
         })
 }
 
-/// Returns each triangle with its fabric, if it has one, and its rest positions: in warp-weft coordinates if it has.
+/// Returns each triangle with its fabric, if it has one, and its rest positions: in warp-weft
+/// coordinates if it has.
 pub(crate) fn rest_triangles(
     scene: &Scene,
 ) -> impl Iterator<Item = ([usize; 3], Option<&Fabric>, [[f64; 2]; 3])> {

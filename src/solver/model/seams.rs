@@ -26,7 +26,8 @@ pub(crate) enum Seams {
 }
 
 impl Seams {
-    /// Returns closed seams as `options` ask for them, after springs of the stiffness `sewing` \[N/m\] have closed them.
+    /// Returns closed seams as `options` ask for them, after springs of the stiffness `sewing`
+    /// \[N/m\] have closed them.
     pub(crate) fn closed(options: &SolverOptions, sewing: f64) -> Self {
         match options.seam_close {
             SeamClose::Weld => Self::Welded,
@@ -46,7 +47,8 @@ impl Seams {
         }
     }
 
-    /// Returns the pairs of vertices that springs join and the stiffness of a spring \[N/m\], if there are any.
+    /// Returns the pairs of vertices that springs join and the stiffness of a spring \[N/m\], if
+    /// there are any.
     pub(crate) fn springs(&self, scene: &Scene) -> Option<(Vec<(usize, usize)>, f64)> {
         let (pairs, stiffness) = match self {
             Self::Open {

@@ -1,4 +1,5 @@
-//! The particles of a garment and the force terms that act on them: only those that the scene needs.
+//! The particles of a garment and the force terms that act on them: only those that the scene
+//! needs.
 
 use crate::solver::forces::contact::BodyContact;
 use crate::solver::forces::{Potential, TermKind};
@@ -56,7 +57,8 @@ impl System<'_> {
             .all(|term| term.potential.is_conservative())
     }
 
-    /// Writes to `out` the antisymmetric part of the negative derivative of all forces at `x`, times `d`, which is zero for fixed particles.
+    /// Writes to `out` the antisymmetric part of the negative derivative of all forces at `x`,
+    /// times `d`, which is zero for fixed particles.
     pub(crate) fn antisymmetric_product(
         &self,
         x: &[Vector3<f64>],
@@ -78,7 +80,8 @@ impl System<'_> {
         self.contact.as_mut().is_some_and(|c| c.accept(x))
     }
 
-    /// Sets the velocities of the particles \[m/s\] at `time` \[s\]; without it they rest in the mean wind.
+    /// Sets the velocities of the particles \[m/s\] at `time` \[s\]; without it they rest in the
+    /// mean wind.
     pub(crate) fn set_motion(&mut self, velocity: &[Vector3<f64>], time: f64) {
         for term in &mut self.terms {
             term.potential.set_motion(velocity, time);
@@ -147,7 +150,8 @@ impl System<'_> {
         }
     }
 
-    /// Computes the Hessian of the energy, less the share `hessian_modification` of the part that may be indefinite.
+    /// Computes the Hessian of the energy, less the share `hessian_modification` of the part that
+    /// may be indefinite.
     pub(crate) fn hessian(
         &mut self,
         x: &[Vector3<f64>],
@@ -170,19 +174,22 @@ impl System<'_> {
         self.mass.iter().sum::<f64>() * STANDARD_GRAVITY / self.particle_count().max(1) as f64
     }
 
-    /// Returns `r = sqrt(sum |f_i|² / n) / (M 9.80665 / n)`: the net force on a particle over its weight.
+    /// Returns `r = sqrt(sum |f_i|² / n) / (M 9.80665 / n)`: the net force on a particle over its
+    /// weight.
     pub(crate) fn residual(&self, force: &[Vector3<f64>]) -> f64 {
         let count = force.len() as f64;
         let weight = self.mean_weight();
         (force.iter().map(Vector3::norm_squared).sum::<f64>() / count).sqrt() / weight
     }
 
-    /// Returns the residual below which forces are rounding: k eps |x| / (m g), k the stiffness of a particle.
+    /// Returns the residual below which forces are rounding: k eps |x| / (m g), k the stiffness of
+    /// a particle.
     pub(crate) fn residual_floor(&mut self, x: &[Vector3<f64>]) -> f64 {
         let stiffness = self.stiffness();
         let count = x.len() as f64;
         let weight = self.mean_weight();
-        // Each of the ~10 differences that make up a force is rounded on its own, so the errors add as squares.
+        // Each of the ~10 differences that make up a force is rounded on its own, so the errors add
+        // as squares.
         let rounding = stiffness
             .iter()
             .zip(x)

@@ -1,4 +1,5 @@
-//! The interface of iterations toward rest: iterates, the caller's test of them, and the reasons to end.
+//! The interface of iterations toward rest: iterates, the caller's test of them, and the reasons to
+//! end.
 
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
@@ -31,7 +32,8 @@ pub(crate) struct Iterate<'a> {
     pub(crate) positions: &'a [Vector3<f64>],
     /// False if the second derivative at the iterate before had no Cholesky factor.
     pub(crate) convex: bool,
-    /// Estimate of the distance from the iterate before to the solution \[m, RMS\], where its step told.
+    /// Estimate of the distance from the iterate before to the solution \[m, RMS\], where its step
+    /// told.
     pub(crate) estimate_before: Option<f64>,
 }
 

@@ -1,11 +1,13 @@
-//! Backtracking line search with the test of sufficient decrease of L. Armijo, Pacific J. Math. 16(1), 1966.
+//! Backtracking line search with the test of sufficient decrease of L. Armijo, Pacific J. Math.
+//! 16(1), 1966.
 
 use nalgebra::Vector3;
 
 /// Share of the decrease predicted by the slope that a step must bring.
 const SUFFICIENT_DECREASE: f64 = 1e-4;
 
-/// Furthest that a particle moves in one iteration \[m\]; much more would carry cloth through a body.
+/// Furthest that a particle moves in one iteration \[m\]; much more would carry cloth through a
+/// body.
 pub(crate) const MAX_DISPLACEMENT: f64 = 0.04;
 
 /// A descent direction and the objective where it begins.
@@ -31,12 +33,14 @@ pub(crate) struct AcceptedStep {
 }
 
 impl LineSearch {
-    /// Returns the difference of the objective below which it is rounding for `count` particles \[J\]: there the model is trusted.
+    /// Returns the difference of the objective below which it is rounding for `count` particles
+    /// \[J\]: there the model is trusted.
     pub(crate) fn rounding(&self, count: usize) -> f64 {
         64.0 * f64::EPSILON * self.value.abs() * (count as f64).sqrt()
     }
 
-    /// Moves `x` along `step` by the first share that decreases `objective` sufficiently; leaves it if none does. `trial` is scratch.
+    /// Moves `x` along `step` by the first share that decreases `objective` sufficiently; leaves it
+    /// if none does. `trial` is scratch.
     pub(crate) fn run(
         &self,
         x: &mut [Vector3<f64>],
@@ -64,7 +68,8 @@ impl LineSearch {
 mod tests {
     use super::*;
 
-    /// Of x²/2 the step from 1 to -3 overshoots: its half, to -1, brings nothing, its quarter leads to the minimum.
+    /// Of x²/2 the step from 1 to -3 overshoots: its half, to -1, brings nothing, its quarter leads
+    /// to the minimum.
     #[test]
     fn a_step_is_halved_until_it_descends() {
         let search = LineSearch {

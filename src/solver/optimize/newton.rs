@@ -1,16 +1,18 @@
 //! The shape at rest by pseudo-transient Newton iteration.
 //!
-//! Each iteration minimizes a quadratic model of the energy plus a proximal term (implicit Euler with the velocity forgotten; see
-//! [`crate::solver::optimize::pseudo_transient`]).
+//! Each iteration minimizes a quadratic model of the energy plus a proximal term (implicit Euler
+//! with the velocity forgotten; see [`crate::solver::optimize::pseudo_transient`]).
 //!
 //! # Fallbacks
-//! The true second derivative first. Where that has no Cholesky factor, a share of its indefinite part is projected out, doubled
-//! until there is a factor; a diagonal shift where projecting out all of it does not do. A line search on the energy accepts or
-//! shortens the step, and no particle moves further than 4 cm at once.
+//! The true second derivative first. Where that has no Cholesky factor, a share of its indefinite
+//! part is projected out, doubled until there is a factor; a diagonal shift where projecting out
+//! all of it does not do. A line search on the energy accepts or shortens the step, and no particle
+//! moves further than 4 cm at once.
 //!
 //! # Guarantees
-//! Apart from friction, whose normal forces are lagged, and wind, which has no energy, the energy never rises. Stops at the
-//! residual asked for, at the round-off floor, at the limit of iterations or time, or when canceled, and says which.
+//! Apart from friction, whose normal forces are lagged, and wind, which has no energy, the energy
+//! never rises. Stops at the residual asked for, at the round-off floor, at the limit of iterations
+//! or time, or when canceled, and says which.
 
 use crate::solver::linalg::block_matrix::BlockMatrix;
 use crate::solver::linalg::nonsymmetric::NonsymmetricSolver;
@@ -26,7 +28,8 @@ use std::ops::ControlFlow;
 
 /// Shares of a step that a line search tries at most.
 const LINE_SEARCH_TRIALS: usize = 6;
-/// Largest share of the proximal term in the curvature along a step whose length still is the distance to the solution.
+/// Largest share of the proximal term in the curvature along a step whose length still is the
+/// distance to the solution.
 const PROXIMAL_SHARE: f64 = 0.1;
 
 /// Fallbacks that were taken, the true second derivative among them.
@@ -83,7 +86,8 @@ impl Newton {
         })
     }
 
-    /// Iterates from `x` until `callback` breaks, at most `limit` times. `x` is always the last accepted shape.
+    /// Iterates from `x` until `callback` breaks, at most `limit` times. `x` is always the last
+    /// accepted shape.
     pub(crate) fn run(
         &mut self,
         system: &mut System<'_>,
@@ -126,7 +130,8 @@ impl Newton {
         self.was_convex
     }
 
-    /// Returns ‖H⁻¹ f‖ over the particles \[m, RMS\], the distance to the solution of this mesh; none if H is not positive definite.
+    /// Returns ‖H⁻¹ f‖ over the particles \[m, RMS\], the distance to the solution of this mesh;
+    /// none if H is not positive definite.
     pub(crate) fn error_estimate(
         &mut self,
         system: &mut System<'_>,
@@ -219,7 +224,8 @@ impl Newton {
         }
     }
 
-    /// Solves for the step and moves `x` along it as far as the energy allows; returns false if it allows nothing.
+    /// Solves for the step and moves `x` along it as far as the energy allows; returns false if it
+    /// allows nothing.
     fn search(&mut self, system: &mut System<'_>, x: &mut [Vector3<f64>], energy: f64) -> bool {
         self.solve(system, x);
         let longest = self.work.max_displacement();

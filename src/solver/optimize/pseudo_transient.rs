@@ -1,8 +1,9 @@
 //! The lengths of steps toward rest: pseudo-time and the modification of the second derivative.
 //!
-//! Pseudo-transient continuation (C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35(2), 1998): the proximal term M / (2 γ²)
-//! `|x - x_n|²` keeps a step short where the quadratic model is not to be trusted, and γ grows as the model predicts better. The
-//! share of the indefinite part that is projected out of the second derivative is controlled beside γ.
+//! Pseudo-transient continuation (C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35(2), 1998): the
+//! proximal term M / (2 γ²) `|x - x_n|²` keeps a step short where the quadratic model is not to be
+//! trusted, and γ grows as the model predicts better. The share of the indefinite part that is
+//! projected out of the second derivative is controlled beside γ.
 
 /// γ at the start \[s\]: about the time in which seams close.
 pub(crate) const FIRST_GAMMA: f64 = 0.01;
@@ -39,7 +40,8 @@ impl PseudoTransient {
         self.gamma <= SMALLEST_GAMMA
     }
 
-    /// Projects out more of the indefinite part; returns false if all of it was projected out already.
+    /// Projects out more of the indefinite part; returns false if all of it was projected out
+    /// already.
     pub(crate) fn modify_more(&mut self) -> bool {
         if self.modification < 1.0 {
             self.modification = (2.0 * self.modification).clamp(LEAST_MODIFICATION, 1.0);
@@ -56,10 +58,12 @@ impl PseudoTransient {
         }
     }
 
-    /// Adapts to a step of which `share` could be taken, whose objective fell by `decrease` where `predicted` was predicted.
+    /// Adapts to a step of which `share` could be taken, whose objective fell by `decrease` where
+    /// `predicted` was predicted.
     ///
-    /// Where only a share of the step could be taken, the model was too soft along some wrinkle that is about to form: projecting
-    /// out more of what makes it soft shortens the next step there, while a smaller γ would shorten it everywhere.
+    /// Where only a share of the step could be taken, the model was too soft along some wrinkle
+    /// that is about to form: projecting out more of what makes it soft shortens the next step
+    /// there, while a smaller γ would shorten it everywhere.
     pub(crate) fn adapt(&mut self, share: f64, decrease: f64, predicted: f64) {
         let gamma = if share < 1.0 {
             self.modification = (2.0 * self.modification).clamp(BACKTRACK_MODIFICATION, 1.0);

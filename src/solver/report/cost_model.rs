@@ -1,10 +1,11 @@
-//! Cost model: CPU time that levels take, the time for another level, and what halving the error takes.
+//! Cost model: CPU time that levels take, the time for another level, and what halving the error
+//! takes.
 
 use crate::solver::drape::monitor::IterationPace;
 use crate::solver::outcome::DrapeOutcome;
 
-/// Exponent with which the CPU time of a level grows with its vertices: median of 18 levels of 13 garments of up to 3900 vertices
-/// (finer meshes also take more iterations, as more folds form).
+/// Exponent with which the CPU time of a level grows with its vertices: median of 18 levels of 13
+/// garments of up to 3900 vertices (finer meshes also take more iterations, as more folds form).
 const LEVEL_TIME_EXPONENT: f64 = 1.9;
 /// Exponent of the CPU time of one iteration, of the same levels.
 const ITERATION_TIME_EXPONENT: f64 = 1.5;
@@ -12,27 +13,31 @@ const ITERATION_TIME_EXPONENT: f64 = 1.5;
 const SETUP_TIME_EXPONENT: f64 = 1.2;
 /// Iterations that a level must have time for to be begun.
 const LEAST_ITERATIONS: f64 = 3.0;
-/// Ratio of the moves on a level to those on the one before it, if there is none to tell: levels have a third of the next one's
-/// vertices, and folds moved 0.4 to 1.1 times as far from one to the next on the five garments with three levels.
+/// Ratio of the moves on a level to those on the one before it, if there is none to tell: levels
+/// have a third of the next one's vertices, and folds moved 0.4 to 1.1 times as far from one to the
+/// next on the five garments with three levels.
 const MOVE_RATIO: f64 = 0.8;
 /// Order in the length of mesh edges of the error of smooth shapes.
 const MESH_ERROR_ORDER: f64 = 2.0;
 
-/// Returns the CPU time that all levels take together \[s\] if the first of them took `first`; their vertices, coarsest first.
+/// Returns the CPU time that all levels take together \[s\] if the first of them took `first`;
+/// their vertices, coarsest first.
 pub(crate) fn expected_cpu_s(vertices: &[usize], first: f64) -> f64 {
     let of_first = vertices.first().map_or(1.0, |&v| v as f64);
     let share = |&v: &usize| (v as f64 / of_first).powf(LEVEL_TIME_EXPONENT);
     first * vertices.iter().map(share).sum::<f64>()
 }
 
-/// Returns true if `left_s` \[CPU s\] is enough to begin on a level `times` as large as the one that ran at `pace`.
+/// Returns true if `left_s` \[CPU s\] is enough to begin on a level `times` as large as the one
+/// that ran at `pace`.
 pub(crate) fn has_time(left_s: f64, pace: IterationPace, times: f64) -> bool {
     left_s
         > pace.set_up * times.powf(SETUP_TIME_EXPONENT)
             + LEAST_ITERATIONS * pace.iteration * times.powf(ITERATION_TIME_EXPONENT)
 }
 
-/// Returns how far the shape would still move on `left` finer levels \[m\], from how far it `moved` on those that ran.
+/// Returns how far the shape would still move on `left` finer levels \[m\], from how far it `moved`
+/// on those that ran.
 pub(crate) fn remaining_moves(moved: &[f64], left: usize) -> Option<f64> {
     let last = *moved.last()?;
     let ratio = match moved {
@@ -44,7 +49,8 @@ pub(crate) fn remaining_moves(moved: &[f64], left: usize) -> Option<f64> {
     }))
 }
 
-/// Option whose change would halve the error, and the CPU time that the whole run is then expected to take \[s\].
+/// Option whose change would halve the error, and the CPU time that the whole run is then expected
+/// to take \[s\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum ErrorHalving {
     /// The tolerance: most of the error is the solver's.
@@ -75,8 +81,8 @@ impl ErrorHalving {
     }
 }
 
-/// Returns what would halve the error of a drape: more time where that was up, less error of the solver or the mesh where the
-/// shape is at rest.
+/// Returns what would halve the error of a drape: more time where that was up, less error of the
+/// solver or the mesh where the shape is at rest.
 pub(crate) fn error_halving(outcome: &DrapeOutcome) -> Option<ErrorHalving> {
     match outcome.time_limit_reached() {
         Some(_) => by_time(outcome),

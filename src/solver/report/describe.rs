@@ -1,4 +1,5 @@
-//! The report of a drape, from its outcome. Every sentence of the report is made here, after the solve.
+//! The report of a drape, from its outcome. Every sentence of the report is made here, after the
+//! solve.
 
 use crate::scene::Scene;
 use crate::solver::forces::TermKind;
@@ -15,11 +16,14 @@ use crate::solver::report::schema::{
 use crate::solver::statistics::{SolveStatistics, TermTimes};
 use nalgebra::Vector3;
 
-/// Distance that the middle of a garment may sink while it comes to rest before it counts as fallen off \[m\].
+/// Distance that the middle of a garment may sink while it comes to rest before it counts as fallen
+/// off \[m\].
 const FALLEN: f64 = 0.15;
-/// Depth inside the body at which cloth may still be supported by it \[m\]: more than any layer gives way or any triangle cuts off.
+/// Depth inside the body at which cloth may still be supported by it \[m\]: more than any layer
+/// gives way or any triangle cuts off.
 const INSIDE: f64 = 0.01;
-/// Names of what is no term of its own: friction is a part of contact, and cloth passes through cloth.
+/// Names of what is no term of its own: friction is a part of contact, and cloth passes through
+/// cloth.
 const FRICTION: &str = "friction";
 const SELF_CONTACT: &str = "self_contact";
 
@@ -151,7 +155,8 @@ fn estimate_basis(estimate: ErrorEstimate) -> String {
     }
 }
 
-/// Returns true if the body carries the garment, which came to rest on it without sinking far; and why.
+/// Returns true if the body carries the garment, which came to rest on it without sinking far; and
+/// why.
 fn support(scene: &Scene, outcome: &DrapeOutcome) -> Support {
     let (sunk_mm, inside_mm) = (outcome.sunk_m * 1e3, outcome.measures.penetration_m * 1e3);
     let way = if outcome.sunk_m < 0.0 {
@@ -186,7 +191,8 @@ fn support(scene: &Scene, outcome: &DrapeOutcome) -> Support {
     Support { ok, because }
 }
 
-/// Returns the terms that `scene` has no need of, but for those in `ran`: coarser meshes bend even where the cloth does not.
+/// Returns the terms that `scene` has no need of, but for those in `ran`: coarser meshes bend even
+/// where the cloth does not.
 fn skipped_terms(scene: &Scene, ran: &[TermTime]) -> Vec<SkippedTerm> {
     let mut skipped = Vec::new();
     let mut skip = |name: &str, because: &str| {

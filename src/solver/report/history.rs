@@ -1,11 +1,13 @@
-//! Convergence history of a drape: shapes kept on the way, their distances from the last one, and the estimates of these.
+//! Convergence history of a drape: shapes kept on the way, their distances from the last one, and
+//! the estimates of these.
 
 use crate::solver::outcome::{ESTIMATE_RESIDUAL_LIMIT, RemainingError};
 use crate::solver::report::measure::rms_distance;
 use crate::solver::report::schema::ErrorPoint;
 use nalgebra::Vector3;
 
-/// Largest number of shapes kept of one level, the finest and the others; when there are more, every other one is dropped.
+/// Largest number of shapes kept of one level, the finest and the others; when there are more,
+/// every other one is dropped.
 const FINEST_SHAPES: usize = 48;
 const COARSER_SHAPES: usize = 12;
 /// Largest number of positions kept of one level: bounds the memory of large meshes.
@@ -103,7 +105,8 @@ impl ConvergenceHistory {
         }
     }
 
-    /// Estimates how far the shape `now` of this level, at `cpu_s` \[s\] and with the residual r, is from rest.
+    /// Estimates how far the shape `now` of this level, at `cpu_s` \[s\] and with the residual r,
+    /// is from rest.
     #[inline(never)] // so that a profile tells what it takes
     pub(crate) fn remaining_error(
         &self,
@@ -117,7 +120,8 @@ impl ConvergenceHistory {
         remaining_error(r, &shapes)
     }
 
-    /// Returns the distance of every kept shape from the final one on the finest mesh, to which `to_finest` carries the shapes of a level.
+    /// Returns the distance of every kept shape from the final one on the finest mesh, to which
+    /// `to_finest` carries the shapes of a level.
     #[inline(never)] // so that a profile tells what it takes
     pub(crate) fn points(
         &self,
@@ -148,11 +152,13 @@ impl Snapshot {
     }
 }
 
-/// Estimates how far the last of `shapes`, evenly spaced on the way and each with its time \[s\], is from rest; r is its residual.
+/// Estimates how far the last of `shapes`, evenly spaced on the way and each with its time \[s\],
+/// is from rest; r is its residual.
 ///
-/// As long as folds form, the Hessian tells nothing, and what slows down may quicken again. Of 244 shapes of
-/// eight garments of poplin between r = 0.01 and 1e4, 76 % were within 3 times of `0.45 mm r^(3/4) (d / mm)^(1/4)`, d being how
-/// far the shape moved in the later half of its way; of fits to r alone 69 % were, to the moves alone 50 %.
+/// As long as folds form, the Hessian tells nothing, and what slows down may quicken again. Of 244
+/// shapes of eight garments of poplin between r = 0.01 and 1e4, 76 % were within 3 times of
+/// `0.45 mm r^(3/4) (d / mm)^(1/4)`, d being how far the shape moved in the later half of its way;
+/// of fits to r alone 69 % were, to the moves alone 50 %.
 fn remaining_error(r: f64, shapes: &[(f64, &[Vector3<f64>])]) -> Option<RemainingError> {
     let last = shapes.len().checked_sub(1)?;
     let between = |to: usize, from: usize| rms_distance(shapes[to].1, shapes[from].1);

@@ -37,8 +37,8 @@ pub fn rms_distance(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
     rms(x.len(), |i| x[i] - y[i])
 }
 
-/// Returns the largest principal stretch of any triangle, less 1; the largest strain of any given spring where there are no
-/// triangles.
+/// Returns the largest principal stretch of any triangle, less 1; the largest strain of any given
+/// spring where there are no triangles.
 fn strain(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
     if scene.mesh.triangles.is_empty() {
         let net = scene.membrane.springs().iter();
@@ -69,7 +69,8 @@ fn strain(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
         - 1.0
 }
 
-/// Returns the depth of the deepest vertex, or middle of a triangle or of one of its edges, inside the body \[m\]; 0 if none is.
+/// Returns the depth of the deepest vertex, or middle of a triangle or of one of its edges, inside
+/// the body \[m\]; 0 if none is.
 ///
 /// Distances are those of the body's own triangles, not of the smooth field that contact uses.
 fn penetration(scene: &Scene, x: &[Vector3<f64>]) -> f64 {

@@ -1,4 +1,5 @@
-//! The report of a drape: its measures, its convergence history, and its sentences, which [`describe`] makes after the solve.
+//! The report of a drape: its measures, its convergence history, and its sentences, which
+//! [`describe`] makes after the solve.
 
 pub(crate) mod cost_model;
 pub(crate) mod describe;

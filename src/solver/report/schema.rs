@@ -24,8 +24,9 @@ pub struct DrapeReport {
     /// Basis of the estimate, and how far it is to be trusted.
     #[serde(default)]
     pub error_estimate_because: String,
-    /// Estimate of the distance to the solution on an ever finer mesh \[m\], apart from the solver's error: how far the shape
-    /// moved when it went from the mesh of a third of the vertices to this one.
+    /// Estimate of the distance to the solution on an ever finer mesh \[m\], apart from the
+    /// solver's error: how far the shape moved when it went from the mesh of a third of the
+    /// vertices to this one.
     pub mesh_error_m: Option<f64>,
     /// Change of one option that would halve the error, and its cost.
     #[serde(default)]
@@ -110,11 +111,13 @@ pub struct Support {
 /// Levels and time as planned and expected, against what came of them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Plan {
-    /// Vertices of each mesh that was to be solved, coarsest first; one that is solved for softer cloth first is there again.
+    /// Vertices of each mesh that was to be solved, coarsest first; one that is solved for softer
+    /// cloth first is there again.
     pub levels: Vec<usize>,
     /// CPU time allowed \[s\].
     pub time_limit_s: Option<f64>,
-    /// CPU time that sewing and draping were expected to take when the coarsest mesh had been solved \[s\].
+    /// CPU time that sewing and draping were expected to take when the coarsest mesh had been
+    /// solved \[s\].
     pub expected_cpu_s: Option<f64>,
     /// Outcome, in words.
     pub outcome: String,

@@ -1,4 +1,5 @@
-//! The pattern drawn: true proportion, panels apart, numbers and marks where they belong, nothing that an upload could run.
+//! The pattern drawn: true proportion, panels apart, numbers and marks where they belong, nothing
+//! that an upload could run.
 
 use seamster::export::drawing_svg;
 use seamster::pattern::{Grain, Notch, NotchKind, Panel, Point2};
@@ -114,7 +115,8 @@ fn panels_lie_apart_with_their_copies() {
             assert!(apart, "{a:?} {b:?}");
         }
     }
-    // The copy is the image of its source: their boxes are alike, their first corners on opposite sides.
+    // The copy is the image of its source: their boxes are alike, their first corners on opposite
+    // sides.
     let left = |panel: &[Point2]| panel[0][0] - box_of(panel)[0][0];
     let right = |panel: &[Point2]| box_of(panel)[1][0] - panel[0][0];
     assert!((left(&found[1]) - right(&found[4])).abs() < 0.011);
@@ -178,8 +180,8 @@ fn what_a_panel_has_is_drawn_and_nothing_else() {
             p.len() == 2 && (near(p[0], a) && near(p[1], b) || near(p[0], b) && near(p[1], a))
         })
     };
-    // In the box of the cut line, y down: the outline begins at (10, 10). The fold is the middle along the grain; the
-    // notch is 50 mm deep, a fifth along the top.
+    // In the box of the cut line, y down: the outline begins at (10, 10). The fold is the middle
+    // along the grain; the notch is 50 mm deep, a fifth along the top.
     assert!(line([160.0, 10.0], [160.0, 410.0]), "{paths:?}");
     assert!(line([70.0, 10.0], [70.0, 60.0]), "{paths:?}");
     let drills = group.matches("<circle").count();

@@ -271,7 +271,8 @@ fn stored_normals(garment: &GarmentMesh) -> [Vec<Vec<[f32; 3]>>; 2] {
     [in_glb.collect(), in_obj.collect()]
 }
 
-/// A square of side 0.1 m from the y axis out to `far` (x, z), facing the side that +z is turned to.
+/// A square of side 0.1 m from the y axis out to `far` (x, z), facing the side that +z is turned
+/// to.
 fn square(panel: &str, far: [f64; 2], triangles: [[u32; 3]; 2]) -> DrapedPanel {
     let [x, z] = far;
     let positions = [[0.0, 0.0, 0.0], [x, 0.0, z], [x, 0.1, z], [0.0, 0.1, 0.0]];

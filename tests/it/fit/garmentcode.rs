@@ -1,4 +1,5 @@
-//! Specifications sewn by their own stitches from their own placements, on a body of the size that they were drafted for.
+//! Specifications sewn by their own stitches from their own placements, on a body of the size that
+//! they were drafted for.
 
 use seamster::config::Limits;
 use seamster::fit::{self, AvatarRef, FitOutcome, Garment, PatternRef, ShippedAssets};

@@ -1,4 +1,5 @@
-//! The samples that ship are what the drafting program writes, and they are patterns that can be sewn.
+//! The samples that ship are what the drafting program writes, and they are patterns that can be
+//! sewn.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 

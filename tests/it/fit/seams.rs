@@ -97,7 +97,8 @@ fn reversed_bridge_is_warned_of_when_a_fit_is_prepared() {
     assert_eq!(warned(&right), []);
     let likely = ("seam/likely_reversed".to_owned(), "/seams/0/b".to_owned());
     assert_eq!(warned(&wrong), std::slice::from_ref(&likely));
-    // A garment that puts its panels itself is judged by that: the back is shifted up and turned by hand.
+    // A garment that puts its panels itself is judged by that: the back is shifted up and turned by
+    // hand.
     let place = |turn: f64, z: f64| json!({"at": "origin", "offset_m": [0.0, 1.0, z], "rotate_deg": [0.0, 0.0, turn]});
     let panels = |turn: f64| json!({"panels": {"front": {"placement": place(0.0, 0.2)}, "back": {"placement": place(turn, -0.2)}}});
     let placed = |turn| {
@@ -123,7 +124,8 @@ fn warnings_of_seams_are_in_the_report() {
 
 #[test]
 fn pocket_on_a_line_and_mirrored_sleeves_in_holes_are_sewn_shut() {
-    // A tabard: one panel with a hole at either side, a pocket on its front and the same sleeve twice.
+    // A tabard: one panel with a hole at either side, a pocket on its front and the same sleeve
+    // twice.
     let square = |x: f64| [[x, 0.3], [x + 0.1, 0.3], [x + 0.1, 0.4], [x, 0.4]];
     let front = with_hole(rectangle("front", 0.6, 0.5), &square(0.45));
     let front = with_hole(front, &square(0.05));

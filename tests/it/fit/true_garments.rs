@@ -1,4 +1,5 @@
-//! Garments that others drafted, sewn by their own seams on a body of the size that they were drafted for.
+//! Garments that others drafted, sewn by their own seams on a body of the size that they were
+//! drafted for.
 
 use seamster::config::Limits;
 use seamster::export::DrapedPanel;
@@ -11,7 +12,8 @@ use seamster::solver::{Context, SolverOptions};
 use seamster_fixtures::drafts::{data, garment};
 use std::collections::BTreeMap;
 
-/// The body that GarmentCode drafts for where nothing else is said: its mean female (`mean_all` of its data set).
+/// The body that GarmentCode drafts for where nothing else is said: its mean female (`mean_all` of
+/// its data set).
 const MEAN_FEMALE: DressForm = DressForm {
     height_m: 1.662,
     bust_m: 0.974,
@@ -101,7 +103,8 @@ fn pencil_skirt_is_sewn_and_worn() {
         let [lowest, _, highest] = extent(panels[band], Y);
         assert!((lowest..highest).contains(&waist), "{lowest} {highest}");
     }
-    // The back is cut longer by what the seat takes up: the hem of a worn skirt is more level than its pieces.
+    // The back is cut longer by what the seat takes up: the hem of a worn skirt is more level than
+    // its pieces.
     let [front, back] = ["skirt_front", "skirt_back"].map(|name| extent(panels[name], Y)[0]);
     assert!((front - back).abs() < (heights[1] - heights[0]).abs());
     for (name, panel) in &panels {

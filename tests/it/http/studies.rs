@@ -1,4 +1,5 @@
-//! Studies over HTTP: submitted, followed, fetched, drawn, canceled, refused, and kept apart from fits.
+//! Studies over HTTP: submitted, followed, fetched, drawn, canceled, refused, and kept apart from
+//! fits.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
@@ -191,7 +192,8 @@ fn a_running_study_stops_within_a_second() {
     let asked = Instant::now();
     assert_eq!(server.request("DELETE", &at, &[]).status, 202);
     let study = until(&server, &at, |study| study["status"] != "running");
-    // A worker whose notice was lost finds the cancellation with the next renewal of its lease, after 6 s.
+    // A worker whose notice was lost finds the cancellation with the next renewal of its lease,
+    // after 6 s.
     assert!(
         asked.elapsed() < Duration::from_secs(5),
         "{:?}",

@@ -1,4 +1,5 @@
-//! Fits and studies on the queue and their workers, with a runner that does what the test says instead of sewing.
+//! Fits and studies on the queue and their workers, with a runner that does what the test says
+//! instead of sewing.
 
 #![expect(
     clippy::unwrap_used,
@@ -26,8 +27,8 @@ use uuid::Uuid;
 
 /// Far more than anything here takes on a busy machine.
 const TIMEOUT: Duration = Duration::from_secs(60);
-/// Duration of a lease by a clock that only the test moves. Workers look for lost notices a fifth of it apart: too late for
-/// [`TIMEOUT`], so that what ends in time was told by a notice.
+/// Duration of a lease by a clock that only the test moves. Workers look for lost notices a fifth
+/// of it apart: too late for [`TIMEOUT`], so that what ends in time was told by a notice.
 const LEASE: Duration = Duration::from_secs(600);
 
 /// Does what the garment's default fabric says.
@@ -499,7 +500,8 @@ fn shutdown_gives_running_fits_back_and_does_not_count_it() {
     }
 }
 
-/// Leaves a fit as a process that was killed leaves it: claimed, its record running, nothing given back.
+/// Leaves a fit as a process that was killed leaves it: claimed, its record running, nothing given
+/// back.
 fn die_while_running(kind: JobKind, folder: &Path, does: &str) -> Uuid {
     let id = submit_as(kind, &open(folder), does);
     begin_and_die(&open_store(folder, LEASE, &ManualClock::default()), id);
@@ -615,7 +617,8 @@ fn idle_worker_hears_of_a_new_fit_at_once() {
     let folder = tempfile::tempdir().unwrap();
     let queue = open(folder.path());
     let pool = start(&queue, 1);
-    // Without a notice a worker looks every 5 s, so that 40 jobs one after the other would take three minutes.
+    // Without a notice a worker looks every 5 s, so that 40 jobs one after the other would take
+    // three minutes.
     let start = Instant::now();
     for _ in 0..40 {
         finished(&queue, submit(&queue, "sew"));
@@ -640,7 +643,8 @@ fn events_are_numbered_and_end_with_the_final_status() {
             JobEventKind::Progress(_) => None,
         })
         .collect();
-    // Who begins to follow while the news of the submission is still on its way is told `queued` by both.
+    // Who begins to follow while the news of the submission is still on its way is told `queued` by
+    // both.
     statuses.dedup();
     assert_eq!(
         statuses,

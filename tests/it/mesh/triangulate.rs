@@ -1,4 +1,5 @@
-//! Meshing: exact cover, matched boundaries, bounded angles and sizes, on panels as garments have them.
+//! Meshing: exact cover, matched boundaries, bounded angles and sizes, on panels as garments have
+//! them.
 
 use seamster::config::Limits;
 use seamster::mesh::{ClothMesh, Stitch, triangulate};
@@ -365,7 +366,8 @@ fn angles_are_at_least_20_degrees_where_the_outline_allows() {
 
 #[test]
 fn a_sharp_corner_forces_thin_triangles_only_at_itself() {
-    // Ten degrees at the origin: the sides are nearer to each other than a mesh edge up to 0.07 m from it.
+    // Ten degrees at the origin: the sides are nearer to each other than a mesh edge up to 0.07 m
+    // from it.
     let gusset = polygon("gusset", &[[0.0, 0.0], [-0.035, 0.4], [0.035, 0.4]]);
     let mesh = mesh(vec![gusset], vec![]);
     for &triangle in &mesh.triangles {
@@ -509,7 +511,8 @@ fn a_stretch_may_end_inside_an_edge() {
 
 #[test]
 fn counts_agree_through_chains_of_layered_seams() {
-    // The middle panel meets a short and a much longer one over the same edge, the long one only by half.
+    // The middle panel meets a short and a much longer one over the same edge, the long one only by
+    // half.
     let panels = vec![
         rectangle("a", 0.3, 0.3),
         rectangle("b", 0.3, 0.3),

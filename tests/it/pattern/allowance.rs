@@ -1,4 +1,5 @@
-//! Seam allowance cut away: against closed forms, with numbers and notches kept, refused where nothing would be left.
+//! Seam allowance cut away: against closed forms, with numbers and notches kept, refused where
+//! nothing would be left.
 
 use seamster::pattern::{Edge, Notch, NotchKind, Panel, Pattern, Point2};
 use seamster_fixtures::panels::panel_of;
@@ -90,7 +91,8 @@ fn regular_polygon_keeps_its_center_and_loses_the_width_from_its_apothem() {
 
 #[test]
 fn smooth_convex_outlines_follow_steiner() {
-    // An ellipse in four edges of 90 chords. Chords make an error of (1 degree)²/24 of the last term.
+    // An ellipse in four edges of 90 chords. Chords make an error of (1 degree)²/24 of the last
+    // term.
     let count = 360;
     let (a, b) = (0.3, 0.2);
     let at = |i: usize| {
@@ -109,7 +111,8 @@ fn smooth_convex_outlines_follow_steiner() {
         );
         let long = panel.perimeter_m - TAU * width;
         assert!((found.perimeter_m / long - 1.0).abs() < 1e-4);
-        // Corners stay on the axes. A mitre goes 1/cos(turn / 2) as far as a normal; the turn here is at most 1.5 degrees.
+        // Corners stay on the axes. A mitre goes 1/cos(turn / 2) as far as a normal; the turn here
+        // is at most 1.5 degrees.
         for (corner, wanted) in [(0, [a - width, 0.0]), (3, [0.0, b - width])] {
             let [x, y] = corners(&found)[corner];
             let off = (x - wanted[0]).hypot(y - wanted[1]);
@@ -175,7 +178,8 @@ fn hollow_curves_grow_by_the_width() {
 
 #[test]
 fn curves_tighter_than_the_width_lose_what_does_not_fit() {
-    // A square of 0.4 with corners rounded to 0.005 by 45 chords each, one edge a side: cut by 0.01, a square of 0.38.
+    // A square of 0.4 with corners rounded to 0.005 by 45 chords each, one edge a side: cut by
+    // 0.01, a square of 0.38.
     let radius = 0.005;
     let centers = [
         [radius, 0.4 - radius],

@@ -1,4 +1,5 @@
-//! Mirrored copies: same numbers, reflected; made where they are named or stated, refused where they are no images.
+//! Mirrored copies: same numbers, reflected; made where they are named or stated, refused where
+//! they are no images.
 
 use seamster::config::Limits;
 use seamster::fault::Warning;
@@ -144,7 +145,8 @@ fn a_copy_is_placed_as_the_mirror_image_of_its_source() {
     assert_eq!(found.placements.len(), 2);
     let image = &found.placements["sleeve~mirror"];
     assert_eq!(image, &placement.mirrored());
-    // Points about the center: R' (-x, y, 0) must be R (x, y, 0) reflected, and so must the offsets.
+    // Points about the center: R' (-x, y, 0) must be R (x, y, 0) reflected, and so must the
+    // offsets.
     let at = |p: &Placement, [x, y]: Point2| {
         let mut v = [x, y, 0.0];
         for axis in [2, 1, 0] {

@@ -1,4 +1,5 @@
-//! The corpus of the fuzz targets replayed: seeds made for it, and the real and hostile files where they are.
+//! The corpus of the fuzz targets replayed: seeds made for it, and the real and hostile files where
+//! they are.
 
 use seamster::job::thread_cpu_s;
 use seamster_fixtures::holds;

@@ -1,4 +1,5 @@
-//! `GarmentCode` specifications: outlines, stitches, faces and placements as the format has them, and faults at their places.
+//! `GarmentCode` specifications: outlines, stitches, faces and placements as the format has them,
+//! and faults at their places.
 
 use seamster::config::Limits;
 use seamster::fault::Faults;
@@ -104,8 +105,9 @@ fn vertices_on_straight_lines_are_corners_too() {
 
 #[test]
 fn curves_bulge_to_the_side_and_by_the_area_that_their_parameters_say() {
-    // Left of the bottom edge is inside. Areas between chord and curve, of a chord of length 1:
-    // 2/3 h of a parabola whose control point is at height 2h; 3/20 (y1 + y2) ... of a cubic by its Bernstein integral.
+    // Left of the bottom edge is inside. Areas between chord and curve, of a chord of length 1: 2/3
+    // h of a parabola whose control point is at height 2h; 3/20 (y1 + y2) ... of a cubic by its
+    // Bernstein integral.
     let area = |inside: f64| 0.01 - 0.01 * inside;
     let near = |found: f64, wanted: f64| assert!((found - wanted).abs() < 1e-6, "{found} {wanted}");
     let quadratic = json!({"type": "quadratic", "params": [[0.5, 0.2]]});
@@ -167,7 +169,8 @@ fn units_are_those_of_the_file_or_of_the_caller() {
     assert_eq!(found.warnings[0].code, "pattern/units_assumed");
 }
 
-/// The place in space of a point of a panel, as its placement says: its center is put at the origin, turned by Rx Ry Rz, moved.
+/// The place in space of a point of a panel, as its placement says: its center is put at the
+/// origin, turned by Rx Ry Rz, moved.
 fn placed(pattern: &Pattern, id: &str, [x, y]: [f64; 2]) -> [f64; 3] {
     let panel = &pattern.panels[pattern.panel_index(id).expect("a panel")];
     let placement = &pattern.placements[id];
@@ -248,7 +251,8 @@ fn start_meets_end_unless_right_is_sewn_to_wrong() {
     };
     let plain = seam(json!([sides[0], sides[1]]));
     assert_eq!(plain.id, "stitch-0");
-    // Drawn edge 1 of `a` goes up on the right: stored corner 3 to 2. Edge 3 of `b` goes down on the left: 1 to 0.
+    // Drawn edge 1 of `a` goes up on the right: stored corner 3 to 2. Edge 3 of `b` goes down on
+    // the left: 1 to 0.
     let ccw = Some(Direction::Ccw);
     assert_eq!(corners(&plain.a), (Place::Corner(3), Place::Corner(2), ccw));
     let cw = Some(Direction::Cw);
@@ -476,9 +480,10 @@ fn garment(folder: &std::path::Path, name: &str) -> Pattern {
 
 /// The garment with each arc on the other side of its chord.
 ///
-/// The truths and the DXF files of the data folder have them so; the format does not (its writer sets `right` where
-/// the control point is right of the edge, and its simulator reads it as the sweep of an SVG arc in coordinates with
-/// y up). With arcs as in the DXF files, necklines arch up into the neck and a circle skirt is a lens.
+/// The truths and the DXF files of the data folder have them so; the format does not (its writer
+/// sets `right` where the control point is right of the edge, and its simulator reads it as the
+/// sweep of an SVG arc in coordinates with y up). With arcs as in the DXF files, necklines arch up
+/// into the neck and a circle skirt is a lens.
 fn with_arcs_on_the_other_side(folder: &std::path::Path, name: &str) -> Pattern {
     let mut spec = specification(folder, name);
     let panels = spec["pattern"]["panels"].as_object_mut().expect("panels");

@@ -1,5 +1,6 @@
-//! Import of DXF: what a pattern holds of a file that was written here, the real files against the truth that lies
-//! beside them, and the hostile ones against what they must give. The data is found by `SEAMSTER_TEST_DATA`.
+//! Import of DXF: what a pattern holds of a file that was written here, the real files against the
+//! truth that lies beside them, and the hostile ones against what they must give. The data is found
+//! by `SEAMSTER_TEST_DATA`.
 
 use seamster::config::Limits;
 use seamster::fault::Faults;
@@ -367,7 +368,8 @@ fn spline_through_fit_points_is_read() {
         file.tag(11, &p[0].to_string()).tag(21, &p[1].to_string())
     });
     let panel = &imported(file).panels[0];
-    // By hand: without tangents and with equal chords each half rises as 50 (3 t - t^3) / 2 mm, on average 5/8 of 50.
+    // By hand: without tangents and with equal chords each half rises as 50 (3 t - t^3) / 2 mm, on
+    // average 5/8 of 50.
     let cap = 0.300 * 0.050 * 5.0 / 8.0;
     assert!(
         (panel.area_m2 - 0.12 - cap).abs() < 1e-5,
@@ -534,7 +536,8 @@ fn files(manifest: &Value) -> impl Iterator<Item = (&str, &Value)> {
         .map(|entry| (entry["file"].as_str().expect("a file name"), entry))
 }
 
-/// Count and areas [mm2] of the panels that a file has in truth: those of the sample size, else all.
+/// Count and areas [mm2] of the panels that a file has in truth: those of the sample size, else
+/// all.
 fn truth(entry: &Value) -> (usize, Vec<f64>) {
     let graded = !entry["pieces_in_sample_size"].is_null();
     let count = entry["pieces_in_sample_size"]
@@ -614,8 +617,9 @@ fn distance_mm(a: [f64; 2], [x, y]: [f64; 2]) -> f64 {
     (a[0] - 1000.0 * x).hypot(a[1] - 1000.0 * y)
 }
 
-/// By how much a curve is longer than the chords it was written as: a chord of length l over which the curve turns by
-/// t lacks l t^2 / 24. The turn of a chord is taken from its ends, twice as large for chords of unequal turn [mm].
+/// By how much a curve is longer than the chords it was written as: a chord of length l over which
+/// the curve turns by t lacks l t^2 / 24. The turn of a chord is taken from its ends, twice as
+/// large for chords of unequal turn [mm].
 fn lost_to_chords(edge: &Edge) -> f64 {
     let way = |w: &[[f64; 2]]| [w[1][0] - w[0][0], w[1][1] - w[0][1]];
     let ways: Vec<[f64; 2]> = edge.points.windows(2).map(way).collect();

@@ -1,5 +1,6 @@
-//! Nothing is lost in silence: what a file holds and the pattern does not is named by a warning, for the real files and
-//! for thousands of damaged copies. `SEAMSTER_MUTATIONS` sets how many copies (500; every seed gives the same copy).
+//! Nothing is lost in silence: what a file holds and the pattern does not is named by a warning,
+//! for the real files and for thousands of damaged copies. `SEAMSTER_MUTATIONS` sets how many
+//! copies (500; every seed gives the same copy).
 
 use seamster::config::Limits;
 use seamster::pattern::{ImportOptions, Pattern, import};

@@ -1,12 +1,13 @@
-//! Import does not depend on where and how a piece lies, the unit, the order of entities, the direction of runs.
-//! Pieces are drawn by chance, the same for the same seed.
+//! Import does not depend on where and how a piece lies, the unit, the order of entities, the
+//! direction of runs. Pieces are drawn by chance, the same for the same seed.
 
 use seamster::config::Limits;
 use seamster::pattern::{ImportOptions, Panel, Pattern, Point2, import};
 use seamster_fixtures::damage::SplitMix64;
 use seamster_fixtures::dxf::DxfBuilder;
 
-/// Lengths and places of one file written twice agree to this: coordinates are written in full \[m\].
+/// Lengths and places of one file written twice agree to this: coordinates are written in full
+/// \[m\].
 const SAME: f64 = 1e-9;
 
 /// One piece as drawn \[mm\].
@@ -166,7 +167,8 @@ fn read(pieces: &[DrawnPiece], manner: Manner) -> Pattern {
     pattern
 }
 
-/// Measures of a panel that do not depend on where it begins: each corner goes with the length of the edge after it.
+/// Measures of a panel that do not depend on where it begins: each corner goes with the length of
+/// the edge after it.
 fn course(panel: &Panel, back: impl Fn(Point2) -> Point2) -> Vec<(Point2, f64)> {
     let corners = panel.corners.iter().zip(&panel.edges);
     corners

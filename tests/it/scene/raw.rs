@@ -1,5 +1,5 @@
-//! Raw scenes: what is wrong with one is told at once, the benchmark's nets are those that other simulators ran, and
-//! particles on springs come to rest where statics says.
+//! Raw scenes: what is wrong with one is told at once, the benchmark's nets are those that other
+//! simulators ran, and particles on springs come to rest where statics says.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
@@ -136,8 +136,9 @@ fn a_raw_scene_is_the_same_after_writing_and_reading() {
     assert_eq!(serde_json::from_str::<RawScene>(&text).unwrap(), scene);
 }
 
-/// Statics: the spring is longer by m g / k. Newton stops at r, which is a share of the mean weight, so the length is off by
-/// r times the mean weight over k at most, times sqrt(2) for the norm over two particles.
+/// Statics: the spring is longer by m g / k. Newton stops at r, which is a share of the mean
+/// weight, so the length is off by r times the mean weight over k at most, times sqrt(2) for the
+/// norm over two particles.
 #[test]
 fn a_hung_particle_stretches_its_spring_by_its_weight_over_the_stiffness() {
     let options = SolverOptions {
@@ -153,7 +154,8 @@ fn a_hung_particle_stretches_its_spring_by_its_weight_over_the_stiffness() {
     assert!((drape.report.strain_max - 0.3 * 9.81 / 200.0).abs() < 2.0 * bound);
 }
 
-/// Two springs at 45° that pull the particle out of the held plane as well: only the forces in the plane are in balance.
+/// Two springs at 45° that pull the particle out of the held plane as well: only the forces in the
+/// plane are in balance.
 #[test]
 fn nothing_moves_along_a_held_axis() {
     let scene = json!({
@@ -186,7 +188,8 @@ fn nothing_moves_along_a_held_axis() {
     assert!(force.y.abs() > 0.01, "nothing pulled along the held axis");
 }
 
-/// A point on a plane sinks into the layer on its skin until that carries its weight, whatever direction is down.
+/// A point on a plane sinks into the layer on its skin until that carries its weight, whatever
+/// direction is down.
 #[test]
 fn a_particle_without_triangles_rests_on_a_body() {
     for (down, axis) in [([0.0, 0.0, -9.81], 2), ([9.81, 0.0, 0.0], 0)] {
@@ -271,7 +274,8 @@ fn two_panels_are_sewn_to_a_tube_round_the_capsule() {
     );
 }
 
-/// Figures of the data are rounded to nine digits after the point, masses to twelve, constants to six.
+/// Figures of the data are rounded to nine digits after the point, masses to twelve, constants to
+/// six.
 #[test]
 fn the_rules_make_the_nets_that_others_have_run() {
     let Some(folder) = std::env::var_os("SEAMSTER_TEST_DATA") else {

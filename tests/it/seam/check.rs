@@ -444,7 +444,8 @@ fn dart_is_sewn_from_its_mouth_to_its_tip() {
     let dart = seam("dart", run("front", 2, 3), run("front", 4, 3));
     let (check, result) = checked(&front, std::slice::from_ref(&dart));
     assert_eq!(result.unwrap().faces, [Face::Up]);
-    // sqrt(0.12² + 0.015²) = 0.12093 m in mesh edges of 12 mm: 11 edges, 12 points a side, of which the tip meets itself.
+    // sqrt(0.12² + 0.015²) = 0.12093 m in mesh edges of 12 mm: 11 edges, 12 points a side, of which
+    // the tip meets itself.
     assert_eq!(check.seams[0].stitch_count, 11);
     assert_only_fault(&front, &[turned(dart.clone())], "seam/twisted", "/seams/0");
     let auto = SeamPair {
@@ -486,7 +487,8 @@ fn waistband_of_one_strip_is_sewn_to_front_and_back() {
         };
         seam(id, edge(panel, TOP), band)
     };
-    // The band's bottom edge runs clockwise from its right end to its left end; a front's top runs left to right.
+    // The band's bottom edge runs clockwise from its right end to its left end; a front's top runs
+    // left to right.
     let pairs = [
         left,
         right,
@@ -1101,7 +1103,8 @@ fn random_seams(random: &mut Lcg64) -> Vec<SeamPair> {
     pairs
 }
 
-/// Returns true if each seam runs as the faces found demand: the definition of a two-sided surface, apart from how it is computed.
+/// Returns true if each seam runs as the faces found demand: the definition of a two-sided surface,
+/// apart from how it is computed.
 fn is_two_sided(seams: &[Seam], faces: &[Face], allowed: &[bool]) -> bool {
     seams.iter().zip(allowed).all(|(seam, allowed)| {
         *allowed

@@ -1,4 +1,5 @@
-//! Seams of garments that GarmentCode drafted: the true ones are accepted, each reversed one is found.
+//! Seams of garments that GarmentCode drafted: the true ones are accepted, each reversed one is
+//! found.
 
 use seamster::config::Limits;
 use seamster::pattern::{Match, Panel, Pattern, SeamPair, Side};
@@ -7,8 +8,9 @@ use seamster_fixtures::drafts::{DraftedGarment, data, garment, turned};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
-/// A skirt of four panels with darts, and a shirt of eight with sleeves. Each seam lies on a cycle: panels that are sewn
-/// together once are so through others too, and a dart joins a panel to itself.
+/// A skirt of four panels with darts, and a shirt of eight with sleeves. Each seam lies on a cycle:
+/// panels that are sewn together once are so through others too, and a dart joins a panel to
+/// itself.
 const GARMENTS: [(&str, usize); 2] = [
     ("gc_pencil_skirt__r12_aama", 20),
     ("gc_tshirt__r12_aama", 16),

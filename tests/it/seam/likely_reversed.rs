@@ -10,8 +10,8 @@ use std::collections::BTreeMap;
 const WIDTH: f64 = 0.5;
 const HEIGHT: f64 = 0.6;
 
-/// Front and back hung 0.15 m before and behind the body; a panel whose face is down is seen from its other side.
-/// Strangers to the body start nowhere.
+/// Front and back hung 0.15 m before and behind the body; a panel whose face is down is seen from
+/// its other side. Strangers to the body start nowhere.
 fn starts(pattern: &Pattern) -> impl Fn(usize, Face, [f64; 2]) -> Option<[f64; 3]> {
     let depths: Vec<Option<f64>> = pattern
         .panels
@@ -68,7 +68,8 @@ fn turned(pair: &SeamPair) -> SeamPair {
     }
 }
 
-/// Both ways of drawing the side seam of a T-shirt: both panels as seen from their outer side, and both in one view.
+/// Both ways of drawing the side seam of a T-shirt: both panels as seen from their outer side, and
+/// both in one view.
 fn side_seams() -> [SeamPair; 2] {
     [
         seam("side", run("front", 3, 2), run("back", 0, 1)),
@@ -99,8 +100,9 @@ fn reversed_bridge_is_warned_of_with_both_figures_and_the_corrected_seam() {
         assert_eq!(codes(&check), ["seam/likely_reversed"]);
         assert_eq!(check.seams[0].warnings[0].pointer, "/seams/0/b");
         assert_eq!(check.corrected, [pair]);
-        // In the right order all chords are 0.3 m. Reversed, the back's other side is out, so that its edge starts on
-        // the other side of the body, 0.5 m off, and upside down: 0.6 m (2s - 1) for s from 0 to 1 in 17 points.
+        // In the right order all chords are 0.3 m. Reversed, the back's other side is out, so that
+        // its edge starts on the other side of the body, 0.5 m off, and upside down: 0.6 m (2s - 1)
+        // for s from 0 to 1 in 17 points.
         let upright = (0..17)
             .map(|k| (0.6 * (f64::from(k) / 8.0 - 1.0)).powi(2))
             .sum::<f64>()
@@ -248,7 +250,8 @@ fn panels_that_start_nowhere_are_not_judged() {
 
 #[test]
 fn mirrored_copy_is_judged_as_it_lies() {
-    // A front cut in two halves, the right one a mirrored copy, sewn along the center: drawn x = 0 for both.
+    // A front cut in two halves, the right one a mirrored copy, sewn along the center: drawn x = 0
+    // for both.
     let half = rectangle("front", WIDTH / 2.0, HEIGHT);
     let copy = mirrored(&half);
     let pattern = pattern(vec![half, copy]);

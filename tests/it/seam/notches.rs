@@ -42,7 +42,8 @@ fn assert_cuts(set: &SeamSet, expected: &[[f64; 2]]) {
 
 #[test]
 fn points_meet_between_matched_notches() {
-    // All of the ease of 10 % lies between the notches: 0.1 + 0.2 + 0.1 m against 0.1 + 0.24 + 0.1 m.
+    // All of the ease of 10 % lies between the notches: 0.1 + 0.2 + 0.1 m against 0.1 + 0.24 + 0.1
+    // m.
     let pattern = sides([0.4, 0.44], [&[0.25, 0.75], &[0.1 / 0.44, 0.34 / 0.44]]);
     let (found, set) = checked(&pattern, &left_edges());
     assert_cuts(&set, &[[0.25, 0.1 / 0.44], [0.75, 0.34 / 0.44]]);
@@ -111,7 +112,8 @@ fn gathers_lie_between_the_notches_and_spread_evenly_there() {
 
 #[test]
 fn notch_on_a_sleeve_cap_meets_the_shoulder_seam() {
-    // A cap of 0.44 m onto armholes of 0.2 and 0.2 m; its notch leaves 0.23 m to the front, 0.21 m to the back.
+    // A cap of 0.44 m onto armholes of 0.2 and 0.2 m; its notch leaves 0.23 m to the front, 0.21 m
+    // to the back.
     let cap = notched(rectangle("sleeve", 0.44, 0.3), 1, 0.23 / 0.44);
     let pattern = pattern(vec![
         cap,

@@ -63,7 +63,8 @@ fn layered(pair: SeamPair) -> SeamPair {
     }
 }
 
-/// A T-shirt's front or back as seen from its outer side, symmetrical: armholes are edges 1 (left as drawn) and 5.
+/// A T-shirt's front or back as seen from its outer side, symmetrical: armholes are edges 1 (left
+/// as drawn) and 5.
 fn shirt(id: &str) -> Panel {
     polygon(
         id,
@@ -80,8 +81,8 @@ fn shirt(id: &str) -> Panel {
     )
 }
 
-/// A sleeve as seen from its outer side. Edge 0 is the underarm seam of the front of a left sleeve, edges 1 and 2 the
-/// cap (front half first), 3 the underarm seam of the back, 4 the hem.
+/// A sleeve as seen from its outer side. Edge 0 is the underarm seam of the front of a left sleeve,
+/// edges 1 and 2 the cap (front half first), 3 the underarm seam of the back, 4 the hem.
 fn sleeve(id: &str) -> Panel {
     let armhole = 0.05_f64.hypot(0.2);
     let half = 0.16;
@@ -98,8 +99,9 @@ fn sleeve(id: &str) -> Panel {
     )
 }
 
-/// A T-shirt whose right sleeve is the mirrored copy of the left one. All panels show their outer side.
-/// On the wearer's left the front's armhole is edge 5 (drawn on the right), the back's is edge 1.
+/// A T-shirt whose right sleeve is the mirrored copy of the left one. All panels show their outer
+/// side. On the wearer's left the front's armhole is edge 5 (drawn on the right), the back's is
+/// edge 1.
 fn shirt_with_mirrored_sleeve() -> (Pattern, Vec<SeamPair>) {
     let sleeve = sleeve("sleeve");
     let copy = mirrored(&sleeve);
@@ -226,7 +228,8 @@ fn holed(id: &str) -> Panel {
     )
 }
 
-/// A strip whose top (edge 1) goes round the hole, and whose ends (edges 0 and 2) are sewn together.
+/// A strip whose top (edge 1) goes round the hole, and whose ends (edges 0 and 2) are sewn
+/// together.
 fn tube_into_hole(direction: Direction) -> (Pattern, Vec<SeamPair>) {
     let pattern = pattern(vec![holed("body"), rectangle("sleeve", 0.4, 0.2)]);
     let pairs = vec![
@@ -255,7 +258,8 @@ fn sleeve_is_sewn_into_a_hole_point_by_point() {
     let (check, set) = checked(&pattern, &pairs);
     let mesh = mesh(&pattern, &set.expect("right")).expect("sound");
     let armhole: Vec<_> = mesh.stitches.iter().filter(|s| s.seam == 0).collect();
-    // 0.1 m a side in mesh edges of 12 mm: 9 parts; the first and last stitch of the strip meet one and the same point.
+    // 0.1 m a side in mesh edges of 12 mm: 9 parts; the first and last stitch of the strip meet one
+    // and the same point.
     assert_eq!(armhole.len(), 4 * 9 + 1);
     assert_eq!(armhole[0].b, armhole[36].b);
     assert_eq!(mesh.uv[armhole[0].b], [0.1, 0.1]);
@@ -328,7 +332,8 @@ fn check_count(length: f64) -> usize {
     seamster::seam::division_count(length, length, H) + 1
 }
 
-/// A front with a U-shaped line for a pocket, and the pocket: its left side, bottom and right side are as long as the line.
+/// A front with a U-shaped line for a pocket, and the pocket: its left side, bottom and right side
+/// are as long as the line.
 fn pocket() -> (Pattern, SeamPair) {
     let line = [[0.1, 0.3], [0.1, 0.18], [0.22, 0.18], [0.22, 0.3]];
     let front = with_line(rectangle("front", 0.4, 0.6), &line);
@@ -359,7 +364,8 @@ fn pocket_is_sewn_onto_a_line_inside_a_front() {
     assert_line_is_meshed(&mesh, 0);
 }
 
-/// Each two neighbors along the line are joined by a mesh edge with cloth on both sides, and the panel has no gap.
+/// Each two neighbors along the line are joined by a mesh edge with cloth on both sides, and the
+/// panel has no gap.
 fn assert_line_is_meshed(mesh: &ClothMesh, panel: usize) {
     let triangles = &mesh.triangles[mesh.panels[panel].triangles.clone()];
     let directed: BTreeSet<[usize; 2]> = triangles

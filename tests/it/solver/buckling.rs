@@ -1,4 +1,5 @@
-//! Thin strips that buckle: under a push (Euler), upright under their own weight (Greenhill), on edge under it (Michell, Prandtl).
+//! Thin strips that buckle: under a push (Euler), upright under their own weight (Greenhill), on
+//! edge under it (Michell, Prandtl).
 
 use nalgebra::Vector3;
 use seamster::scene::Scene;
@@ -48,7 +49,8 @@ fn a_pushed_strip_arches_as_the_elastica() {
     }
 }
 
-/// Distance of the tip of an upright strip of Γ = w L³ / B from the upright, over its length; it starts a little bent.
+/// Distance of the tip of an upright strip of Γ = w L³ / B from the upright, over its length; it
+/// starts a little bent.
 fn tip_of_upright(gamma: f64, grid: SheetGrid) -> f64 {
     let (length, cells) = (0.1_f64, 30);
     let rigidity = DENSITY * G * length.powi(3) / gamma;
@@ -70,13 +72,14 @@ fn tip_of_upright(gamma: f64, grid: SheetGrid) -> f64 {
 fn an_upright_strip_bends_over_at_greenhills_length() {
     for grid in [SheetGrid::Rising, SheetGrid::Falling] {
         let [below, above] = [0.98_f64, 1.02].map(|l| tip_of_upright(7.8373 * l.powi(3), grid));
-        // Past the critical load the tip goes aside as the square root of the excess: for 6 %, over a third of the length.
+        // Past the critical load the tip goes aside as the square root of the excess: for 6 %, over
+        // a third of the length.
         assert!(below < 1e-3 && above > 0.1, "{grid:?}: {below}, {above}");
     }
 }
 
-/// Torsional stiffness C of a strip per its width, over the rigidity B: from the energy C θ'² / 2 of an even twist that stretches
-/// nothing, z = θ' u v.
+/// Torsional stiffness C of a strip per its width, over the rigidity B: from the energy C θ'² / 2
+/// of an even twist that stretches nothing, z = θ' u v.
 fn torsional_stiffness(sheet: &ClothSheet) -> f64 {
     let twist = 0.01;
     let scene = sheet.scene(|[u, v]| Vector3::new(u, v, twist * u * v));
@@ -89,7 +92,8 @@ fn torsional_stiffness(sheet: &ClothSheet) -> f64 {
     2.0 * bend / (twist * twist * area) / sheet.fabric.bending_warp_n_m
 }
 
-/// Distance by which the tip of a strip on edge, clamped at one end, goes aside; it starts a little bent.
+/// Distance by which the tip of a strip on edge, clamped at one end, goes aside; it starts a little
+/// bent.
 fn tip_of_edgewise(load: f64, grid: SheetGrid) -> (f64, f64) {
     let (length, cells) = (0.2_f64, 40);
     let rigidity = DENSITY * G * length.powi(3) / load;
@@ -107,8 +111,8 @@ fn tip_of_edgewise(load: f64, grid: SheetGrid) -> (f64, f64) {
     (aside, torsional_stiffness(&sheet))
 }
 
-/// w b L³ / sqrt(B b C) = 12.8538 (Timoshenko & Gere): with C = c B b, ρ g L³ / B = 12.8538 sqrt(c). A plate without Poisson
-/// coupling has c = 2. Critical lengths within 4 %.
+/// w b L³ / sqrt(B b C) = 12.8538 (Timoshenko & Gere): with C = c B b, ρ g L³ / B = 12.8538
+/// sqrt(c). A plate without Poisson coupling has c = 2. Critical lengths within 4 %.
 #[test]
 fn a_strip_on_edge_falls_over_at_the_length_of_lateral_buckling() {
     for grid in [SheetGrid::Rising, SheetGrid::Falling] {

@@ -1,7 +1,8 @@
-//! A strip that is clamped at one end sags under its weight as the heavy elastica does: B θ'' = -w (L - s) cos θ.
+//! A strip that is clamped at one end sags under its weight as the heavy elastica does: B θ'' = -w
+//! (L - s) cos θ.
 //!
-//! `x` and `drop` of the tip over the length, by Γ = w L³ / B, are those of a numerical solution of that equation
-//! (Peirce 1930, ASTM D1388; Plaut, Textile Res. J. 2015); within 2 % of L.
+//! `x` and `drop` of the tip over the length, by Γ = w L³ / B, are those of a numerical solution of
+//! that equation (Peirce 1930, ASTM D1388; Plaut, Textile Res. J. 2015); within 2 % of L.
 
 use nalgebra::Vector3;
 use seamster::mesh::Stitch;
@@ -68,11 +69,13 @@ fn its_error_is_of_second_order_in_the_cell() {
     assert!((1.7..2.4).contains(&order), "{order}: {coarse}, {fine}");
 }
 
-/// Two strips as the service meshes them, sewn end to end along a line that is held: each hangs as if it were clamped there.
+/// Two strips as the service meshes them, sewn end to end along a line that is held: each hangs as
+/// if it were clamped there.
 fn error_of_hung(row: [f64; 3], edge_length: f64, turned: bool) -> f64 {
     let strip = strip(row[0], SheetGrid::Rising, 20);
     let mut mesh = if turned {
-        // The lattice is laid along the longest edge: a square and more, of which the strip is cut across.
+        // The lattice is laid along the longest edge: a square and more, of which the strip is cut
+        // across.
         seamster_fixtures::cut::rectangle_mesh([LENGTH, 1.2 * LENGTH], edge_length)
     } else {
         seamster_fixtures::cut::rectangle_mesh([LENGTH, WIDTH], edge_length)

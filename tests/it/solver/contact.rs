@@ -47,9 +47,9 @@ fn band(e: f64, grid: SheetGrid) -> (Scene, f64) {
     (scene, length)
 }
 
-/// A band that is too short presses with p = T / r (Laplace, Young). The layer on the skin gives by p over its stiffness, which takes
-/// 1.5 % of the tension: r is the radius at which the band lies. Springs have T = k (λ - 1), cloth that is linear in the Green strain
-/// λ k (λ² - 1) / 2.
+/// A band that is too short presses with p = T / r (Laplace, Young). The layer on the skin gives by
+/// p over its stiffness, which takes 1.5 % of the tension: r is the radius at which the band lies.
+/// Springs have T = k (λ - 1), cloth that is linear in the Green strain λ k (λ² - 1) / 2.
 #[test]
 fn a_tight_band_presses_with_its_tension_over_the_radius() {
     for (membrane, grid) in [
@@ -98,8 +98,9 @@ fn a_tight_band_presses_with_its_tension_over_the_radius() {
     }
 }
 
-/// A loop of cloth half as long again as the way round the roller that it hangs on, without friction: what the roller presses up is
-/// what the cloth weighs, and no vertex lies deeper than the layer gives. (On a ball, a square without friction slides off.)
+/// A loop of cloth half as long again as the way round the roller that it hangs on, without
+/// friction: what the roller presses up is what the cloth weighs, and no vertex lies deeper than
+/// the layer gives. (On a ball, a square without friction slides off.)
 #[test]
 fn a_roller_carries_the_weight_of_the_towel_on_it() {
     let (mut scene, _) = band(-0.5, SheetGrid::Alternate);
@@ -158,7 +159,8 @@ fn cloth_stays_on_a_slope_up_to_the_angle_of_friction() {
     assert!(!holds_on_slope(tangent - 0.005));
 }
 
-/// Returns true if a strip over half a cylinder holds with a load `ratio` times as heavy on one side as on the other.
+/// Returns true if a strip over half a cylinder holds with a load `ratio` times as heavy on one
+/// side as on the other.
 fn holds_round(ratio: f64, mu: f64) -> bool {
     let (r, width, load) = (0.1, 0.03, 0.6);
     let (turn, hang) = (48, 6);

@@ -1,4 +1,5 @@
-//! Garments sewn and draped: they come to rest on the body, by either method, and say so when they do not.
+//! Garments sewn and draped: they come to rest on the body, by either method, and say so when they
+//! do not.
 
 use nalgebra::Vector3;
 use seamster::config::Limits;
@@ -52,8 +53,9 @@ fn both_samples_come_to_rest_on_the_body() {
     }
 }
 
-/// Cloth that is taut everywhere has one rest shape, and the two methods, which have only the energy in common, must find it
-/// from flat panels. (Where cloth is slack it wrinkles, each way down ends in wrinkles of its own, and only energies compare.)
+/// Cloth that is taut everywhere has one rest shape, and the two methods, which have only the
+/// energy in common, must find it from flat panels. (Where cloth is slack it wrinkles, each way
+/// down ends in wrinkles of its own, and only energies compare.)
 #[test]
 fn the_papers_method_finds_the_shape_that_newton_finds() {
     let simulate = json!({"edge_length_m": 0.04, "membrane": "springs", "seam_close": "spring"});

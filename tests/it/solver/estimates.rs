@@ -75,7 +75,8 @@ fn estimates_at_rest_are_true_within_three_times_or_held_invalid() {
     assert!(valid > 0, "one of three is in contact that does not change");
 }
 
-/// Friction holds on where it held: going on from a shape at rest moves it by its error, not by what friction keeps it from.
+/// Friction holds on where it held: going on from a shape at rest moves it by its error, not by
+/// what friction keeps it from.
 #[test]
 fn a_drape_that_goes_on_keeps_what_friction_holds() {
     let [drape, on] = draped_on("top", json!({"edge_length_m": 0.03}));
@@ -150,9 +151,11 @@ fn the_curve_leads_from_the_start_to_the_shape_and_knows_its_errors_near_it() {
     assert!(curve.windows(2).all(|w| w[0].cpu_s <= w[1].cpu_s));
     let (first, last) = (&curve[0], &curve[curve.len() - 1]);
     assert!(last.rms_error_m < first.rms_error_m);
-    // Sewing and the coarser level are on it, from the shape as it was placed, far from the body's back.
+    // Sewing and the coarser level are on it, from the shape as it was placed, far from the body's
+    // back.
     assert!(first.cpu_s < report.levels[0].cpu_s && first.rms_error_m > 0.01);
-    // Errors within a few times the last one are not those to the exact solution; of coarser meshes none is known.
+    // Errors within a few times the last one are not those to the exact solution; of coarser meshes
+    // none is known.
     let exact = 100.0 * report.error_estimate_m.expect("a shape at rest has one");
     let (_, coarser) = report.levels.split_last().expect("it ran");
     let on_finest = coarser.iter().map(|level| level.cpu_s).sum::<f64>();

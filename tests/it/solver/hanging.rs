@@ -6,15 +6,16 @@ use seamster_fixtures::sheet::{ClothSheet, GRIDS, SheetGrid, drape, fabric, mean
 
 const G: f64 = 9.80665;
 
-/// Textbook catenary: length, sag and greatest tension (over w d) of a cloth hung between points d apart, over d.
+/// Textbook catenary: length, sag and greatest tension (over w d) of a cloth hung between points d
+/// apart, over d.
 const CATENARY: [[f64; 3]; 3] = [
     [1.05, 0.139304, 1.058944],
     [1.2, 0.292344, 0.761885],
     [2.0, 0.796388, 1.026029],
 ];
 
-/// A strip hung by both its ends, 0.3 m apart: sag over d, and tension over w d at the middle of the outermost cell with what
-/// the catenary has there.
+/// A strip hung by both its ends, 0.3 m apart: sag over d, and tension over w d at the middle of
+/// the outermost cell with what the catenary has there.
 fn hung(row: [f64; 3], cells: usize) -> (f64, [f64; 2]) {
     let (d, stretch, density) = (0.3, 1e4, 0.15);
     let length = row[0] * d;
@@ -22,7 +23,8 @@ fn hung(row: [f64; 3], cells: usize) -> (f64, [f64; 2]) {
         size: [length, 0.03],
         cells: [cells, 2],
         grid: SheetGrid::Rising,
-        // With bending of 1e-3 of w d³ the ends would be stiff for a thirtieth of d; this is a millionth.
+        // With bending of 1e-3 of w d³ the ends would be stiff for a thirtieth of d; this is a
+        // millionth.
         fabric: fabric(stretch, 100.0, 4e-8, density),
         warp_angle: 0.0,
     };
@@ -59,7 +61,8 @@ fn a_hung_strip_is_a_catenary() {
     }
 }
 
-/// The limit of a finer mesh is the catenary of an extensible cloth: 1e-4 of stretch lengthens the sag by about twice that.
+/// The limit of a finer mesh is the catenary of an extensible cloth: 1e-4 of stretch lengthens the
+/// sag by about twice that.
 #[test]
 fn the_sag_of_a_hung_strip_is_of_second_order_in_the_cell() {
     let row = CATENARY[1];
@@ -80,7 +83,8 @@ fn a_hanging_strip_stretches_by_its_weight_and_load_over_the_modulus() {
                 size: [length, width],
                 cells: [20, 4],
                 grid,
-                // Springs along diagonals stand for shear; what they add along the warp is of the order of shear over stretch.
+                // Springs along diagonals stand for shear; what they add along the warp is of the
+                // order of shear over stretch.
                 fabric: fabric(stretch, 10.0, 1e-6, density),
                 warp_angle: 0.0,
             };

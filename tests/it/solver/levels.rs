@@ -74,8 +74,9 @@ fn panels_keep_corners_and_cover_what_thinned_outlines_enclose() {
                 area(&fine.mesh, &of.triangles),
                 area(&coarse.scene.mesh, &to.triangles),
             );
-            // Outlines turn by less than 30 degrees where a vertex goes, so that a chord over two parts cuts off at most
-            // tan(15 deg)/4 of its length squared; of panels that are many parts wide that is a few per cent.
+            // Outlines turn by less than 30 degrees where a vertex goes, so that a chord over two
+            // parts cuts off at most tan(15 deg)/4 of its length squared; of panels that are many
+            // parts wide that is a few per cent.
             assert!((left / whole - 1.0).abs() < 0.05, "{left} of {whole}");
         }
     }
@@ -115,7 +116,8 @@ fn weights_say_where_each_fine_vertex_lies() {
                     .iter()
                     .map(|&(v, w)| w * coarse.scene.mesh.uv[v][k])
                     .sum();
-                // Barycentric coordinates of meters, in a triangle whose height is above a thousandth of its edges.
+                // Barycentric coordinates of meters, in a triangle whose height is above a
+                // thousandth of its edges.
                 assert!((at - uv).abs() < 1e-12);
             }
         }
@@ -131,7 +133,8 @@ fn mass_is_kept() {
     }
 }
 
-/// Wherever cloth deforms the same everywhere, a net and its fibers have the same energy: nothing was lost on the way down.
+/// Wherever cloth deforms the same everywhere, a net and its fibers have the same energy: nothing
+/// was lost on the way down.
 #[test]
 fn fibers_have_the_energy_of_the_springs_they_stand_for() {
     let limits = Limits::default();

@@ -1,6 +1,8 @@
-//! Motions with a closed form: fall, pendulum, string, hanging chain, sliding and sticking on an incline.
+//! Motions with a closed form: fall, pendulum, string, hanging chain, sliding and sticking on an
+//! incline.
 //!
-//! Figures and tolerances of `validation.json` of the project's data: textbook formulas, carried in here.
+//! Figures and tolerances of `validation.json` of the project's data: textbook formulas, carried in
+//! here.
 
 use nalgebra::Vector3;
 use seamster::scene::{Analytic, Body, Scene};
@@ -17,9 +19,10 @@ fn falling(scene: Scene) -> Scene {
     }
 }
 
-/// Without drag Verlet is exact but for rounding; the errors of the two Euler methods are g h t / 2: the mean velocity of a step
-/// is taken half a step late. BDF2 is exact but for its first step of implicit Euler, which is off by g h²/2; its formula
-/// 4/3 y - 1/3 y₋ carries that on as 1 + 1/3 + 1/9 + ... = 3/2 of it.
+/// Without drag Verlet is exact but for rounding; the errors of the two Euler methods are g h t /
+/// 2: the mean velocity of a step is taken half a step late. BDF2 is exact but for its first step
+/// of implicit Euler, which is off by g h²/2; its formula 4/3 y - 1/3 y₋ carries that on as 1 + 1/3 +
+/// 1/9 + ... = 3/2 of it.
 #[test]
 fn free_fall_matches_its_closed_form() {
     let scene = falling(net(vec![Vector3::new(0.1, 0.2, 0.3)], vec![0.01], &[]));
@@ -43,7 +46,8 @@ fn free_fall_matches_its_closed_form() {
     }
 }
 
-/// With drag c a fall reaches g / c: y = -g/c (t - (1 - exp(-c t)) / c). Errors of second order: at most h² c² of the way.
+/// With drag c a fall reaches g / c: y = -g/c (t - (1 - exp(-c t)) / c). Errors of second order: at
+/// most h² c² of the way.
 #[test]
 fn fall_with_drag_matches_its_closed_form() {
     let (drag, h) = (4.0, 1e-3);
@@ -91,14 +95,15 @@ fn pendulum_has_the_period_of_the_closed_form() {
             let largest = trajectory.frames.iter().map(|f| f.energy.total() - first);
             let scale = mass * GRAVITY * (1.0 - cos);
             let gained = largest.fold(0.0, f64::max) / scale;
-            // Symplectic Euler's energy swings by h ω of the rod, hω = 0.16 here, times the rod's own small share.
+            // Symplectic Euler's energy swings by h ω of the rod, hω = 0.16 here, times the rod's
+            // own small share.
             assert!(gained < 0.01, "{method:?}: gained {gained} of its energy");
         }
     }
 }
 
-/// f1 = 1 / (2 L) √(T/μ) for tension 20 N/m, 0.2 kg/m², 1 m: 5.000 Hz. Of 40 lumps the first mode is low by π²/24 40² = 3e-4, and
-/// a stretch of 10 % keeps the tension the same for small swings.
+/// f1 = 1 / (2 L) √(T/μ) for tension 20 N/m, 0.2 kg/m², 1 m: 5.000 Hz. Of 40 lumps the first mode
+/// is low by π²/24 40² = 3e-4, and a stretch of 10 % keeps the tension the same for small swings.
 #[test]
 fn stretched_string_has_the_frequency_of_the_closed_form() {
     let n = 40;
@@ -144,7 +149,8 @@ fn bessel_j0(x: f64) -> f64 {
     sum
 }
 
-/// `ω_n = (j0n / 2) √(g/L)` within 1 %. The chain hangs in balance but for its n-th mode, of amplitude 0.1 mm.
+/// `ω_n = (j0n / 2) √(g/L)` within 1 %. The chain hangs in balance but for its n-th mode, of
+/// amplitude 0.1 mm.
 #[test]
 fn hanging_chain_has_the_frequencies_of_the_closed_form() {
     let n = 100_usize;
@@ -184,8 +190,8 @@ fn hanging_chain_has_the_frequencies_of_the_closed_form() {
     }
 }
 
-/// A patch of 3 x 3 particles, 20 mm wide and of 0.2 kg/m², on a plane that rises by 30 degrees, as far above it as contact holds
-/// cloth without thickness.
+/// A patch of 3 x 3 particles, 20 mm wide and of 0.2 kg/m², on a plane that rises by 30 degrees, as
+/// far above it as contact holds cloth without thickness.
 fn on_incline(friction: f64) -> Scene {
     let (sin, cos) = (PI / 6.0).sin_cos();
     let (along, normal) = (Vector3::new(cos, sin, 0.0), Vector3::new(-sin, cos, 0.0));
@@ -219,7 +225,8 @@ fn on_incline(friction: f64) -> Scene {
     }
 }
 
-/// The patch at rest in the layer that keeps it off the plane, held there by more friction than it needs.
+/// The patch at rest in the layer that keeps it off the plane, held there by more friction than it
+/// needs.
 fn settled() -> Vec<Vector3<f64>> {
     let scene = Scene {
         drag: Some(200.0),
@@ -267,10 +274,11 @@ fn a_patch_slides_down_an_incline_as_far_as_coulomb_says() {
 
 /// It sticks while tan a <= μ: at 30 degrees at 0.58 but not at 0.57 (tan 30° = 0.57735).
 ///
-/// With drag 1/s it slides g (sin a - μ cos a) (t - 1 + exp(-t)): 23 mm in 1 s at 0.57. Friction begins with the give of its spring,
-/// u = μ N / k; sticking under much drag, the patch gives by m g sin a / k, which shows N / k. Until then it is half of μ N on average, so that the patch
-/// has gained v² = 2 g u (sin a - μ cos a / 2). At 0.57 it keeps v but for drag; at 0.58 friction ends it after
-/// v² / 2 g (μ cos a - sin a).
+/// With drag 1/s it slides g (sin a - μ cos a) (t - 1 + exp(-t)): 23 mm in 1 s at 0.57. Friction
+/// begins with the give of its spring, u = μ N / k; sticking under much drag, the patch gives by m
+/// g sin a / k, which shows N / k. Until then it is half of μ N on average, so that the patch has
+/// gained v² = 2 g u (sin a - μ cos a / 2). At 0.57 it keeps v but for drag; at 0.58 friction ends
+/// it after v² / 2 g (μ cos a - sin a).
 #[test]
 fn a_patch_sticks_to_an_incline_above_the_threshold_and_slides_below() {
     let (sin, cos) = (PI / 6.0).sin_cos();

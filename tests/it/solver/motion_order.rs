@@ -1,4 +1,5 @@
-//! Each trajectory method converges as theory says, keeps what theory says it keeps, and refuses what would not be stable.
+//! Each trajectory method converges as theory says, keeps what theory says it keeps, and refuses
+//! what would not be stable.
 
 use nalgebra::Vector3;
 use seamster::scene::Scene;
@@ -75,7 +76,8 @@ fn exact(scene: &Scene, duration: f64) -> Vec<Vector3<f64>> {
     x
 }
 
-/// The slope tends to the order; at these steps (h ω from 0.03 down) the next term of the error is a few per cent of the first.
+/// The slope tends to the order; at these steps (h ω from 0.03 down) the next term of the error is
+/// a few per cent of the first.
 #[test]
 fn observed_order_is_that_of_theory() {
     let (scene, duration) = (smooth(), 0.5);
@@ -100,7 +102,8 @@ fn observed_order_is_that_of_theory() {
     }
 }
 
-/// Local errors that add up to the tolerance make about as large an error: here, over less than a period, at most three times.
+/// Local errors that add up to the tolerance make about as large an error: here, over less than a
+/// period, at most three times.
 #[test]
 fn chosen_steps_meet_the_tolerance_and_shrink_with_it() {
     let (scene, duration) = (smooth(), 0.5);
@@ -214,7 +217,8 @@ fn angular_momentum_drifts_by_the_order_of_implicit_methods() {
     }
 }
 
-/// `Φ(x) = E(x) + |x - x̂|²_M / 2h²` with x̂ = x + h v, worked out here from the frames: one frame is one step.
+/// `Φ(x) = E(x) + |x - x̂|²_M / 2h²` with x̂ = x + h v, worked out here from the frames: one frame
+/// is one step.
 #[test]
 fn each_step_of_implicit_euler_lowers_its_incremental_potential() {
     let mut scene = grid(5, 200.0);
@@ -245,9 +249,10 @@ fn each_step_of_implicit_euler_lowers_its_incremental_potential() {
 
 /// Bounds on the energy of a linear oscillator, over that at the start.
 ///
-/// Symplectic Euler keeps v² + ω²x² - h ω² x v, Verlet (1 - h²ω²/4) ω²x² + v²: with h ω = 1.8 the energy goes up to
-/// (1 + 0.9) / (1 - 0.9) and 1 / (1 - 0.81) times what it was. Implicit Euler never gains. BDF2 keeps its G-norm from rising
-/// (Dahlquist 1978), `|y_n|²/4 <= |(y_1, y_0)|²_G <= 10/4 max |y|²`.
+/// Symplectic Euler keeps v² + ω²x² - h ω² x v, Verlet (1 - h²ω²/4) ω²x² + v²: with h ω = 1.8 the
+/// energy goes up to (1 + 0.9) / (1 - 0.9) and 1 / (1 - 0.81) times what it was. Implicit Euler
+/// never gains. BDF2 keeps its G-norm from rising (Dahlquist 1978),
+/// `|y_n|²/4 <= |(y_1, y_0)|²_G <= 10/4 max |y|²`.
 fn largest_gain(method: Method) -> f64 {
     match method {
         Method::SymplecticEuler => 19.0,
@@ -338,7 +343,8 @@ fn the_limit_of_a_larger_net_is_a_little_below_the_true_one() {
     )
     .report;
     let limit = report.stability_limit_s.expect("Verlet has a limit");
-    // ω² by power iteration on M⁻¹ H of the flat rest shape, in the net's plane: springs are stiff along themselves only.
+    // ω² by power iteration on M⁻¹ H of the flat rest shape, in the net's plane: springs are stiff
+    // along themselves only.
     let n = scene.start.len();
     let mut z = stirred(n, 1.0);
     let mut square = 0.0;

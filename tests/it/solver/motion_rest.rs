@@ -34,8 +34,8 @@ fn at_rest(method: Method) -> Drape {
     drape(&hung(), &options, &mut context)
 }
 
-/// A residual of 1e-8 of the weight of 1 g moves a particle on springs of 100 N/m by 1e-12 m; the softest way that the net of 25
-/// can move is some hundred times softer.
+/// A residual of 1e-8 of the weight of 1 g moves a particle on springs of 100 N/m by 1e-12 m; the
+/// softest way that the net of 25 can move is some hundred times softer.
 #[test]
 fn every_method_ends_in_the_same_shape() {
     let newton = at_rest(Method::Newton);

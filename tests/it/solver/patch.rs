@@ -1,4 +1,5 @@
-//! Patch tests: even strain is met exactly on uneven meshes, and moduli along warp, weft, bias and in shear are the fabric's.
+//! Patch tests: even strain is met exactly on uneven meshes, and moduli along warp, weft, bias and
+//! in shear are the fabric's.
 
 use nalgebra::{Matrix2, Vector3};
 use seamster::scene::{Fabric, Scene};
@@ -35,8 +36,8 @@ fn strained(sheet: &ClothSheet, by: Matrix2<f64>) -> Scene {
     scene
 }
 
-/// Inner vertices find their way back to the even strain from 3 mm off; the bound is what r = 1e-10 leaves, 1e-12 N on stiffnesses
-/// of 10 N/m and more.
+/// Inner vertices find their way back to the even strain from 3 mm off; the bound is what r = 1e-10
+/// leaves, 1e-12 N on stiffnesses of 10 N/m and more.
 #[test]
 fn an_even_strain_of_the_border_is_even_inside() {
     for (name, by) in [
@@ -66,8 +67,8 @@ fn an_even_strain_of_the_border_is_even_inside() {
     }
 }
 
-/// The energy of an even small strain, per area and strain squared, twice: what the cloth resists it with when it cannot give
-/// otherwise [N/m]. Strains of 1e-4: what is not linear is below 2e-4.
+/// The energy of an even small strain, per area and strain squared, twice: what the cloth resists
+/// it with when it cannot give otherwise [N/m]. Strains of 1e-4: what is not linear is below 2e-4.
 fn resistance(warp_angle: f64, strain: Matrix2<f64>) -> f64 {
     let scene = strained(&square(warp_angle), Matrix2::identity() + strain);
     2.0 * energy_of_start(&scene, &SolverOptions::default()).stretch / (SIDE * SIDE)
@@ -90,8 +91,8 @@ fn warp_weft_and_shear_moduli_are_those_of_the_fabric() {
     }
 }
 
-/// A strip cut at an angle and hung with a load, its sides free: 1/E = cos⁴/Kw + sin⁴/Kf + sin² cos²/G, measured in the middle third, some
-/// widths from the ends.
+/// A strip cut at an angle and hung with a load, its sides free: 1/E = cos⁴/Kw + sin⁴/Kf + sin²
+/// cos²/G, measured in the middle third, some widths from the ends.
 #[test]
 fn a_strip_cut_on_the_bias_has_the_modulus_of_the_orthotropic_cloth() {
     for degrees in [0.0_f64, 30.0, 45.0, 90.0] {
@@ -130,8 +131,8 @@ fn a_strip_cut_on_the_bias_has_the_modulus_of_the_orthotropic_cloth() {
     }
 }
 
-/// A square hinged at its corners, its angle changed by γ: energy G γ² a² / 2, and dE/dγ = G γ a². Its threads keep their length;
-/// the even shear is at rest, and stays as it is.
+/// A square hinged at its corners, its angle changed by γ: energy G γ² a² / 2, and dE/dγ = G γ a².
+/// Its threads keep their length; the even shear is at rest, and stays as it is.
 #[test]
 fn a_picture_frame_has_the_energy_of_shear_alone() {
     let energy = |angle: f64| {

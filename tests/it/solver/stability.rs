@@ -3,8 +3,8 @@
 use seamster_fixtures::stability::{StabilityCase, cases};
 use std::collections::BTreeSet;
 
-/// Factor of time over a release build on a core of its own: own code is not optimized as far, and other tests
-/// run beside it.
+/// Factor of time over a release build on a core of its own: own code is not optimized as far, and
+/// other tests run beside it.
 const SLOWER: f64 = 20.0;
 
 #[test]

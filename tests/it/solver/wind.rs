@@ -41,7 +41,8 @@ fn a_skirt_comes_to_rest_in_wind_and_is_blown_downwind() {
             !has_wind
         );
     }
-    // 3 m/s press with 6 Pa, three times the weight of a light cloth: it moves by far more than a shape at rest is uncertain by.
+    // 3 m/s press with 6 Pa, three times the weight of a light cloth: it moves by far more than a
+    // shape at rest is uncertain by.
     assert!(mean_z(&blown) > mean_z(&calm) + 1e-3);
 }
 

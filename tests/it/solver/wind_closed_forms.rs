@@ -1,12 +1,13 @@
-//! Cloth at rest in wind: a hung strip takes the angle at which wind and weight balance, a sail held at both ends is a catenary.
+//! Cloth at rest in wind: a hung strip takes the angle at which wind and weight balance, a sail
+//! held at both ends is a catenary.
 
 use nalgebra::Vector3;
 use seamster::scene::{Scene, Wind};
 use seamster::solver::{MembraneModel, SolverOptions};
 use seamster_fixtures::sheet::{ClothSheet, GRIDS, SheetGrid, drape, fabric, mean, settled};
 
-/// Pressure of wind of `speed` \[m/s\] on cloth across it \[Pa\]: 1.17 (Hoerner, square plate) times half the density of air at 20 °C
-/// times the square.
+/// Pressure of wind of `speed` \[m/s\] on cloth across it \[Pa\]: 1.17 (Hoerner, square plate)
+/// times half the density of air at 20 °C times the square.
 fn pressure(speed: f64) -> f64 {
     0.5 * 1.204 * 1.17 * speed * speed
 }
@@ -18,8 +19,9 @@ fn steady(velocity: Vector3<f64>) -> Option<Wind> {
     })
 }
 
-/// Across a strip that hangs straight at angle a from the vertical, its weight pulls by w sin a and the wind, of which cos a
-/// goes through it, pushes by q cos² a: a straight strip balances at every point where sin a / cos² a = q / w. (Friction goes along it.)
+/// Across a strip that hangs straight at angle a from the vertical, its weight pulls by w sin a and
+/// the wind, of which cos a goes through it, pushes by q cos² a: a straight strip balances at every
+/// point where sin a / cos² a = q / w. (Friction goes along it.)
 #[test]
 fn a_strip_hung_in_a_cross_wind_takes_the_angle_of_balance() {
     let (density, length) = (0.15, 0.4);
@@ -58,8 +60,10 @@ fn a_strip_hung_in_a_cross_wind_takes_the_angle_of_balance() {
     }
 }
 
-/// Bernoulli's velaria: q cos² across the cloth makes d(tan θ)/ds = q / T, which is the catenary's equation, with q for its weight.
-/// Length 1.2 d: sag as a hung cloth has it, over d, and everywhere the tension that such a cloth has at its lowest point, over q d. Friction adds a hundredth of sin², here below half a per cent.
+/// Bernoulli's velaria: q cos² across the cloth makes d(tan θ)/ds = q / T, which is the catenary's
+/// equation, with q for its weight. Length 1.2 d: sag as a hung cloth has it, over d, and
+/// everywhere the tension that such a cloth has at its lowest point, over q d. Friction adds a
+/// hundredth of sin², here below half a per cent.
 #[test]
 fn a_sail_held_at_both_ends_is_a_catenary() {
     let (d, speed, stretch, cells) = (0.3, 8.0, 1e5, 48);

@@ -1,7 +1,8 @@
 //! Modules use names only of modules to their left, and what they may not know they do not name.
 //!
-//! ARCHITECTURE.md gives the order and the reasons. The source is read as text, less comments and strings, so
-//! that a use is found however it is written: `use crate::a::B`, `use crate::{a, b::C}`, `crate::a::f()`, `super::super::a`.
+//! ARCHITECTURE.md gives the order and the reasons. The source is read as text, less comments and
+//! strings, so that a use is found however it is written: `use crate::a::B`,
+//! `use crate::{a, b::C}`, `crate::a::f()`, `super::super::a`.
 
 use super::sources::code;
 use std::collections::BTreeSet;
@@ -216,7 +217,8 @@ fn names(code: &str, name: &str) -> bool {
         let after = code[at + name.len()..].chars().next();
         let before = code[..at].chars().next_back();
         let word = |c: Option<char>| c.is_some_and(|c| c.is_alphanumeric() || c == '_');
-        // A crate is named by a path that begins with it; a module or a field may have the same name.
+        // A crate is named by a path that begins with it; a module or a field may have the same
+        // name.
         let is_crate = name.chars().all(|c| c.is_lowercase() || c == '_');
         let begins =
             before != Some(':') && before != Some('.') && code[at + name.len()..].starts_with("::");

@@ -1,4 +1,5 @@
-//! The house's own rules: what every file opens with, how long it may be, what the container shares with the Makefile.
+//! The house's own rules: what every file opens with, how long it may be, what the container shares
+//! with the Makefile.
 
 use std::path::{Path, PathBuf};
 

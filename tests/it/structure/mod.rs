@@ -1,4 +1,5 @@
-//! Rules of the source itself: order of its modules, no circles of files, openings and lengths of files.
+//! Rules of the source itself: order of its modules, no circles of files, openings and lengths of
+//! files.
 
 mod circles;
 mod direction;

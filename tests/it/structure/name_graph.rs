@@ -3,7 +3,8 @@
 //! Names are resolved as the compiler does it, as far as this project writes them: `use` with
 //! `crate`, `self` and `super`, groups, renames and globs, paths in expressions, types and
 //! patterns, and paths inside macros. A re-export is followed to the file that defines the name.
-//! `mod` lines, re-exports and methods are no edges, and nothing is that is compiled for tests only.
+//! `mod` lines, re-exports and methods are no edges, and nothing is that is compiled for tests
+//! only.
 
 use super::sources::code;
 use std::collections::{BTreeMap, BTreeSet};

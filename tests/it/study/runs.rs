@@ -1,4 +1,5 @@
-//! Studies: what they measure agrees with theory, they say what they could not do, and tell the same every time.
+//! Studies: what they measure agrees with theory, they say what they could not do, and tell the
+//! same every time.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
@@ -74,7 +75,8 @@ fn on_a_taut_net_two_methods_agree_and_tighter_runs_are_nearer() {
     let reference = &mesh.reference;
     assert!(reference.confirmed && !reference.several_rest_shapes);
     assert_eq!(mesh.minima.len(), 1, "a taut net has one rest shape");
-    // At a minimum the energy is flat: shapes 1e-5 m apart differ by far less than a millionth of it.
+    // At a minimum the energy is flat: shapes 1e-5 m apart differ by far less than a millionth of
+    // it.
     let [a, b] = reference.energies_j[..] else {
         panic!("two methods");
     };
@@ -96,7 +98,8 @@ fn on_a_taut_net_two_methods_agree_and_tighter_runs_are_nearer() {
     assert!(study.recommendation.starts_with("For errors below "));
 }
 
-/// The errors of fixed steps h ω <= 0.05 fall by the method's order; the next term of the error is a few per cent of the first.
+/// The errors of fixed steps h ω <= 0.05 fall by the method's order; the next term of the error is
+/// a few per cent of the first.
 #[test]
 fn observed_orders_are_those_of_theory() {
     let points = [[0.0, 0.0, 0.0], [0.5, 0.1, 0.0], [1.0, 0.0, 0.3]];
@@ -187,7 +190,8 @@ fn on_a_taut_garment_the_methods_agree_and_meshes_are_compared() {
     };
     assert!(coarse.reference.confirmed, "{:?}", coarse.reference);
     assert!(coarse.vertices < fine.vertices);
-    // Meshes of 60 and 50 mm cannot agree to a tenth of a millimeter round a body, nor differ by more than an edge.
+    // Meshes of 60 and 50 mm cannot agree to a tenth of a millimeter round a body, nor differ by
+    // more than an edge.
     let error = coarse.mesh_error_m.unwrap();
     assert!((1e-4..0.05).contains(&error), "{error}");
     assert_eq!(fine.mesh_error_m, None);
@@ -205,7 +209,8 @@ fn on_a_slack_garment_several_rest_shapes_are_said() {
     assert!(mesh.minima.len() > 1 && mesh.reference.energies_j.len() == 2);
     assert!(mesh.reference.because.contains("several rest shapes"));
     assert!(study.notes.iter().any(|note| note.contains("energies")));
-    // Each error is the distance to the rest shape of the run itself, far below that between the shapes.
+    // Each error is the distance to the rest shape of the run itself, far below that between the
+    // shapes.
     for run in &study.runs {
         assert!(
             run.error_m.unwrap() < mesh.reference.apart_m.unwrap(),

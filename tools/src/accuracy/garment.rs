@@ -1,4 +1,5 @@
-//! The garments: two that ship, and others from the folder of real patterns, sewn by their own seams or by suggested ones.
+//! The garments: two that ship, and others from the folder of real patterns, sewn by their own
+//! seams or by suggested ones.
 
 use seamster::config::Limits;
 use seamster::fit::{self, ResolvedGarment, ShippedAssets};
@@ -79,7 +80,8 @@ impl Kind {
     }
 }
 
-/// A garment by the seams that the file states, else by suggested ones, on the mean female of `GarmentCode`.
+/// A garment by the seams that the file states, else by suggested ones, on the mean female of
+/// `GarmentCode`.
 fn found(pattern: &Pattern) -> Value {
     let seams = if pattern.seams.is_empty() {
         json!("suggest")

@@ -1,9 +1,11 @@
-//! Error estimates against true errors, and time limits against times: `cargo run --release -p seamster-tools accuracy`.
+//! Error estimates against true errors, and time limits against times:
+//! `cargo run --release -p seamster-tools accuracy`.
 //!
-//! Garments from real files are sewn and draped, stopped by their tolerance (`garments`) or by a time limit (`budget`). Each is
-//! then draped on from where it stopped to three times the round-off floor: how far it moves is the true error. One JSON line a
-//! run goes to `target/accuracy.jsonl`; `--table docs/accuracy.md` writes the lines into the tables there. The folder of real
-//! files is named by `SEAMSTER_TEST_DATA`.
+//! Garments from real files are sewn and draped, stopped by their tolerance (`garments`) or by a
+//! time limit (`budget`). Each is then draped on from where it stopped to three times the round-off
+//! floor: how far it moves is the true error. One JSON line a run goes to `target/accuracy.jsonl`;
+//! `--table docs/accuracy.md` writes the lines into the tables there. The folder of real files is
+//! named by `SEAMSTER_TEST_DATA`.
 
 mod garment;
 mod line;

@@ -1,9 +1,10 @@
-//! Work against precision on the benchmark's scenes: `cargo run --release -p seamster-tools bench -- S3 'tube*'`.
+//! Work against precision on the benchmark's scenes:
+//! `cargo run --release -p seamster-tools bench -- S3 'tube*'`.
 //!
-//! Every run is a process of its own, so that its peak of memory is told apart from the others', and gives one JSON line in
-//! `target/bench.jsonl`; lines of scenes that are not run again stay. Each scene gets a plot in `target/bench/`.
-//! `--table docs/performance.md` writes the lines into the table there. A time says nothing without the error reached: every
-//! line has both.
+//! Every run is a process of its own, so that its peak of memory is told apart from the others',
+//! and gives one JSON line in `target/bench.jsonl`; lines of scenes that are not run again stay.
+//! Each scene gets a plot in `target/bench/`. `--table docs/performance.md` writes the lines into
+//! the table there. A time says nothing without the error reached: every line has both.
 
 mod line;
 mod plan;

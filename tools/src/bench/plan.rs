@@ -1,4 +1,5 @@
-//! Plan of the runs: every scene with every method that makes sense on it, over tolerances or times.
+//! Plan of the runs: every scene with every method that makes sense on it, over tolerances or
+//! times.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -49,7 +50,8 @@ const fn bench(
     }
 }
 
-/// In the order of running: the sizes that others have run and the tubes first, should the time not do for all.
+/// In the order of running: the sizes that others have run and the tubes first, should the time not
+/// do for all.
 const BENCHES: [Bench; 32] = [
     bench("S1P", 10.0, ROW, ROW),
     bench("S1P_x100", 10.0, ROW, ROW),

@@ -1,4 +1,5 @@
-//! Work against precision as a picture: one SVG a scene, CPU seconds across, the error or else the residual up, both logarithmic.
+//! Work against precision as a picture: one SVG a scene, CPU seconds across, the error or else the
+//! residual up, both logarithmic.
 
 use super::line::BenchLine;
 use seamster::export::{Plot, PlotPoint, PlotSeries};
@@ -6,8 +7,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::{fs, io};
 
-/// Results of other simulators after a second of simulated time: method, CPU time \[s\], RMS error \[mm\]; each measured on one
-/// core, against the rest shape of the same net.
+/// Results of other simulators after a second of simulated time: method, CPU time \[s\], RMS error
+/// \[mm\]; each measured on one core, against the rest shape of the same net.
 const OTHERS: [(&str, &str, f64, f64); 5] = [
     ("S1P", "Newton (NVIDIA), explicit", 4.2, 3e-4),
     ("S1P", "pypbd, XPBD", 1.5, 2.6),

@@ -1,7 +1,8 @@
 //! One run in this process, and how far from the rest shape it stopped.
 //!
-//! Rest shapes are not unique, so the reference is the one that the stopped shape leads to: Newton's method goes on from there
-//! to the round-off floor. Where it is asked for, a second method goes the same way on its own, and the two are compared.
+//! Rest shapes are not unique, so the reference is the one that the stopped shape leads to:
+//! Newton's method goes on from there to the round-off floor. Where it is asked for, a second
+//! method goes the same way on its own, and the two are compared.
 
 use super::line::BenchLine;
 use super::plan::BenchRun;

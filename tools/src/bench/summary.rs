@@ -1,4 +1,5 @@
-//! Summary of the lines: the time that each method takes to come to rest, and its growth with the number of vertices.
+//! Summary of the lines: the time that each method takes to come to rest, and its growth with the
+//! number of vertices.
 
 use super::line::BenchLine;
 use super::table::{error, figures};
@@ -67,7 +68,8 @@ fn cell(lines: &[BenchLine], scene: &str, method: &str) -> String {
     }
 }
 
-/// A sentence on the exponent p of CPU time over vertices to the power of p, between the smallest and the largest tube.
+/// A sentence on the exponent p of CPU time over vertices to the power of p, between the smallest
+/// and the largest tube.
 fn growth(lines: &[BenchLine]) -> String {
     let tubes = |line: &&BenchLine| line.scene.starts_with(GROWING) && !line.scene.contains('_');
     let mut points: Vec<(f64, f64)> = Vec::new();

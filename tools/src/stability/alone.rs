@@ -7,7 +7,8 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// Wall time allowed to a case and to what it is compared with: so many times what it states, and so much \[s\].
+/// Wall time allowed to a case and to what it is compared with: so many times what it states, and
+/// so much \[s\].
 const PATIENCE: f64 = 4.0;
 const COMPARISON: f64 = 60.0;
 
@@ -40,7 +41,8 @@ pub(crate) fn run(number: usize, case: &StabilityCase) -> io::Result<StabilityLi
     }
 }
 
-/// Returns true if the process ended well, `None` if it had to be ended. A line is short enough for the pipe to hold it meanwhile.
+/// Returns true if the process ended well, `None` if it had to be ended. A line is short enough for
+/// the pipe to hold it meanwhile.
 fn wait(child: &mut Child, allowed: Duration) -> io::Result<Option<bool>> {
     let began = Instant::now();
     loop {

@@ -1,8 +1,10 @@
-//! Stiff and extreme cases, all of them: `cargo run --release -p seamster-tools stability -- 'seam*'`.
+//! Stiff and extreme cases, all of them: `cargo run --release -p seamster-tools stability --
+//! 'seam*'`.
 //!
-//! Every case is a process of its own, which is killed when it takes far longer than it states, and gives one JSON line in
-//! `target/stability.jsonl`; lines of cases that are not run again stay. `--table docs/accuracy.md` writes the lines into the table
-//! there. Ends with 1 if a case did not come to what is expected of it.
+//! Every case is a process of its own, which is killed when it takes far longer than it states, and
+//! gives one JSON line in `target/stability.jsonl`; lines of cases that are not run again stay.
+//! `--table docs/accuracy.md` writes the lines into the table there. Ends with 1 if a case did not
+//! come to what is expected of it.
 
 mod alone;
 mod table;

@@ -1,4 +1,5 @@
-//! Bands: waistbands, cuffs, collars, bindings. A long edge goes round an opening, the ends meet each other.
+//! Bands: waistbands, cuffs, collars, bindings. A long edge goes round an opening, the ends meet
+//! each other.
 
 use crate::seam::suggest::edge_chain::{EdgeChain, EdgeStep, reversed};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
@@ -35,8 +36,8 @@ const DRAWN_WEIGHT: f64 = 0.4;
 /// Weight of both bands of an opening being sewn at the same edge as drawn.
 const ALIKE_WEIGHT: f64 = 1.5;
 
-/// An opening that something goes round, as the part in front and the part behind; all in the first where it is not
-/// known which part is in front.
+/// An opening that something goes round, as the part in front and the part behind; all in the first
+/// where it is not known which part is in front.
 pub(super) type Opening = [EdgeChain; 2];
 
 /// Bands that go round one opening: one, or a front and a back one.
@@ -78,7 +79,8 @@ pub(super) struct LaidBand {
     pub(super) chain: EdgeChain,
 }
 
-/// Sews bands round an opening, and their ends to each other; returns the opening that their free long edges make.
+/// Sews bands round an opening, and their ends to each other; returns the opening that their free
+/// long edges make.
 pub(super) fn sew_around(
     garment: &mut GarmentModel,
     rationale: SeamRationale<'_>,
@@ -185,7 +187,8 @@ fn sew_ends(garment: &mut GarmentModel, rationale: SeamRationale<'_>, a: &LaidBa
     }
 }
 
-/// Returns true if the end of a band is part of a seam already: a band that goes round two openings has it sewn once.
+/// Returns true if the end of a band is part of a seam already: a band that goes round two openings
+/// has it sewn once.
 fn is_sewn(garment: &GarmentModel, end: Option<&EdgeChain>) -> bool {
     let first = end.and_then(|chain| chain.first());
     first.is_some_and(|step| garment.is_sewn(step.panel, step.edge))
@@ -228,7 +231,8 @@ fn layouts(
     with_score.collect()
 }
 
-/// Returns the long edges of two bands that fit their openings best, and each other: front and back are drawn alike.
+/// Returns the long edges of two bands that fit their openings best, and each other: front and back
+/// are drawn alike.
 fn lay_pair(
     garment: &GarmentModel,
     openings: [&EdgeChain; 2],
@@ -252,8 +256,9 @@ fn lay_pair(
     best.map(|(_, both)| both.map(LaidBand::clone))
 }
 
-/// Returns a long edge in the direction that has both outer sides out: against the order of numbers where the opening goes with it,
-/// unless one of the two is drawn mirrored or as seen through the body.
+/// Returns a long edge in the direction that has both outer sides out: against the order of numbers
+/// where the opening goes with it, unless one of the two is drawn mirrored or as seen through the
+/// body.
 fn oriented(
     garment: &GarmentModel,
     opening: &[EdgeStep],

@@ -22,7 +22,8 @@ pub(super) fn sew(garment: &mut GarmentModel) {
         } else {
             DrawnSide::Right
         };
-        // The slit's first leg meets the side of the godet that lies on the right: both outer sides are out.
+        // The slit's first leg meets the side of the godet that lies on the right: both outer sides
+        // are out.
         for (leg, drawn_side, name) in [
             (host.edge_chain(slit.inward, true), right, "a"),
             (host.edge_chain(slit.outward, false), right.other(), "b"),

@@ -1,4 +1,5 @@
-//! Skirts: sides and centers of front and back, levels below them, gores, or one panel closed on itself.
+//! Skirts: sides and centers of front and back, levels below them, gores, or one panel closed on
+//! itself.
 
 use super::band::Opening;
 use super::top;

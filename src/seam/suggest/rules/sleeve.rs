@@ -20,8 +20,8 @@ pub(super) fn sew(garment: &mut GarmentModel) {
     }
 }
 
-/// Gives sleeves that are called neither left nor right the side that their front belongs to: a sleeve drawn hem down
-/// and face up is a left one if its front lies on the left.
+/// Gives sleeves that are called neither left nor right the side that their front belongs to: a
+/// sleeve drawn hem down and face up is a left one if its front lies on the left.
 fn assign_left_right(garment: &mut GarmentModel) {
     let mut done: Vec<usize> = vec![];
     for i in 0..garment.parts.len() {
@@ -153,7 +153,8 @@ fn from_underarm(garment: &GarmentModel, laterality: Laterality, hole: EdgeChain
     turned
 }
 
-/// Returns the side of the drawing on which the front of a sleeve lies that is drawn hem down and face up: the left for a left sleeve.
+/// Returns the side of the drawing on which the front of a sleeve lies that is drawn hem down and
+/// face up: the left for a left sleeve.
 pub(super) fn usual_front_side(laterality: Laterality) -> DrawnSide {
     match laterality {
         Laterality::Left => DrawnSide::Left,

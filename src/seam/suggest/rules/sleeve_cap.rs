@@ -1,4 +1,5 @@
-//! The front of a sleeve's cap: the side whose notches fit the front of the armhole, or which is cut out more.
+//! The front of a sleeve's cap: the side whose notches fit the front of the armhole, or which is
+//! cut out more.
 
 use crate::pattern::Point2;
 use crate::seam::suggest::garment_model::GarmentModel;
@@ -14,7 +15,8 @@ const MAX_NOTCHES: usize = 64;
 const OUTER_SHARE: f64 = 0.35;
 const MIN_DIFFERENCE: f64 = 0.03;
 
-/// Returns the side of the drawing on which the front of a sleeve lies; nothing where nothing tells.
+/// Returns the side of the drawing on which the front of a sleeve lies; nothing where nothing
+/// tells.
 pub(super) fn front_side(garment: &GarmentModel, sleeve: &LabeledPanel) -> Option<DrawnSide> {
     let cap = sleeve.segment(EdgeRole::Cap, None)?;
     let ends = [DrawnSide::Left, DrawnSide::Right]
@@ -39,7 +41,8 @@ pub(super) fn front_side(garment: &GarmentModel, sleeve: &LabeledPanel) -> Optio
     }
 }
 
-/// Returns the side of the drawing on which the cap is cut out more near the underarm: the arm moves forward.
+/// Returns the side of the drawing on which the cap is cut out more near the underarm: the arm
+/// moves forward.
 fn cut_out(sleeve: &LabeledPanel, cap: &RoleSegment) -> Option<DrawnSide> {
     let points = sleeve.features.polyline(&cap.edges);
     let (Some(first), Some(last)) = (points.first(), points.last()) else {

@@ -1,4 +1,5 @@
-//! Waists: a waistband on a skirt or trousers, and the dress: bodice and skirt or trousers sewn together.
+//! Waists: a waistband on a skirt or trousers, and the dress: bodice and skirt or trousers sewn
+//! together.
 
 use super::band::{self, BandEdge, Opening};
 use super::skirt;

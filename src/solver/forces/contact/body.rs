@@ -1,10 +1,12 @@
-//! Cloth kept off the body by a stiff layer on its skin, with Coulomb friction that sticks and slips.
+//! Cloth kept off the body by a stiff layer on its skin, with Coulomb friction that sticks and
+//! slips.
 //!
-//! A particle nearer to the body than `offset` is pressed out as `layer.rs` says, over the cloth area of the particle. A
-//! particle in contact is tied to an anchor on the body by a tangential spring that gives way
-//! at μ N (P. A. Cundall, O. D. L. Strack, "A discrete numerical model for granular assemblies", Géotechnique 29(1), 1979):
-//! energy k/2 |u|² up to the slip s = μ N / k, μ N (|u| - s/2) beyond. N and the anchors are those of the last accepted step
-//! (lagged), so that within a step friction has an energy.
+//! A particle nearer to the body than `offset` is pressed out as `layer.rs` says, over the cloth
+//! area of the particle. A particle in contact is tied to an anchor on the body by a tangential
+//! spring that gives way at μ N (P. A. Cundall, O. D. L. Strack, "A discrete numerical model for
+//! granular assemblies", Géotechnique 29(1), 1979): energy k/2 |u|² up to the slip s = μ N / k, μ N
+//! (|u| - s/2) beyond. N and the anchors are those of the last accepted step (lagged), so that
+//! within a step friction has an energy.
 
 use crate::scene::{Body, BodySample};
 use crate::solver::forces::contact::layer;
@@ -22,8 +24,8 @@ pub(crate) struct Friction {
     anchors: Vec<Option<FrictionAnchor>>,
 }
 
-/// Points that friction holds the particles of a shape by; empty where there is none. A drape that continues from the shape needs
-/// them.
+/// Points that friction holds the particles of a shape by; empty where there is none. A drape that
+/// continues from the shape needs them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FrictionAnchors(Vec<Option<FrictionAnchor>>);
 
@@ -33,7 +35,8 @@ struct FrictionAnchor {
     normal: Vector3<f64>,
     /// Largest tangential force: μ N \[N\].
     limit: f64,
-    /// True if the last step slipped: then the next is taken to slip on, or it would creep by the spring's give at a time.
+    /// True if the last step slipped: then the next is taken to slip on, or it would creep by the
+    /// spring's give at a time.
     slipping: bool,
 }
 
@@ -45,7 +48,8 @@ impl Friction {
         }
     }
 
-    /// Returns the same friction with these anchors; with anchors of another number of particles it begins anew.
+    /// Returns the same friction with these anchors; with anchors of another number of particles it
+    /// begins anew.
     pub(crate) fn with_anchors(mut self, anchors: &FrictionAnchors) -> Self {
         if anchors.0.len() == self.anchors.len() {
             self.anchors.clone_from(&anchors.0);
@@ -54,7 +58,8 @@ impl Friction {
     }
 }
 
-/// A sample of the body that is used again: good for positions within `reuse` of where it was taken.
+/// A sample of the body that is used again: good for positions within `reuse` of where it was
+/// taken.
 #[derive(Clone, Copy, Debug)]
 struct CachedSample {
     at: Vector3<f64>,
@@ -71,14 +76,16 @@ pub(crate) struct BodyContact {
     /// Cloth area of each particle \[m²\].
     area: Vec<f64>,
     cache: Vec<CachedSample>,
-    /// Distance for which a sample is carried on by its second-order expansion \[m\]; 0 takes a new one each time.
+    /// Distance for which a sample is carried on by its second-order expansion \[m\]; 0 takes a new
+    /// one each time.
     reuse: f64,
     friction: Option<Friction>,
     diagonals: Vec<usize>,
 }
 
 impl BodyContact {
-    /// Returns contact that keeps particles of cloth area `area` \[m²\] at `offset` \[m\] from the body.
+    /// Returns contact that keeps particles of cloth area `area` \[m²\] at `offset` \[m\] from the
+    /// body.
     pub(crate) fn new(body: Body, offset: f64, area: &[f64]) -> Self {
         let never = CachedSample {
             at: Vector3::repeat(f64::INFINITY),
@@ -102,7 +109,8 @@ impl BodyContact {
         self
     }
 
-    /// Returns the same contact that carries each sample on for `reuse` \[m\]: for explicit steps, which are many and small.
+    /// Returns the same contact that carries each sample on for `reuse` \[m\]: for explicit steps,
+    /// which are many and small.
     pub(crate) fn with_reuse(mut self, reuse: f64) -> Self {
         self.reuse = reuse;
         self
@@ -115,7 +123,8 @@ impl BodyContact {
         // A particle that was never looked at is infinitely far from where it was.
         if moved.norm() > cached.reach {
             let sample = self.body.sample(x);
-            // Outside the layer nothing is felt until the particle has come nearer by the distance that is left.
+            // Outside the layer nothing is felt until the particle has come nearer by the distance
+            // that is left.
             let free = sample.map_or(self.offset, |s| s.distance - self.offset);
             let touching = sample.filter(|s| s.distance < self.offset + self.reuse);
             *cached = CachedSample {
@@ -136,7 +145,8 @@ impl BodyContact {
         (sample.distance < self.offset).then_some(sample)
     }
 
-    /// Takes the state at an accepted step: new normal forces, and anchors dragged along by what slipped. Returns true if any did.
+    /// Takes the state at an accepted step: new normal forces, and anchors dragged along by what
+    /// slipped. Returns true if any did.
     pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
         let mut slipped = false;
         let Some(mut friction) = self.friction.take() else {

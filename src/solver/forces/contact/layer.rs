@@ -1,8 +1,9 @@
 //! The layer on the skin: the pressure of the body on cloth that is pushed into it.
 //!
-//! The pressure at depth d below the top of the layer is k d (1 + (d/s)²): soft where cloth just lies on it, so that a solver may
-//! move cloth into and out of contact without feeling a wall, and hard enough that the tightest garment does not come through.
-//! A shirt's 20 Pa press 0.09 mm into it, a girdle's 3 kPa 0.8 mm.
+//! The pressure at depth d below the top of the layer is k d (1 + (d/s)²): soft where cloth just
+//! lies on it, so that a solver may move cloth into and out of contact without feeling a wall, and
+//! hard enough that the tightest garment does not come through. A shirt's 20 Pa press 0.09 mm into
+//! it, a girdle's 3 kPa 0.8 mm.
 
 /// Stiffness k at the top of the layer \[N/m³\].
 const STIFFNESS: f64 = 2e5;

@@ -1,6 +1,7 @@
 //! Normal force \[N\] and pressure \[Pa\] of the body on each vertex of a drape, without friction.
 //!
-//! Both follow from the shape alone: the layer on the skin (see `body.rs`) presses harder the deeper a vertex lies in it.
+//! Both follow from the shape alone: the layer on the skin (see `body.rs`) presses harder the
+//! deeper a vertex lies in it.
 
 use crate::scene::Scene;
 use crate::solver::forces::contact::layer;
@@ -8,9 +9,11 @@ use crate::solver::model::build::kept_distance;
 use crate::solver::model::rest_shape::vertex_areas;
 use nalgebra::Vector3;
 
-/// Returns the normal force of the body on each vertex \[N\], zero where they do not touch; `#V` for `positions` \[m\] of `#V`.
+/// Returns the normal force of the body on each vertex \[N\], zero where they do not touch; `#V`
+/// for `positions` \[m\] of `#V`.
 ///
-/// The forces on the vertices of one particle, where a seam is closed, add up to the force on the particle.
+/// The forces on the vertices of one particle, where a seam is closed, add up to the force on the
+/// particle.
 pub fn contact_force(scene: &Scene, positions: &[Vector3<f64>]) -> Vec<Vector3<f64>> {
     let Some(body) = &scene.body else {
         return vec![Vector3::zeros(); positions.len()];
@@ -29,8 +32,9 @@ pub fn contact_force(scene: &Scene, positions: &[Vector3<f64>]) -> Vec<Vector3<f
         .collect()
 }
 
-/// Returns the pressure of the body on the cloth at each vertex \[Pa\]: the normal force over the area that the cloth has there as it lies,
-/// a third of each triangle; `#V` for `positions` \[m\] of `#V`.
+/// Returns the pressure of the body on the cloth at each vertex \[Pa\]: the normal force over the
+/// area that the cloth has there as it lies, a third of each triangle; `#V` for `positions` \[m\]
+/// of `#V`.
 pub fn contact_pressure(scene: &Scene, positions: &[Vector3<f64>]) -> Vec<f64> {
     let mut area = vec![0.0; positions.len()];
     for triangle in &scene.mesh.triangles {

@@ -1,4 +1,5 @@
-//! Explicit steps by a given rule: the fused kernel computes all terms that are pair forces, the terms themselves the others.
+//! Explicit steps by a given rule: the fused kernel computes all terms that are pair forces, the
+//! terms themselves the others.
 
 use crate::solver::forces::PairForces;
 use crate::solver::integrate::explicit::kernel::{Kernel, StepRule};
@@ -51,7 +52,8 @@ impl ExplicitStepper {
         }
     }
 
-    /// Returns the operations of one step, those of the terms that are not in the kernel by the pairs of particles that they couple.
+    /// Returns the operations of one step, those of the terms that are not in the kernel by the
+    /// pairs of particles that they couple.
     pub(crate) fn operations(&self) -> f64 {
         self.kernel.operations() + self.more_operations
     }

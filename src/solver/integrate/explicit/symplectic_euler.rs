@@ -50,7 +50,8 @@ impl Integrator for SymplecticEuler {
         limit::symplectic_euler(limit::max_eigenvalue(system, x), self.drag)
     }
 
-    /// Against the exact solution, whose positions move by the mean of both velocities, a step moves them by h/2 |ΔV| too far.
+    /// Against the exact solution, whose positions move by the mean of both velocities, a step
+    /// moves them by h/2 |ΔV| too far.
     fn advance(
         &mut self,
         system: &mut System<'_>,

@@ -1,10 +1,12 @@
 //! Velocity Verlet with drag: order 2, keeps angular momentum.
 //!
-//! L. Verlet, Phys. Rev. 159, 1967; drag as A. Brünger, C. L. Brooks, M. Karplus, Chem. Phys. Lett. 105(5), 1984: half a step with
-//! drag taken at its beginning, half a step with drag taken at its end. The two halves are each other's adjoint, so the whole is
-//! symmetric and of order 2, and drag does not touch the stability limit h ω <= 2. Two halves that meet are one step of the
-//! rule V = (1 - ch/2) / (1 + ch/2) V + h / (1 + ch/2) F/m, X += V h on velocities half a step off: the pass of the paper's
-//! method with other numbers. Velocities are brought on and off the step where a block of steps begins and ends.
+//! L. Verlet, Phys. Rev. 159, 1967; drag as A. Brünger, C. L. Brooks, M. Karplus, Chem. Phys. Lett.
+//! 105(5), 1984: half a step with drag taken at its beginning, half a step with drag taken at its
+//! end. The two halves are each other's adjoint, so the whole is symmetric and of order 2, and drag
+//! does not touch the stability limit h ω <= 2. Two halves that meet are one step of the rule V =
+//! (1 - ch/2) / (1 + ch/2) V + h / (1 + ch/2) F/m, X += V h on velocities half a step off: the pass
+//! of the paper's method with other numbers. Velocities are brought on and off the step where a
+//! block of steps begins and ends.
 
 use crate::solver::integrate::explicit::kernel::StepRule;
 use crate::solver::integrate::explicit::stepper::ExplicitStepper;
@@ -66,7 +68,8 @@ impl Integrator for Verlet {
         limit::verlet(limit::max_eigenvalue(system, x))
     }
 
-    /// Positions miss the third derivative, h³/6 of it; that is what the acceleration changed by over h.
+    /// Positions miss the third derivative, h³/6 of it; that is what the acceleration changed by
+    /// over h.
     fn advance(
         &mut self,
         system: &mut System<'_>,

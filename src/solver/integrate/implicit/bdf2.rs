@@ -1,12 +1,15 @@
-//! Second-order backward differences (BDF2) for steps of unlike length: order 2, stable at any step, loses little energy.
+//! Second-order backward differences (BDF2) for steps of unlike length: order 2, stable at any
+//! step, loses little energy.
 //!
-//! C. F. Curtiss, J. O. Hirschfelder, Proc. Nat. Acad. Sci. 38, 1952; for variable steps E. Hairer, S. P. Nørsett, G. Wanner,
-//! "Solving Ordinary Differential Equations I", III.5. With r the step over the one before it and γ = (1 + r) / (1 + 2r),
-//! y' = (1 + r)² / (1 + 2r) y - r² / (1 + 2r) y₋ + γ h f(y') for y = X and y = V. Put together, X' minimizes
-//! `E(x) + w/2 |x - x̂|²_M` with H = γ h, w = (1 + c H) / H², x̂ = x̃ + H ṽ / (1 + c H), x̃ and ṽ the sums of what is known.
-//! It is zero-stable for r < 1 + √2; the controller at most doubles a step.
+//! C. F. Curtiss, J. O. Hirschfelder, Proc. Nat. Acad. Sci. 38, 1952; for variable steps E. Hairer,
+//! S. P. Nørsett, G. Wanner, "Solving Ordinary Differential Equations I", III.5. With r the step
+//! over the one before it and γ = (1 + r) / (1 + 2r), y' = (1 + r)² / (1 + 2r) y - r² / (1 + 2r) y₋ +
+//! γ h f(y') for y = X and y = V. Put together, X' minimizes `E(x) + w/2 |x - x̂|²_M` with H = γ h,
+//! w = (1 + c H) / H², x̂ = x̃ + H ṽ / (1 + c H), x̃ and ṽ the sums of what is known. It is
+//! zero-stable for r < 1 + √2; the controller at most doubles a step.
 //!
-//! The first step has nothing before it: it is one of implicit Euler, whose local error, of order h², is made once.
+//! The first step has nothing before it: it is one of implicit Euler, whose local error, of order
+//! h², is made once.
 
 use crate::solver::integrate::implicit::euler::{ImplicitEuler, NEWTON_ITERATIONS_PER_STEP};
 use crate::solver::integrate::integrator::{Integrator, ParticleState, StepError, accept};
@@ -14,7 +17,8 @@ use crate::solver::model::system::System;
 use nalgebra::Vector3;
 use seamster_cholesky::OutOfMemory;
 
-/// Longest step over the one before it: twice, and rounding. Beyond, the formula would not be stable for long.
+/// Longest step over the one before it: twice, and rounding. Beyond, the formula would not be
+/// stable for long.
 const LARGEST_RATIO: f64 = 2.0 + 1e-9;
 
 /// BDF2 with variable steps.
@@ -26,7 +30,8 @@ pub(crate) struct Bdf2 {
 }
 
 impl Bdf2 {
-    /// Makes the method with drag per mass `drag` \[1/s\], solved to `tolerance` (a residual, dimensionless).
+    /// Makes the method with drag per mass `drag` \[1/s\], solved to `tolerance` (a residual,
+    /// dimensionless).
     pub(crate) fn new(
         system: &mut System<'_>,
         drag: f64,
@@ -57,7 +62,8 @@ impl Bdf2Formula {
 
     /// Returns the weighted sum of the two states.
     fn known(&self, now: &Vector3<f64>, before: &Vector3<f64>) -> Vector3<f64> {
-        // The two weights add up to 1: written as a difference, what is large in both is rounded once.
+        // The two weights add up to 1: written as a difference, what is large in both is rounded
+        // once.
         now + (now - before) * (self.now - 1.0)
     }
 }
@@ -71,7 +77,8 @@ impl Integrator for Bdf2 {
         1
     }
 
-    /// The formula misses (1 + r)² / (6 r (1 + 2r)) h³ x‴; x‴ is the second divided difference of the velocities.
+    /// The formula misses (1 + r)² / (6 r (1 + 2r)) h³ x‴; x‴ is the second divided difference of
+    /// the velocities.
     fn advance(
         &mut self,
         system: &mut System<'_>,

@@ -1,7 +1,8 @@
 //! Implicit (backward) Euler: order 1, stable at any step, loses energy.
 //!
-//! V' = V + h (F(X') / m - c V'), X' = X + h V'. Put together, X' minimizes `E(x) + w/2 |x - x̂|²_M` with w = (1 + c h) / h² and
-//! x̂ = X + h V / (1 + c h). The iteration begins at X or at x̂, whichever is lower, and only goes down; so, without drag,
+//! V' = V + h (F(X') / m - c V'), X' = X + h V'. Put together, X' minimizes
+//! `E(x) + w/2 |x - x̂|²_M` with w = (1 + c h) / h² and x̂ = X + h V / (1 + c h). The iteration
+//! begins at X or at x̂, whichever is lower, and only goes down; so, without drag,
 //! `E(X') + |X' - x̂|²_M / 2h² <= E(X) + |V|²_M / 2`: what the step begins with.
 
 use crate::solver::integrate::implicit::incremental_potential::{IncrementalNewton, InertiaTerm};
@@ -24,7 +25,8 @@ pub(crate) struct ImplicitEuler {
 }
 
 impl ImplicitEuler {
-    /// Makes the method with drag per mass `drag` \[1/s\], solved to `tolerance` (a residual, dimensionless).
+    /// Makes the method with drag per mass `drag` \[1/s\], solved to `tolerance` (a residual,
+    /// dimensionless).
     pub(crate) fn new(
         system: &mut System<'_>,
         drag: f64,
@@ -96,7 +98,8 @@ impl Integrator for ImplicitEuler {
         1
     }
 
-    /// Against the exact solution, whose positions move by the mean of both velocities, a step moves them by h/2 |ΔV| too far.
+    /// Against the exact solution, whose positions move by the mean of both velocities, a step
+    /// moves them by h/2 |ΔV| too far.
     fn advance(
         &mut self,
         system: &mut System<'_>,

@@ -1,17 +1,22 @@
-//! The equations of an implicit step as a minimum: `Φ(x) = E(x) + w/2 |x - x̂|²_M`, `|y|²_M = sum m_i |y_i|²`.
+//! The equations of an implicit step as a minimum: `Φ(x) = E(x) + w/2 |x - x̂|²_M`,
+//! `|y|²_M = sum m_i |y_i|²`.
 //!
-//! Backward Euler with step h is w = 1/h² and x̂ = x + h v (M. Ortiz, L. Stainier, Comput. Methods Appl. Mech. Engrg. 171, 1999);
-//! other backward differences differ in the numbers only. Found by Newton's method: the true second derivative first; where that
-//! has no Cholesky factor, with some or all of its indefinite part projected out; and a line search on Φ.
+//! Backward Euler with step h is w = 1/h² and x̂ = x + h v (M. Ortiz, L. Stainier, Comput. Methods
+//! Appl. Mech. Engrg. 171, 1999); other backward differences differ in the numbers only. Found by
+//! Newton's method: the true second derivative first; where that has no Cholesky factor, with some
+//! or all of its indefinite part projected out; and a line search on Φ.
 //!
 //! # Guarantees
-//! Φ never rises, apart from rounding. Ends at the residual asked for, or at that of rounding; says so where it can do neither.
+//! Φ never rises, apart from rounding. Ends at the residual asked for, or at that of rounding; says
+//! so where it can do neither.
 //!
 //! # Difference from the minimizer of the shape at rest
-//! Memory, inertia and line search are shared ([`crate::solver::optimize`]). The loops differ, and so would the bytes: here the
-//! inertia is given and no pseudo-time is adapted, the shares that are projected out are three fixed ones that no iteration
-//! remembers, up to 12 shares of a step are tried and not 6, moves are limited beside a body only, friction keeps its anchors
-//! within the step, the part of wind without an energy is left out of the step, and the end is a residual, not a caller's test.
+//! Memory, inertia and line search are shared ([`crate::solver::optimize`]). The loops differ, and
+//! so would the bytes: here the inertia is given and no pseudo-time is adapted, the shares that are
+//! projected out are three fixed ones that no iteration remembers, up to 12 shares of a step are
+//! tried and not 6, moves are limited beside a body only, friction keeps its anchors within the
+//! step, the part of wind without an energy is left out of the step, and the end is a residual, not
+//! a caller's test.
 
 use crate::solver::integrate::integrator::StepError;
 use crate::solver::model::system::{STANDARD_GRAVITY, System};
@@ -24,7 +29,8 @@ use seamster_cholesky::OutOfMemory;
 const ITERATIONS: usize = 40;
 /// Shares of a Newton step that a line search tries at most.
 const LINE_SEARCH_TRIALS: usize = 12;
-/// Shares of the indefinite part that are projected out, one after the other until there is a factor.
+/// Shares of the indefinite part that are projected out, one after the other until there is a
+/// factor.
 const MODIFICATIONS: [f64; 3] = [0.0, 0.25, 1.0];
 
 /// Operations that a block of second derivatives takes to work out and to sum up.
@@ -57,10 +63,12 @@ impl IncrementalNewton {
         })
     }
 
-    /// Returns the operations of one iteration, counted: assembly, the factor from its length, two solves.
+    /// Returns the operations of one iteration, counted: assembly, the factor from its length, two
+    /// solves.
     ///
-    /// The columns of a factor of length L with n columns have L / n numbers on average, and their squares, which are the
-    /// operations, add up to at least L²/n; for plane meshes ordered by minimum degree to about three times that.
+    /// The columns of a factor of length L with n columns have L / n numbers on average, and their
+    /// squares, which are the operations, add up to at least L²/n; for plane meshes ordered by
+    /// minimum degree to about three times that.
     pub(crate) fn operations(&self) -> f64 {
         let length = self.work.cholesky.factor_len() as f64;
         let columns = 3.0 * self.work.force.len() as f64;
@@ -100,7 +108,8 @@ impl IncrementalNewton {
             self.iterations += 1;
             self.direction(system, inertia_term, x)?;
             if !self.search(system, inertia_term, x) {
-                // Where no iteration lowers Φ any more, rounding is all that is left, or nothing is.
+                // Where no iteration lowers Φ any more, rounding is all that is left, or nothing
+                // is.
                 let near = residual <= 100.0 * floor;
                 return if near {
                     Ok(())

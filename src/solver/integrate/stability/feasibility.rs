@@ -1,10 +1,13 @@
-//! A lower bound on the steps that a motion needs, so that what cannot end is refused before it begins.
+//! A lower bound on the steps that a motion needs, so that what cannot end is refused before it
+//! begins.
 //!
-//! A motion of known duration needs that over its longest step. A drape by motion has to come to rest: with drag c per mass the
-//! energy of a swing falls by 2 c K a second, K its kinetic energy, which is half of the whole on average; so amplitudes, and
-//! with them the residual, fall as exp(-c t / 2), and those of swings slower than c / 2 (overdamped) more slowly still. From the
-//! residual 1 of cloth that nothing holds up yet to ε that takes at least 2 ln(1 / ε) / c. The fundamental frequency
-//! ([`crate::solver::integrate::damping::fundamental_frequency`]) would often ask for more, but taut cloth has none, and a refusal must be right.
+//! A motion of known duration needs that over its longest step. A drape by motion has to come to
+//! rest: with drag c per mass the energy of a swing falls by 2 c K a second, K its kinetic energy,
+//! which is half of the whole on average; so amplitudes, and with them the residual, fall as exp(-c
+//! t / 2), and those of swings slower than c / 2 (overdamped) more slowly still. From the residual
+//! 1 of cloth that nothing holds up yet to ε that takes at least 2 ln(1 / ε) / c. The fundamental
+//! frequency ([`crate::solver::integrate::damping::fundamental_frequency`]) would often ask for
+//! more, but taut cloth has none, and a refusal must be right.
 
 use crate::scene::Scene;
 use crate::solver::drape::drag::RELAXATION_DRAG;
@@ -19,15 +22,18 @@ use nalgebra::Vector3;
 /// Longest explicit step of a drape \[s\]: what moves nothing stiff still moves smoothly.
 pub(crate) const LONGEST_EXPLICIT: f64 = 1e-3;
 
-/// Returns the shortest time in which motion with `drag` \[1/s\] brings the residual from 1 to `tolerance` \[s\].
+/// Returns the shortest time in which motion with `drag` \[1/s\] brings the residual from 1 to
+/// `tolerance` \[s\].
 fn time_to_rest(drag: f64, tolerance: f64) -> f64 {
     2.0 / drag * (1.0 / tolerance).max(1.0).ln()
 }
 
-/// Returns the reason why a drape of `scene` by the method asked for cannot end within `limit` steps, if it cannot.
+/// Returns the reason why a drape of `scene` by the method asked for cannot end within `limit`
+/// steps, if it cannot.
 ///
-/// The stable step is that of the cloth flat and at rest, seams that stay springs included; bent, stretched or pressed on a body
-/// its steps may only be shorter. Where there is friction or the method damps by itself, drag of 0 is no reason.
+/// The stable step is that of the cloth flat and at rest, seams that stay springs included; bent,
+/// stretched or pressed on a body its steps may only be shorter. Where there is friction or the
+/// method damps by itself, drag of 0 is no reason.
 #[inline(never)] // so that a profile tells what it takes
 pub(crate) fn find_infeasibility(
     scene: &Scene,

@@ -1,10 +1,12 @@
 //! The longest step with which explicit methods are stable.
 //!
-//! The highest frequency ω is that of M⁻¹ H in the shape at hand. ω² is found by Lanczos iteration on differences of forces, so no
-//! matrix is needed. Its mean error ([`crate::solver::linalg::lanczos`]) is added twice, as is the share by which a shape may
-//! stiffen before the limit is updated. Contact, which may not act yet, is added by its bound, and cloth that yields to pressure
-//! is taken as taut: it may be in the next step (of poplin hung by two corners, slack at first, the limit is half of that of the
-//! slack shape). Gershgorin's bound, which needs no iteration, is twice too high for cloth: its steps are 1.4 times shorter.
+//! The highest frequency ω is that of M⁻¹ H in the shape at hand. ω² is found by Lanczos iteration
+//! on differences of forces, so no matrix is needed. Its mean error
+//! ([`crate::solver::linalg::lanczos`]) is added twice, as is the share by which a shape may
+//! stiffen before the limit is updated. Contact, which may not act yet, is added by its bound, and
+//! cloth that yields to pressure is taken as taut: it may be in the next step (of poplin hung by
+//! two corners, slack at first, the limit is half of that of the slack shape). Gershgorin's bound,
+//! which needs no iteration, is twice too high for cloth: its steps are 1.4 times shorter.
 
 use crate::solver::linalg::lanczos::{
     LanczosLimits, RitzValue, largest_ritz_value, pseudo_random_vectors,
@@ -24,9 +26,11 @@ const CONVERGED: LanczosLimits = LanczosLimits {
 };
 /// Share by which ω² may grow until the limit is computed anew.
 const STIFFENING: f64 = 0.05;
-/// Furthest that a particle is moved to take differences of forces \[m\]: far below an edge, far above rounding.
+/// Furthest that a particle is moved to take differences of forces \[m\]: far below an edge, far
+/// above rounding.
 const PROBE: f64 = 1e-7;
-/// The same where the frequency at that very shape is wanted: cloth that yields to pressure is not linear further off.
+/// The same where the frequency at that very shape is wanted: cloth that yields to pressure is not
+/// linear further off.
 const NEAR_PROBE: f64 = 1e-9;
 
 /// Returns a bound on the largest eigenvalue ω² of M⁻¹ H of `system` at `x` \[1/s²\].
@@ -54,15 +58,16 @@ fn set_taut(system: &mut System<'_>, taut: bool) {
     }
 }
 
-/// Returns the largest eigenvalue ω² of M⁻¹ H of `system` at `x`, contact as it is there \[1/s²\]: no bound, but the converged
-/// value.
+/// Returns the largest eigenvalue ω² of M⁻¹ H of `system` at `x`, contact as it is there \[1/s²\]:
+/// no bound, but the converged value.
 pub(crate) fn local_max_eigenvalue(system: &mut System<'_>, x: &[Vector3<f64>]) -> f64 {
     HessianProbe::new(system, x, true, NEAR_PROBE)
         .largest_eigenvalue(CONVERGED)
         .value
 }
 
-/// Returns the longest stable step of symplectic Euler \[s\]: with drag c it is stable while h² ω² + 2 c h <= 4.
+/// Returns the longest stable step of symplectic Euler \[s\]: with drag c it is stable while h² ω² +
+/// 2 c h <= 4.
 pub(crate) fn symplectic_euler(max_eigenvalue: f64, drag: f64) -> f64 {
     if max_eigenvalue == 0.0 {
         if drag == 0.0 {
@@ -75,7 +80,8 @@ pub(crate) fn symplectic_euler(max_eigenvalue: f64, drag: f64) -> f64 {
     }
 }
 
-/// Returns the longest stable step of velocity Verlet \[s\]: with drag taken at both ends of the step, h ω <= 2.
+/// Returns the longest stable step of velocity Verlet \[s\]: with drag taken at both ends of the
+/// step, h ω <= 2.
 pub(crate) fn verlet(max_eigenvalue: f64) -> f64 {
     2.0 / max_eigenvalue.sqrt()
 }

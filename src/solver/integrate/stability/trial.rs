@@ -1,8 +1,9 @@
 //! The longest stable step of a method as it shows when steps are taken, beside what theory says.
 //!
-//! A rest shape is disturbed by far less than anything that could make it move otherwise, and steps of one length are taken from
-//! there. Above the limit the disturbance of the stiffest mode grows by a factor a step (symplectic Euler at 1 % above: 1.3), so
-//! a few hundred steps tell. The longest step with which it stays is found by bisection of the logarithm of the step.
+//! A rest shape is disturbed by far less than anything that could make it move otherwise, and steps
+//! of one length are taken from there. Above the limit the disturbance of the stiffest mode grows
+//! by a factor a step (symplectic Euler at 1 % above: 1.3), so a few hundred steps tell. The
+//! longest step with which it stays is found by bisection of the logarithm of the step.
 
 use crate::scene::Scene;
 use crate::solver::forces::contact::FrictionAnchors;
@@ -23,12 +24,13 @@ use nalgebra::Vector3;
 
 /// Disturbance of a particle in each direction at most \[m\].
 const DISTURBANCE: f64 = 1e-10;
-/// Distance of any particle from the rest shape above which explicit steps count as unstable \[m\]. Below the limit a disturbance
-/// is carried on, and 1 % below it at most ten times as large; what is left of the net force at rest moves nothing so far in the
-/// time. Further off cloth that yields to pressure, or loses touch with the body, is softer, and what grows here may not grow
-/// there.
+/// Distance of any particle from the rest shape above which explicit steps count as unstable \[m\].
+/// Below the limit a disturbance is carried on, and 1 % below it at most ten times as large; what
+/// is left of the net force at rest moves nothing so far in the time. Further off cloth that yields
+/// to pressure, or loses touch with the body, is softer, and what grows here may not grow there.
 const GROWN: f64 = 1e-7;
-/// Explicit steps taken: an instability of 0.1 % above the limit, which grows by 1.09 a step, shows after 80.
+/// Explicit steps taken: an instability of 0.1 % above the limit, which grows by 1.09 a step, shows
+/// after 80.
 const STEPS: u64 = 400;
 /// The bracket is narrowed to this ratio.
 const NARROW: f64 = 1.01;
@@ -40,14 +42,15 @@ const LEAST_SHARE: f64 = 0.1;
 /// Steps of implicit methods that are tried \[s\], and how many of each.
 const IMPLICIT: [f64; 3] = [0.01, 0.1, 1.0];
 const IMPLICIT_STEPS: u64 = 20;
-/// Distance from the rest shape at which implicit steps are said to leave it \[m\]. The time is long: what slides freely slides.
+/// Distance from the rest shape at which implicit steps are said to leave it \[m\]. The time is
+/// long: what slides freely slides.
 const LEFT: f64 = 1e-3;
 
 /// The longest stable step of one method at one rest shape.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StableStep {
-    /// By theory, from the highest frequency at that shape \[s\]; none for methods that are stable with any step, and where
-    /// nothing is stiff.
+    /// By theory, from the highest frequency at that shape \[s\]; none for methods that are stable
+    /// with any step, and where nothing is stiff.
     pub theory_s: Option<f64>,
     /// The limit that `trajectory` keeps to: theory's with a margin for what it does not see \[s\].
     pub kept_to_s: Option<f64>,
@@ -74,14 +77,16 @@ enum TrialOutcome {
     Stopped,
 }
 
-/// Finds the longest stable step of the method that `options` names, near the rest shape `rest` of `scene`, held there by its friction.
+/// Finds the longest stable step of the method that `options` names, near the rest shape `rest` of
+/// `scene`, held there by its friction.
 ///
 /// # Guarantees
 /// Ends within the time limit of `options` and when canceled; says so. Numbers are finite.
 ///
 /// # Limitations
-/// `rest` must be at rest to about 1e-8 of the weight, or it moves by itself. Instabilities that need more than a tiny
-/// disturbance (contact that is not touched yet, cloth that stiffens as it stretches) do not show.
+/// `rest` must be at rest to about 1e-8 of the weight, or it moves by itself. Instabilities that
+/// need more than a tiny disturbance (contact that is not touched yet, cloth that stiffens as it
+/// stretches) do not show.
 pub fn stable_step(
     scene: &Scene,
     options: &SolverOptions,
@@ -107,8 +112,8 @@ pub fn stable_step(
     step
 }
 
-/// Returns the longest step that `trajectory` allows the method of `options` at the shape `shape` \[m; `#V`\] of `scene` \[s\]; none for methods
-/// that are stable with any step.
+/// Returns the longest step that `trajectory` allows the method of `options` at the shape `shape`
+/// \[m; `#V`\] of `scene` \[s\]; none for methods that are stable with any step.
 pub fn allowed_step(
     scene: &Scene,
     options: &SolverOptions,
@@ -156,7 +161,8 @@ impl StabilityTrial<'_, '_, '_> {
         self.bisect(theory, step)
     }
 
-    /// Narrows a bracket round the limit that begins about `guess` \[s\] and is widened until it holds it.
+    /// Narrows a bracket round the limit that begins about `guess` \[s\] and is widened until it
+    /// holds it.
     fn bisect(&mut self, guess: f64, step: &mut StableStep) -> StabilityFinding {
         let (mut low, mut high) = (guess / WIDER, guess * WIDER.powi(2));
         let (mut low_known, mut high_known) = (false, false);
@@ -254,7 +260,8 @@ impl StabilityTrial<'_, '_, '_> {
         }
     }
 
-    /// Takes `count` steps of `h` \[s\] from the disturbed rest shape, or fewer if it is further than `grown` \[m\] away before.
+    /// Takes `count` steps of `h` \[s\] from the disturbed rest shape, or fewer if it is further
+    /// than `grown` \[m\] away before.
     fn steps(&mut self, h: f64, count: u64, grown: f64) -> TrialOutcome {
         let (method, settings) = (self.options.method, self.settings());
         let (began, allowed) = (
@@ -300,7 +307,8 @@ impl StabilityTrial<'_, '_, '_> {
         })
     }
 
-    /// Calls `f` with a system that remembers nothing of other trials, and the rest shape of its particles.
+    /// Calls `f` with a system that remembers nothing of other trials, and the rest shape of its
+    /// particles.
     fn with_system<T>(&self, f: impl FnOnce(&mut System<'_>, &[Vector3<f64>]) -> T) -> T {
         let sewing = self.options.sewing_stiffness();
         let build_options = BuildOptions {

@@ -1,17 +1,22 @@
-//! The explicit step in one pass: pair forces, weight, drag and motion of eight particles at a time.
+//! The explicit step in one pass: pair forces, weight, drag and motion of eight particles at a
+//! time.
 //!
-//! V = keep V + gain F / m, then X = X + V h. Every particle gathers from its neighbours (a pair force is computed from both of its
-//! ends: no two particles write to the same place, and forces on the two ends are exactly opposite), in slices of eight
-//! particles of about as many neighbours (SELL-C-σ: M. Kreutzer et al., "A unified sparse matrix data format...", SIAM J. Sci.
-//! Comput. 36(5), 2014, with C = 8, σ = 256). Old and new positions are two arrays, so that one pass does it all.
+//! V = keep V + gain F / m, then X = X + V h. Every particle gathers from its neighbours (a pair
+//! force is computed from both of its ends: no two particles write to the same place, and forces on
+//! the two ends are exactly opposite), in slices of eight particles of about as many neighbours
+//! (SELL-C-σ: M. Kreutzer et al., "A unified sparse matrix data format...", SIAM J. Sci. Comput.
+//! 36(5), 2014, with C = 8, σ = 256). Old and new positions are two arrays, so that one pass does
+//! it all.
 //!
 //! # Guarantees
-//! No allocation in a step. The same bytes with and without AVX2: loops over lanes are written out, sums are never reordered,
-//! and nothing is contracted. Forces equal those of the terms to rounding.
+//! No allocation in a step. The same bytes with and without AVX2: loops over lanes are written out,
+//! sums are never reordered, and nothing is contracted. Forces equal those of the terms to
+//! rounding.
 //!
 //! # Performance
-//! Positions are gathered number by number (24 loads for eight neighbours), and a square root and a division are taken for each
-//! end of a spring; from about 100 000 particles on, when the tables leave the caches, memory is the bound.
+//! Positions are gathered number by number (24 loads for eight neighbours), and a square root and a
+//! division are taken for each end of a spring; from about 100 000 particles on, when the tables
+//! leave the caches, memory is the bound.
 
 mod pass;
 mod rows;
@@ -30,7 +35,8 @@ const SAME: f64 = 1e-12;
 
 type Lanes = [f64; LANES];
 
-/// Rule by which a step moves particles: V = `keep` V + `gain` F / m, at most `speed_limit`, then X += V `h`.
+/// Rule by which a step moves particles: V = `keep` V + `gain` F / m, at most `speed_limit`, then X
+/// += V `h`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct StepRule {
     /// Dimensionless.
@@ -78,7 +84,8 @@ pub(crate) struct Kernel {
 }
 
 impl Kernel {
-    /// Lays out `pair_forces` for particles of these masses \[kg\]; `more_forces` if other forces will be handed in at each step.
+    /// Lays out `pair_forces` for particles of these masses \[kg\]; `more_forces` if other forces
+    /// will be handed in at each step.
     pub(crate) fn new(system: &System<'_>, pair_forces: &PairForces, more_forces: bool) -> Self {
         let (mass, is_fixed) = (&system.mass, &system.is_fixed);
         let rows = PairRows::new(&pair_forces.merged(), mass.len());

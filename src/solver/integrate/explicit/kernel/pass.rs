@@ -99,7 +99,8 @@ impl Kernel {
                 let mut scale = [0.0; LANES];
                 for l in 0..LANES {
                     let square = d[0][l] * d[0][l] + d[1][l] * d[1][l] + d[2][l] * d[2][l];
-                    // A spring of no length has no direction to push in: its scale is finite, and times 0.
+                    // A spring of no length has no direction to push in: its scale is finite, and
+                    // times 0.
                     scale[l] = straight[l] - bent[l] / square.max(f64::MIN_POSITIVE).sqrt();
                 }
                 add(&mut sum, &scale, &d);

@@ -1,8 +1,10 @@
-//! The pair forces of each particle in one row, and an order in which particles next to each other have about as many.
+//! The pair forces of each particle in one row, and an order in which particles next to each other
+//! have about as many.
 
 use crate::solver::forces::PairForce;
 
-/// Particles among which those of like counts are put together; few enough to stay neighbours in memory.
+/// Particles among which those of like counts are put together; few enough to stay neighbours in
+/// memory.
 const WINDOW: usize = 256;
 
 /// The pair forces of each particle, from its own end: springs first.

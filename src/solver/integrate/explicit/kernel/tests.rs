@@ -84,7 +84,8 @@ const RULE: StepRule = StepRule {
     speed_limit: f64::INFINITY,
 };
 
-/// Sums of a dozen forces, each rounded to eps of the largest; what is compared is V, gained from them over eps.
+/// Sums of a dozen forces, each rounded to eps of the largest; what is compared is V, gained from
+/// them over eps.
 #[test]
 fn a_step_is_that_of_the_terms_to_rounding() {
     for (n, more, axis) in [(1, false, None), (23, false, None), (300, true, Some(1))] {
