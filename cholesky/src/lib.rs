@@ -2,7 +2,7 @@
 //! factorization, many numeric ones in the same memory.
 //!
 //! A crate of its own because faer is generic: used from a large crate, its kernels are compiled
-//! again with every change of that crate, and at that crate's optimisation level.
+//! again with every change of that crate, and at that crate's optimization level.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;

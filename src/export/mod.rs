@@ -1,6 +1,6 @@
 //! From a drape to bytes: GLB, OBJ, JSON; from a pattern to a drawing; from measurements to a plot.
 //!
-//! In all of them the first texture coordinates are the pattern coordinates in metres, v up, so
+//! In all of them the first texture coordinates are the pattern coordinates in meters, v up, so
 //! that a fabric of known repeat can be laid on to scale.
 
 mod garment_mesh;

@@ -179,7 +179,7 @@ fn repaired(mesh: &PanelTriangles, domain: &Domain, clearance: &SegmentGrid) -> 
             let [a, b, _] = sides[0];
             let inner = a.max(b);
             if inner >= fixed {
-                // One at a time is taken out of a neighbourhood, or a gap is torn.
+                // One at a time is taken out of a neighborhood, or a gap is torn.
                 if !triangle.iter().any(|v| out.contains(v)) {
                     out.insert(inner);
                 }

@@ -4,7 +4,8 @@
 
 use super::point::{Point2, cross, sub};
 
-/// Height to which a curve may bulge over its chord, as a share of the chord: tan(1 degree / 4) / 2.
+/// Height to which a curve may bulge over its chord, as a share of the chord:
+/// tan(1 degree / 4) / 2.
 const BULGE: f64 = 2.2e-3;
 
 /// Number of chords that a span begins with, so that a curve that is straight in the middle is seen

@@ -15,13 +15,13 @@ pub enum Body {
     Analytic(Analytic),
 }
 
-/// A body whose signed distance is a formula. Lengths in metres, directions of any length but zero.
+/// A body whose signed distance is a formula. Lengths in meters, directions of any length but zero.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Analytic {
     /// All points within `r` of `c`.
     Sphere {
-        /// Centre.
+        /// Center.
         c: [f64; 3],
         /// Radius.
         r: f64,
@@ -83,7 +83,7 @@ impl Body {
 impl Analytic {
     /// The signed distance at `p` with its first two derivatives.
     ///
-    /// At the centre of a sphere and on the axis of a capsule or cylinder the normal is any one.
+    /// At the center of a sphere and on the axis of a capsule or cylinder the normal is any one.
     pub fn sample(&self, p: &Vector3<f64>) -> BodySample {
         match *self {
             Self::Sphere { c, r } => round(p - Vector3::from(c), r, Matrix3::identity()),

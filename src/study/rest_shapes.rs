@@ -5,7 +5,7 @@ use super::rest_shape::RestShape;
 use crate::solver::{Drape, rms_distance};
 use nalgebra::Vector3;
 
-/// Shapes nearer than this are the same \[m, RMS\]: a hundredth of a millimetre is nothing on a
+/// Shapes nearer than this are the same \[m, RMS\]: a hundredth of a millimeter is nothing on a
 /// garment.
 const SAME_M: f64 = 1e-5;
 /// Shapes are also the same if they are nearer than this many times the estimates of their own

@@ -131,7 +131,7 @@ impl Choice {
         }
     }
 
-    /// Inside, a vertex stays unless a neighbour does.
+    /// Inside, a vertex stays unless a neighbor does.
     fn thin_inside(&mut self, mesh: &ClothMesh) {
         let neighbours = neighbours(mesh);
         for v in 0..mesh.uv.len() {

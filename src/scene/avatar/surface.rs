@@ -3,7 +3,7 @@
 use crate::fault::{AvatarCode, Fault};
 use nalgebra::Vector3;
 
-/// Most triangles of a body; far beyond what a body needs at millimetre detail.
+/// Most triangles of a body; far beyond what a body needs at millimeter detail.
 const TRIANGLES: usize = 500_000;
 /// Largest coordinate of a body \[m\].
 const EXTENT: f64 = 10.0;

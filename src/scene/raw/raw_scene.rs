@@ -3,7 +3,7 @@
 use crate::scene::{Analytic, NetSpring};
 use serde::{Deserialize, Serialize};
 
-/// A scene of particles and springs. Every length in metres, every index that of a vertex.
+/// A scene of particles and springs. Every length in meters, every index that of a vertex.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RawScene {

@@ -5,7 +5,7 @@
 //! pressure drag on the component across the cloth (the cross-flow principle) and friction along
 //! it. Each corner has a third. S. F. Hoerner, "Fluid-Dynamic Drag" (1965): 1.17 for a square plate
 //! across the flow; a plate along the flow has 0.074 Re^(-1/5) a side (Prandtl), both sides
-//! together 0.012 for half a metre at 5 m/s.
+//! together 0.012 for half a meter at 5 m/s.
 //!
 //! # Limitations
 //! Cloth does not shelter cloth, and the body does not shelter it either; the air does not feel the

@@ -2,8 +2,9 @@
 //! Bur. Stand. 45(4), 1950).
 //!
 //! Only products of the operator with vectors are needed. The Ritz value comes from below; from a
-//! random start its mean relative error after k products with n unknowns is at most 0.103 (ln(n (k -
-//! 1)^4) / (k - 1))² (J. Kuczyński, H. Woźniakowski, SIAM J. Matrix Anal. Appl. 13(4), 1992).
+//! random start its mean relative error after k products with n unknowns is at most
+//! 0.103 (ln(n (k - 1)^4) / (k - 1))²
+//! (J. Kuczyński, H. Woźniakowski, SIAM J. Matrix Anal. Appl. 13(4), 1992).
 
 use nalgebra::Vector3;
 

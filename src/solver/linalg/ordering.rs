@@ -1,7 +1,8 @@
 //! An order of elimination with little fill: nested dissection of the graph of particles that act
 //! on each other.
 //!
-//! A. George, "Nested dissection of a regular finite element mesh", SIAM J. Numer. Anal. 10(2), 1973.
+//! A. George, "Nested dissection of a regular finite element mesh", SIAM J. Numer. Anal. 10(2),
+//! 1973.
 //! A part of the graph is halved along the distance from a vertex at its rim (as A. George and J.
 //! W.-H. Liu do in "An automatic nested dissection algorithm for irregular finite element
 //! problems", SIAM J. Numer. Anal. 15(5), 1978); what touches the other half is eliminated last.

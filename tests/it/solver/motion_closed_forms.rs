@@ -21,8 +21,8 @@ fn falling(scene: Scene) -> Scene {
 
 /// Without drag Verlet is exact but for rounding; the errors of the two Euler methods are g h t /
 /// 2: the mean velocity of a step is taken half a step late. BDF2 is exact but for its first step
-/// of implicit Euler, which is off by g h²/2; its formula 4/3 y - 1/3 y₋ carries that on as 1 + 1/3 +
-/// 1/9 + ... = 3/2 of it.
+/// of implicit Euler, which is off by g h²/2; its formula 4/3 y - 1/3 y₋ carries that on as
+/// 1 + 1/3 + 1/9 + ... = 3/2 of it.
 #[test]
 fn free_fall_matches_its_closed_form() {
     let scene = falling(net(vec![Vector3::new(0.1, 0.2, 0.3)], vec![0.01], &[]));

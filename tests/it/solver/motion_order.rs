@@ -184,7 +184,8 @@ fn angular_momentum_of_free_flight_is_kept_by_symplectic_methods() {
     }
 }
 
-/// Implicit Euler loses h² sum m |v x a| a step, BDF2 an order more: over a fixed time orders 1 and 2.
+/// Implicit Euler loses h² sum m |v x a| a step, BDF2 an order more: over a fixed time
+/// orders 1 and 2.
 #[test]
 fn angular_momentum_drifts_by_the_order_of_implicit_methods() {
     let scene = grid(3, 2.0);

@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 
 /// Lines of a source file; above this it holds more than one idea.
 const MOST_LINES: usize = 400;
+/// Columns of a comment line.
+const COMMENT_COLUMNS: usize = 100;
 
 #[test]
 fn every_file_says_first_what_it_is() {
@@ -43,6 +45,22 @@ fn the_container_has_the_pinned_toolchain() {
     let pinned = toolchain.split('"').nth(1).expect("a channel in quotes");
     let image = format!("FROM rust:{}-", pinned.trim_end_matches(".0"));
     assert!(text(&root().join("Dockerfile")).contains(&image), "{image}");
+}
+
+#[test]
+fn no_comment_is_wider_than_a_page() {
+    let is_wide =
+        |line: &&str| line.trim_start().starts_with("//") && line.chars().count() > COMMENT_COLUMNS;
+    let places = rust_files().into_iter().flat_map(|path| {
+        let text = text(&path);
+        let wide: Vec<_> = text.lines().filter(is_wide).map(str::to_owned).collect();
+        wide.into_iter().map(move |line| (path.clone(), line))
+    });
+    let wrong: Vec<_> = places.collect();
+    assert!(
+        wrong.is_empty(),
+        "over {COMMENT_COLUMNS} columns: {wrong:#?}"
+    );
 }
 
 fn root() -> &'static Path {

@@ -66,8 +66,8 @@ pub(crate) fn local_max_eigenvalue(system: &mut System<'_>, x: &[Vector3<f64>]) 
         .value
 }
 
-/// Returns the longest stable step of symplectic Euler \[s\]: with drag c it is stable while h² ω² +
-/// 2 c h <= 4.
+/// Returns the longest stable step of symplectic Euler \[s\]: with drag c it is stable while
+/// h² ω² + 2 c h <= 4.
 pub(crate) fn symplectic_euler(max_eigenvalue: f64, drag: f64) -> f64 {
     if max_eigenvalue == 0.0 {
         if drag == 0.0 {

@@ -1,9 +1,9 @@
 //! The explicit step in one pass: pair forces, weight, drag and motion of eight particles at a
 //! time.
 //!
-//! V = keep V + gain F / m, then X = X + V h. Every particle gathers from its neighbours (a pair
+//! V = keep V + gain F / m, then X = X + V h. Every particle gathers from its neighbors (a pair
 //! force is computed from both of its ends: no two particles write to the same place, and forces on
-//! the two ends are exactly opposite), in slices of eight particles of about as many neighbours
+//! the two ends are exactly opposite), in slices of eight particles of about as many neighbors
 //! (SELL-C-σ: M. Kreutzer et al., "A unified sparse matrix data format...", SIAM J. Sci. Comput.
 //! 36(5), 2014, with C = 8, σ = 256). Old and new positions are two arrays, so that one pass does
 //! it all.
@@ -14,7 +14,7 @@
 //! rounding.
 //!
 //! # Performance
-//! Positions are gathered number by number (24 loads for eight neighbours), and a square root and a
+//! Positions are gathered number by number (24 loads for eight neighbors), and a square root and a
 //! division are taken for each end of a spring; from about 100 000 particles on, when the tables
 //! leave the caches, memory is the bound.
 
@@ -138,7 +138,7 @@ impl Kernel {
                 let row = |lane| own(lane).map_or(&[][..], |p| rows.of(p, kind));
                 let most = (0..LANES).map(|lane| row(lane).len()).max();
                 for k in 0..most.unwrap_or(0) {
-                    // A lane that has no more neighbours is its own, and pulls by nothing.
+                    // A lane that has no more neighbors is its own, and pulls by nothing.
                     let ends = std::array::from_fn(|lane| {
                         row(lane).get(k).map_or_else(
                             || u32::try_from(first + lane).unwrap_or(u32::MAX),

@@ -3,7 +3,7 @@
 
 use crate::solver::forces::PairForce;
 
-/// Particles among which those of like counts are put together; few enough to stay neighbours in
+/// Particles among which those of like counts are put together; few enough to stay neighbors in
 /// memory.
 const WINDOW: usize = 256;
 
