@@ -25,7 +25,8 @@ mod statistics;
 
 pub use crate::solver::context::Context;
 pub use crate::solver::drape::multilevel::{drape, drape_on};
-pub use crate::solver::forces::contact::{FrictionAnchors, contact_force, contact_pressure};
+pub use crate::solver::forces::contact::{contact_force, contact_pressure};
+pub use crate::solver::forces::friction_anchors::FrictionAnchors;
 pub use crate::solver::integrate::{
     Frame, MotionEnergy, MotionReport, StableStep, Start, Trajectory, allowed_step, stable_step,
     trajectory,

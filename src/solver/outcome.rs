@@ -1,6 +1,6 @@
 //! Outcome of a drape as typed values. [`crate::solver::report::describe`] puts it into words.
 
-use crate::solver::forces::contact::FrictionAnchors;
+use crate::solver::forces::friction_anchors::FrictionAnchors;
 use crate::solver::integrate::outcome::Infeasibility;
 use crate::solver::options::Method;
 use crate::solver::report::measure::ShapeMeasures;

@@ -3,7 +3,7 @@
 use crate::scene::Scene;
 use crate::solver::drape::monitor::Monitor;
 use crate::solver::drape::stage::{IterationLimits, StageMethod};
-use crate::solver::forces::contact::FrictionAnchors;
+use crate::solver::forces::friction_anchors::FrictionAnchors;
 use crate::solver::integrate::dynamic_relaxation::DynamicRelaxation;
 use crate::solver::optimize::pseudo_transient::{FIRST_GAMMA, NEAR_GAMMA};
 use crate::solver::options::SolverOptions;

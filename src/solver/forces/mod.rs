@@ -4,6 +4,7 @@ pub(crate) mod bending;
 pub(crate) mod central;
 pub(crate) mod contact;
 pub(crate) mod fiber;
+pub(crate) mod friction_anchors;
 pub(crate) mod gravity;
 pub(crate) mod membrane;
 pub(crate) mod pair;

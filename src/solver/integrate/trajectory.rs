@@ -2,7 +2,7 @@
 
 use crate::scene::Scene;
 use crate::solver::Context;
-use crate::solver::forces::contact::FrictionAnchors;
+use crate::solver::forces::friction_anchors::FrictionAnchors;
 use crate::solver::integrate::damping;
 use crate::solver::integrate::integrator::ParticleState;
 use crate::solver::integrate::report::{MotionReport, Trajectory};

@@ -41,7 +41,7 @@ const LACKS: [&str; 6] = [
     "src/export",
 ];
 
-fn ask(method: Method) -> SolverOptions {
+fn options_of(method: Method) -> SolverOptions {
     SolverOptions {
         method,
         // By motion it may not come to rest; a lower one would be refused.
@@ -55,7 +55,7 @@ fn ask(method: Method) -> SolverOptions {
 }
 
 #[inline(never)]
-fn as_a_scene(scene: &Scene, ask: &SolverOptions) -> Drape {
+fn as_a_scene(scene: &Scene, options: &SolverOptions) -> Drape {
     let limits = Limits {
         steps: STEPS,
         ..Limits::default()
@@ -67,33 +67,33 @@ fn as_a_scene(scene: &Scene, ask: &SolverOptions) -> Drape {
         progress: &mut |_| {},
         limits: &limits,
     };
-    drape(scene, ask, &mut context)
+    drape(scene, options, &mut context)
 }
 
 #[inline(never)]
-fn bare(scene: &Scene, ask: &SolverOptions) -> Vec<Vector3<f64>> {
+fn bare(scene: &Scene, options: &SolverOptions) -> Vec<Vector3<f64>> {
     let mut system = by_hand::system(scene, true);
     let mut x = scene.start.clone();
     let mut callback = |i: Iterate<'_>| {
         let share = if i.convex { 1.0 } else { SADDLE };
-        if i.residual <= share * ask.tolerance {
+        if i.residual <= share * options.tolerance {
             ControlFlow::Break(Termination::Reached)
         } else {
             ControlFlow::Continue(())
         }
     };
-    if ask.method == Method::Newton {
+    if options.method == Method::Newton {
         let mut newton = Newton::new(&mut system, FIRST_GAMMA).expect("memory for a small matrix");
         let limit = Limits::default().iterations;
         let stop = newton.run(&mut system, &mut x, limit, &mut callback);
         assert_eq!(stop, Termination::Reached);
     } else {
         let motion = DynamicRelaxation {
-            method: ask.method,
+            method: options.method,
             drag: RELAXATION_DRAG,
             speed_limit: RELAXATION_SPEED_LIMIT,
             step: None,
-            tolerance: ask.tolerance,
+            tolerance: options.tolerance,
         };
         let moved = dynamic_relaxation::run(&mut system, &mut x, motion, STEPS, &mut callback);
         assert!(moved.is_ok(), "{moved:?}");
@@ -104,31 +104,31 @@ fn bare(scene: &Scene, ask: &SolverOptions) -> Vec<Vector3<f64>> {
 #[test]
 #[ignore = "run under callgrind by the tests below"]
 fn drape_by_newton() {
-    as_a_scene(&scene(Has::WEIGHT, CELLS), &ask(Method::Newton));
+    as_a_scene(&scene(Has::WEIGHT, CELLS), &options_of(Method::Newton));
 }
 
 #[test]
 #[ignore = "run under callgrind by the tests below"]
 fn bare_newton() {
-    bare(&scene(Has::WEIGHT, CELLS), &ask(Method::Newton));
+    bare(&scene(Has::WEIGHT, CELLS), &options_of(Method::Newton));
 }
 
 #[test]
 #[ignore = "run under callgrind by the tests below"]
 fn drape_by_explicit_steps() {
-    as_a_scene(&scene(Has::WEIGHT, CELLS), &ask(Method::SymplecticEuler));
+    as_a_scene(&scene(Has::WEIGHT, CELLS), &options_of(Method::SymplecticEuler));
 }
 
 #[test]
 #[ignore = "run under callgrind by the tests below"]
 fn bare_explicit_steps() {
-    bare(&scene(Has::WEIGHT, CELLS), &ask(Method::SymplecticEuler));
+    bare(&scene(Has::WEIGHT, CELLS), &options_of(Method::SymplecticEuler));
 }
 
 #[test]
 #[ignore = "run under callgrind by the tests below"]
 fn drape_of_everything() {
-    as_a_scene(&scene(Has::ALL, 4), &ask(Method::Newton));
+    as_a_scene(&scene(Has::ALL, 4), &options_of(Method::Newton));
 }
 
 /// The profile of the test `name` of this module.
@@ -160,10 +160,10 @@ fn compare(name: &str, by_hand: &str) -> (Profile, [u64; 3]) {
 
 #[test]
 fn a_plain_drape_takes_the_instructions_of_its_terms() {
-    let (plain, ask) = (scene(Has::WEIGHT, CELLS), ask(Method::Newton));
-    let drape = as_a_scene(&plain, &ask);
+    let (plain, options) = (scene(Has::WEIGHT, CELLS), options_of(Method::Newton));
+    let drape = as_a_scene(&plain, &options);
     assert!(drape.report.converged, "{}", drape.report.why);
-    assert_eq!(drape.positions, bare(&plain, &ask));
+    assert_eq!(drape.positions, bare(&plain, &options));
     let (profile, [drape, bare, _]) = compare("drape_by_newton", "bare_newton");
     for function in REPORT.iter().filter(|f| !f.ends_with("find_infeasibility")) {
         assert!(profile.of(function).is_some(), "{function} did not run");
@@ -174,8 +174,8 @@ fn a_plain_drape_takes_the_instructions_of_its_terms() {
 
 #[test]
 fn plain_explicit_steps_take_the_instructions_of_their_terms() {
-    let (plain, ask) = (scene(Has::WEIGHT, CELLS), ask(Method::SymplecticEuler));
-    assert_eq!(as_a_scene(&plain, &ask).positions, bare(&plain, &ask));
+    let (plain, options) = (scene(Has::WEIGHT, CELLS), options_of(Method::SymplecticEuler));
+    assert_eq!(as_a_scene(&plain, &options).positions, bare(&plain, &options));
     let (profile, [drape, bare, _]) = compare("drape_by_explicit_steps", "bare_explicit_steps");
     assert!(profile.of(REPORT[0]).is_some(), "{} did not run", REPORT[0]);
     assert!(drape as f64 <= (1.0 + MORE) * bare as f64, "{drape} {bare}");

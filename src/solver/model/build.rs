@@ -3,7 +3,8 @@
 pub use crate::solver::model::membrane::springs;
 
 use crate::scene::{Fabric, Scene};
-use crate::solver::forces::contact::{BodyContact, Friction, FrictionAnchors};
+use crate::solver::forces::contact::{BodyContact, Friction};
+use crate::solver::forces::friction_anchors::FrictionAnchors;
 use crate::solver::forces::{BendForce, Gravity, SewingForce, WindForce};
 use crate::solver::model::bending::bend_patches;
 use crate::solver::model::dof_map::DofMap;

@@ -10,6 +10,7 @@
 
 use crate::scene::{Body, BodySample};
 use crate::solver::forces::contact::layer;
+use crate::solver::forces::friction_anchors::{FrictionAnchor, FrictionAnchors};
 use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use nalgebra::{Matrix3, Vector3};
@@ -22,22 +23,6 @@ const SLIP_FELT: f64 = 1e-7;
 pub(crate) struct Friction {
     coefficient: f64,
     anchors: Vec<Option<FrictionAnchor>>,
-}
-
-/// Points that friction holds the particles of a shape by; empty where there is none. A drape that
-/// continues from the shape needs them.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct FrictionAnchors(Vec<Option<FrictionAnchor>>);
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct FrictionAnchor {
-    point: Vector3<f64>,
-    normal: Vector3<f64>,
-    /// Largest tangential force: μ N \[N\].
-    limit: f64,
-    /// True if the last step slipped: then the next is taken to slip on, or it would creep by the
-    /// spring's give at a time.
-    slipping: bool,
 }
 
 impl Friction {

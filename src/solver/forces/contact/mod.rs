@@ -4,6 +4,5 @@ mod body;
 mod layer;
 mod pressure;
 
-pub use crate::solver::forces::contact::body::FrictionAnchors;
 pub(crate) use crate::solver::forces::contact::body::{BodyContact, Friction};
 pub use crate::solver::forces::contact::pressure::{contact_force, contact_pressure};

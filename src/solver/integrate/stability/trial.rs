@@ -6,7 +6,7 @@
 //! longest step with which it stays is found by bisection of the logarithm of the step.
 
 use crate::scene::Scene;
-use crate::solver::forces::contact::FrictionAnchors;
+use crate::solver::forces::friction_anchors::FrictionAnchors;
 use crate::solver::integrate::damping;
 use crate::solver::integrate::integrator::{ParticleState, StepError};
 use crate::solver::integrate::outcome::StabilityFinding;
