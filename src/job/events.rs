@@ -69,7 +69,7 @@ pub struct JobEvents {
 }
 
 impl JobEvents {
-    /// JobEvents that are all known.
+    /// Events that are all known.
     pub(super) fn of(past: impl IntoIterator<Item = JobEvent>) -> Self {
         Self {
             past: past.into_iter().collect(),

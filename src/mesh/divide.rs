@@ -153,7 +153,7 @@ fn endless(panel: &Panel) -> Fault {
     .fix("sew each stretch of outline to one other, or let layered seams begin and end at the same places")
 }
 
-/// SpanNumbering all spans of all edges.
+/// The numbers of all spans of all edges.
 struct SpanNumbering {
     /// By panel and number of the edge: its first span.
     first: Vec<Vec<usize>>,

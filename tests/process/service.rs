@@ -1,10 +1,5 @@
 //! The service as a process: what survives its end, and how it ends.
 
-#![expect(
-    clippy::unwrap_used,
-    reason = "a failure is a failed test, in its helpers too"
-)]
-
 use crate::program::{Service, code, garment, run, sample, stderr, until};
 use std::path::PathBuf;
 

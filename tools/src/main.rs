@@ -40,7 +40,7 @@ enum Tool {
     Instructions(instructions::InstructionsOptions),
     /// Cost of an explicit step against the memory's bandwidth.
     ExplicitStep,
-    /// Real patterns against what is known of them; needs SEAMSTER_TEST_DATA.
+    /// Real patterns against what is known of them; needs `SEAMSTER_TEST_DATA`.
     TruthTable {
         /// Sections to print; all of them if none is named.
         sections: Vec<String>,

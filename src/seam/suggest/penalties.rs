@@ -78,12 +78,10 @@ pub(super) fn drawing_penalty(
     if upright == Some(true) && !hem.is_empty() && above {
         cost += weights.upside_down;
     }
-    if part.kind == PanelKind::Skirt && part.number == 0 {
-        if part.role_length(EdgeRole::Waist)
-            > weights.max_waist_to_hem * part.role_length(EdgeRole::Hem)
-        {
-            cost += weights.upside_down;
-        }
+    let widest_waist = weights.max_waist_to_hem * part.role_length(EdgeRole::Hem);
+    let is_skirt = part.kind == PanelKind::Skirt && part.number == 0;
+    if is_skirt && part.role_length(EdgeRole::Waist) > widest_waist {
+        cost += weights.upside_down;
     }
     let hints = part.laterality.filter(|_| {
         part.half

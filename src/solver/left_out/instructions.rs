@@ -116,13 +116,19 @@ fn bare_newton() {
 #[test]
 #[ignore = "run under callgrind by the tests below"]
 fn drape_by_explicit_steps() {
-    as_a_scene(&scene(Has::WEIGHT, CELLS), &options_of(Method::SymplecticEuler));
+    as_a_scene(
+        &scene(Has::WEIGHT, CELLS),
+        &options_of(Method::SymplecticEuler),
+    );
 }
 
 #[test]
 #[ignore = "run under callgrind by the tests below"]
 fn bare_explicit_steps() {
-    bare(&scene(Has::WEIGHT, CELLS), &options_of(Method::SymplecticEuler));
+    bare(
+        &scene(Has::WEIGHT, CELLS),
+        &options_of(Method::SymplecticEuler),
+    );
 }
 
 #[test]
@@ -174,8 +180,14 @@ fn a_plain_drape_takes_the_instructions_of_its_terms() {
 
 #[test]
 fn plain_explicit_steps_take_the_instructions_of_their_terms() {
-    let (plain, options) = (scene(Has::WEIGHT, CELLS), options_of(Method::SymplecticEuler));
-    assert_eq!(as_a_scene(&plain, &options).positions, bare(&plain, &options));
+    let (plain, options) = (
+        scene(Has::WEIGHT, CELLS),
+        options_of(Method::SymplecticEuler),
+    );
+    assert_eq!(
+        as_a_scene(&plain, &options).positions,
+        bare(&plain, &options)
+    );
     let (profile, [drape, bare, _]) = compare("drape_by_explicit_steps", "bare_explicit_steps");
     assert!(profile.of(REPORT[0]).is_some(), "{} did not run", REPORT[0]);
     assert!(drape as f64 <= (1.0 + MORE) * bare as f64, "{drape} {bare}");

@@ -32,12 +32,15 @@ pub(crate) struct RitzValue {
     pub(crate) products: usize,
 }
 
+/// A symmetric linear operator: applies itself to its first argument and writes to its second.
+pub(crate) type LinearOperator<'a> = dyn FnMut(&[Vector3<f64>], &mut [Vector3<f64>]) + 'a;
+
 /// Returns the largest Ritz value of the operator that `multiply` applies to its first argument and
 /// writes to its second, from the vector `start`.
 pub(crate) fn largest_ritz_value(
     start: Vec<Vector3<f64>>,
     limits: LanczosLimits,
-    multiply: &mut dyn FnMut(&[Vector3<f64>], &mut [Vector3<f64>]),
+    multiply: &mut LinearOperator<'_>,
 ) -> RitzValue {
     let interval = limits.products / 10;
     let mut last_checked = 0.0;

@@ -218,7 +218,7 @@ impl Newton {
             } = &mut self.work;
             let mut solve = |right: &mut [Vector3<f64>]| cholesky.solve(right);
             let mut apply = |d: &[Vector3<f64>], out: &mut [Vector3<f64>]| {
-                system.antisymmetric_product(x, d, out)
+                system.antisymmetric_product(x, d, out);
             };
             nonsymmetric.correct(force, step, &mut solve, &mut apply);
         }

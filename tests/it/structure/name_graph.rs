@@ -307,7 +307,7 @@ fn leaves(tree: &UseTree) -> Vec<(Vec<String>, Option<String>)> {
 fn add_leaves(tree: &UseTree, before: &[String], found: &mut Vec<(Vec<String>, Option<String>)>) {
     match tree {
         UseTree::Path(tree) => {
-            add_leaves(&tree.tree, &child(before, &tree.ident.to_string()), found)
+            add_leaves(&tree.tree, &child(before, &tree.ident.to_string()), found);
         }
         UseTree::Name(tree) if tree.ident == "self" => {
             found.push((before.to_vec(), before.last().cloned()));

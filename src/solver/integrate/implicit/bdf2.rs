@@ -3,8 +3,8 @@
 //!
 //! C. F. Curtiss, J. O. Hirschfelder, Proc. Nat. Acad. Sci. 38, 1952; for variable steps E. Hairer,
 //! S. P. Nørsett, G. Wanner, "Solving Ordinary Differential Equations I", III.5. With r the step
-//! over the one before it and γ = (1 + r) / (1 + 2r), y' = (1 + r)² / (1 + 2r) y - r² / (1 + 2r) y₋
-//! + γ h f(y') for y = X and y = V.
+//! over the one before it and γ = (1 + r) / (1 + 2r), for y = X and y = V
+//! `y' = (1 + r)² / (1 + 2r) y - r² / (1 + 2r) y₋ + γ h f(y')`.
 //! Put together, X' minimizes `E(x) + w/2 |x - x̂|²_M` with H = γ h,
 //! w = (1 + c H) / H², x̂ = x̃ + H ṽ / (1 + c H), x̃ and ṽ the sums of what is known. It is
 //! zero-stable for r < 1 + √2; the controller at most doubles a step.
