@@ -16,6 +16,8 @@ mod catalogue;
 mod clock;
 #[cfg(test)]
 mod contract;
+#[cfg(test)]
+mod documents_contract;
 mod events;
 mod failure;
 mod kind;

@@ -2,7 +2,8 @@
 
 use super::SqliteStore;
 use crate::job::clock::ManualClock;
-use crate::job::contract::{documents_contract, store_contract};
+use crate::job::contract::store_contract;
+use crate::job::documents_contract::documents_contract;
 use crate::job::kind::JobKind;
 use crate::job::status::JobStatus;
 use crate::job::store::{
