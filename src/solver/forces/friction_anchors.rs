@@ -1,5 +1,5 @@
-//! State of friction that one solve hands to the next. Apart from contact, so that a scene without a
-//! body enters no code of it.
+//! State of friction that one solve hands to the next. Apart from contact, so that a scene without
+//! a body enters no code of it.
 
 use nalgebra::Vector3;
 
