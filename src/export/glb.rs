@@ -28,7 +28,7 @@ const UNSIGNED_INT: u32 = 5125;
 
 /// Writes a garment as binary glTF 2.0.
 ///
-/// `POSITION` and `NORMAL` in metres, y up; `TEXCOORD_0` = pattern coordinates in metres with v up
+/// `POSITION` and `NORMAL` in meters, y up; `TEXCOORD_0` = pattern coordinates in meters with v up
 /// (glTF draws images with v down: a texture wants `KHR_texture_transform`). A panel without
 /// triangles is a node without a mesh.
 pub fn glb(mesh: &GarmentMesh) -> Vec<u8> {

@@ -56,7 +56,7 @@ fn rows(boundary: &Boundary, local: &[Point2], step: f64) -> Vec<(i64, Vec<f64>)
         let (low, high) = if a[1] < b[1] { (a, b) } else { (b, a) };
         #[expect(
             clippy::cast_possible_truncation,
-            reason = "panels are metres, rows millimetres"
+            reason = "panels are meters, rows millimeters"
         )]
         let (first, end) = (
             (low[1] / step).ceil() as i64,

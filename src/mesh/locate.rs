@@ -63,7 +63,7 @@ impl<'a> Locator<'a> {
 
     #[expect(
         clippy::cast_possible_truncation,
-        reason = "panels are a few metres long and cells are not below a micrometre"
+        reason = "panels are a few meters long and cells are not below a micrometer"
     )]
     fn cell(&self, point: Point2) -> [i64; 2] {
         point.map(|c| (c / self.side).floor() as i64)

@@ -46,7 +46,7 @@ impl SegmentGrid {
 
     #[expect(
         clippy::cast_possible_truncation,
-        reason = "panels are metres, cells millimetres"
+        reason = "panels are meters, cells millimeters"
     )]
     fn cell(&self, x: f64) -> i64 {
         (x / self.reach).floor() as i64

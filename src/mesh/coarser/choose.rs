@@ -133,31 +133,31 @@ impl Choice {
 
     /// Inside, a vertex stays unless a neighbor does.
     fn thin_inside(&mut self, mesh: &ClothMesh) {
-        let neighbours = neighbours(mesh);
+        let neighbors = neighbors(mesh);
         for v in 0..mesh.uv.len() {
             self.kept[v] |= self.must_stay[v];
         }
         for v in (0..mesh.uv.len()).filter(|&v| !self.is_outline[v]) {
-            let free = !neighbours[v].iter().any(|&w| self.kept[w]);
+            let free = !neighbors[v].iter().any(|&w| self.kept[w]);
             self.kept[v] |= free;
         }
     }
 }
 
 /// Returns the neighbors of each vertex, ascending.
-pub(super) fn neighbours(mesh: &ClothMesh) -> Vec<Vec<usize>> {
-    let mut neighbours = vec![vec![]; mesh.uv.len()];
+pub(super) fn neighbors(mesh: &ClothMesh) -> Vec<Vec<usize>> {
+    let mut neighbors = vec![vec![]; mesh.uv.len()];
     for &[a, b, c] in &mesh.triangles {
         for (v, w) in [(a, b), (b, c), (c, a)] {
-            neighbours[v].push(w);
-            neighbours[w].push(v);
+            neighbors[v].push(w);
+            neighbors[w].push(v);
         }
     }
-    for list in &mut neighbours {
+    for list in &mut neighbors {
         list.sort_unstable();
         list.dedup();
     }
-    neighbours
+    neighbors
 }
 
 /// The closed rings of boundary vertices of a panel, the one that goes round the others first.

@@ -1,6 +1,6 @@
 //! Barycentric coordinates of the finer mesh's vertices in the coarser mesh.
 
-use super::choose::neighbours;
+use super::choose::neighbors;
 use crate::mesh::cloth_mesh::ClothMesh;
 use crate::mesh::locate::barycentric;
 
@@ -11,7 +11,7 @@ pub(super) fn weights(
     coarse: &ClothMesh,
     number: &[usize],
 ) -> Vec<[(usize, f64); 3]> {
-    let neighbours = neighbours(mesh);
+    let neighbors = neighbors(mesh);
     let mut around = vec![vec![]; coarse.uv.len()];
     for (index, triangle) in coarse.triangles.iter().enumerate() {
         triangle.iter().for_each(|&v| around[v].push(index));
@@ -26,7 +26,7 @@ pub(super) fn weights(
         for depth in 0..6 {
             ring = ring
                 .iter()
-                .flat_map(|&w| neighbours[w].iter().copied())
+                .flat_map(|&w| neighbors[w].iter().copied())
                 .collect();
             ring.sort_unstable();
             ring.dedup();

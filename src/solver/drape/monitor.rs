@@ -25,7 +25,8 @@ pub(crate) struct Monitor<'c, 'w> {
     pub(crate) history: ConvergenceHistory,
     /// True if the cancel token was raised.
     pub(crate) canceled: bool,
-    /// Level that runs now; 0 is the coarsest.
+    /// Level that runs now as progress tells it: 0 is the coarsest. The hierarchy numbers its
+    /// levels the other way, 0 being the finest.
     level: usize,
     /// True if the time was up.
     pub(crate) out_of_time: bool,
@@ -48,14 +49,15 @@ pub(crate) struct IterationRecord<'a> {
 /// CPU time of setting a stage up, and of its last iterations \[s\].
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct IterationPace {
+    /// CPU time at which the stage began \[s\].
     began: f64,
-    /// Time of the last iteration.
+    /// CPU time at the last iteration \[s\].
     last: Option<f64>,
-    /// From the start of the stage to its first iteration.
+    /// CPU time from the start of the stage to its first iteration \[s\].
     pub(crate) set_up: f64,
-    /// The longer of the last two iterations.
+    /// Length of the longer of the last two iterations \[s\].
     pub(crate) iteration: f64,
-    /// The last iteration.
+    /// Length of the last iteration \[s\].
     before: f64,
 }
 

@@ -85,7 +85,7 @@ struct MultilevelSolve<'a, 's, 'c, 'w> {
     handed_on: Option<Vec<Vector3<f64>>>,
 }
 
-/// A shape, the number of its level, and how the levels ended.
+/// A shape, the number of its level (0 is the finest), and how the levels ended.
 struct LastShape {
     positions: Vec<Vector3<f64>>,
     /// 0 is the finest.
