@@ -56,7 +56,6 @@ test: page browser chromium valgrind
 	  then echo cargo nextest run; cargo nextest run --locked --workspace; \
 	  else echo cargo test; cargo test --locked --workspace --lib && cargo test --locked --test it && \
 	    cargo test --locked --test process -- --test-threads=1; fi
-	cargo build --locked
 	SEAMSTER_BIN=target/debug/seamster node tests/browser/page.mjs
 
 bench:

@@ -106,9 +106,6 @@ impl TermTimes {
         for term in &system.terms {
             times.add(term.potential.kind(), term.cpu_s);
         }
-        if system.contact.is_some() {
-            times.add(TermKind::Contact, system.contact_cpu_s);
-        }
         times
     }
 

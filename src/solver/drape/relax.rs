@@ -89,7 +89,7 @@ pub(crate) fn relax(
         remaining: level.monitor.remaining_error(stage.residual, x),
         fell: stage.fell,
         sunk_m: first_height - mean_height(&gravity, &shape),
-        anchors: system.contact.map(|c| c.anchors()).unwrap_or_default(),
+        anchors: system.anchors(),
     };
     (outcome, statistics)
 }

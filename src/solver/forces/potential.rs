@@ -1,5 +1,6 @@
 //! The terms that a system is made of: an energy of particle positions, its force and its Hessian.
 
+use crate::solver::forces::friction_anchors::FrictionAnchors;
 use crate::solver::forces::pair::PairForces;
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use nalgebra::Vector3;
@@ -85,8 +86,19 @@ pub(crate) trait Potential {
     ) {
     }
 
-    /// Takes `x` as an accepted shape, from which lagged quantities are computed anew.
-    fn accept(&mut self, _x: &[Vector3<f64>]) {}
+    /// Takes `x` as an accepted shape, from which lagged quantities are computed anew; returns true
+    /// if anything slipped on the way there.
+    fn accept(&mut self, _x: &[Vector3<f64>]) -> bool {
+        false
+    }
+
+    /// Marks the particles that are in contact at `x`.
+    fn mark_touching(&mut self, _x: &[Vector3<f64>], _touching: &mut [bool]) {}
+
+    /// Returns the points that friction holds the particles by; none without friction.
+    fn anchors(&self) -> Option<FrictionAnchors> {
+        None
+    }
 
     /// Sets the velocities of the particles \[m/s\] and the time \[s\], for forces that depend on
     /// either.

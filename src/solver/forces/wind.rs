@@ -215,13 +215,14 @@ impl Potential for WindForce {
         }
     }
 
-    fn accept(&mut self, x: &[Vector3<f64>]) {
+    fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
         self.accepted.clear();
         self.accepted.extend_from_slice(x);
         let mut here = std::mem::take(&mut self.accepted_force);
         here.fill(Vector3::zeros());
         self.add(x, &mut here);
         self.accepted_force = here;
+        false
     }
 
     fn set_motion(&mut self, velocity: &[Vector3<f64>], time: f64) {

@@ -34,8 +34,6 @@ pub(crate) fn system(scene: &Scene, weight: bool) -> System<'static> {
                 cpu_s: 0.0,
             })
             .collect(),
-        contact: None,
-        contact_cpu_s: 0.0,
         clock: &no_clock,
     }
 }

@@ -77,18 +77,19 @@ pub(crate) fn build<'a>(
     for &pin in &scene.pins {
         is_fixed[dof_map.of_vertex[pin]] = true;
     }
-    let contact = scene.body.as_ref().map(|body| {
+    if let Some(body) = &scene.body {
         let area = dof_map.sum(&vertex_areas(scene));
         let anchors = build_options.friction.filter(|_| scene.friction > 0.0);
         let friction = anchors.map(|a| Friction::new(scene.friction, mass.len()).with_anchors(a));
-        BodyContact::new(body.clone(), kept_distance(scene), &area)
+        let contact = BodyContact::new(body.clone(), kept_distance(scene), &area)
             .with_friction(friction)
             .with_reuse(if build_options.explicit {
                 EXPLICIT_REUSE
             } else {
                 0.0
-            })
-    });
+            });
+        forces.push(Box::new(contact));
+    }
     let terms = forces
         .into_iter()
         .map(|potential| TimedTerm {
@@ -101,8 +102,6 @@ pub(crate) fn build<'a>(
         is_fixed,
         fixed_axis: scene.fixed_axis,
         terms,
-        contact,
-        contact_cpu_s: 0.0,
         clock,
     };
     Model { dof_map, system }

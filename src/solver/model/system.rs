@@ -1,7 +1,7 @@
 //! The particles of a garment and the force terms that act on them: only those that the scene
 //! needs.
 
-use crate::solver::forces::contact::BodyContact;
+use crate::solver::forces::friction_anchors::FrictionAnchors;
 use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use nalgebra::Vector3;
@@ -19,10 +19,6 @@ pub(crate) struct System<'a> {
     pub(crate) fixed_axis: Option<usize>,
     /// The terms, with the CPU time spent in each.
     pub(crate) terms: Vec<TimedTerm>,
-    /// Contact with the body, kept apart from the other terms because it remembers what slipped.
-    pub(crate) contact: Option<BodyContact>,
-    /// CPU time in contact \[s\].
-    pub(crate) contact_cpu_s: f64,
     /// The only clock \[CPU s\].
     pub(crate) clock: &'a dyn Fn() -> f64,
 }
@@ -74,10 +70,31 @@ impl System<'_> {
 
     /// Takes `x` as an accepted shape; returns true if anything slipped on the body.
     pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
+        let mut slipped = false;
         for term in &mut self.terms {
-            term.potential.accept(x);
+            slipped |= term.potential.accept(x);
         }
-        self.contact.as_mut().is_some_and(|c| c.accept(x))
+        slipped
+    }
+
+    /// Returns true if a term of this kind acts.
+    pub(crate) fn has(&self, kind: TermKind) -> bool {
+        self.terms.iter().any(|term| term.potential.kind() == kind)
+    }
+
+    /// Returns true for each particle in contact at `x`; `#P`.
+    pub(crate) fn touching(&mut self, x: &[Vector3<f64>]) -> Vec<bool> {
+        let mut touching = vec![false; x.len()];
+        for term in &mut self.terms {
+            term.potential.mark_touching(x, &mut touching);
+        }
+        touching
+    }
+
+    /// Returns the points that friction holds the particles by; empty without friction.
+    pub(crate) fn anchors(&self) -> FrictionAnchors {
+        let mut anchors = self.terms.iter().map(|term| term.potential.anchors());
+        anchors.find_map(|held| held).unwrap_or_default()
     }
 
     /// Sets the velocities of the particles \[m/s\] at `time` \[s\]; without it they rest in the
@@ -113,7 +130,7 @@ impl System<'_> {
         self.zero_fixed(force);
     }
 
-    /// Adds the forces of contact and of all terms that are not marked in `except` \[N\].
+    /// Adds the forces of all terms that are not marked in `except` \[N\].
     pub(crate) fn add_forces_except(
         &mut self,
         except: &[bool],
@@ -205,10 +222,6 @@ impl System<'_> {
             let now = (self.clock)();
             term.cpu_s += now - before;
             before = now;
-        }
-        if let Some(contact) = &mut self.contact {
-            run(contact);
-            self.contact_cpu_s += (self.clock)() - before;
         }
     }
 }

@@ -14,6 +14,7 @@
 //! never rises. Stops at the residual asked for, at the round-off floor, at the limit of iterations
 //! or time, or when canceled, and says which.
 
+use crate::solver::forces::TermKind;
 use crate::solver::linalg::block_matrix::BlockMatrix;
 use crate::solver::linalg::nonsymmetric::NonsymmetricSolver;
 use crate::solver::model::system::System;
@@ -97,8 +98,8 @@ impl Newton {
     ) -> Termination {
         for number in 0..limit {
             let slipped = system.accept(x);
-            if let Some(contact) = &mut system.contact {
-                let touching = contact.touching(x);
+            if system.has(TermKind::Contact) {
+                let touching = system.touching(x);
                 self.contact_settled = !slipped && touching == self.touching;
                 self.touching = touching;
             }

@@ -130,53 +130,6 @@ impl BodyContact {
         (sample.distance < self.offset).then_some(sample)
     }
 
-    /// Takes the state at an accepted step: new normal forces, and anchors dragged along by what
-    /// slipped. Returns true if any did.
-    pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
-        let mut slipped = false;
-        let Some(mut friction) = self.friction.take() else {
-            return slipped;
-        };
-        for (i, position) in x.iter().enumerate() {
-            let Some(sample) = self.touch(i, position) else {
-                friction.anchors[i] = None;
-                continue;
-            };
-            let stiffness = self.area[i] * layer::TANGENTIAL;
-            let normal = sample.normal.normalize();
-            let limit = friction.coefficient
-                * self.area[i]
-                * layer::pressure(self.offset - sample.distance);
-            let mut point = friction.anchors[i].map_or(*position, |a| a.point);
-            let u = tangential(&(position - point), &normal);
-            let slip = limit / stiffness;
-            let slipping = u.norm() > slip;
-            slipped |= u.norm() > slip + SLIP_FELT;
-            point = position - if slipping { u * (slip / u.norm()) } else { u };
-            friction.anchors[i] = Some(FrictionAnchor {
-                point,
-                normal,
-                limit,
-                slipping,
-            });
-        }
-        self.friction = Some(friction);
-        slipped
-    }
-
-    /// Returns the points that friction holds the particles by.
-    pub(crate) fn anchors(&self) -> FrictionAnchors {
-        let anchors = self.friction.as_ref().map(|f| f.anchors.clone());
-        FrictionAnchors(anchors.unwrap_or_default())
-    }
-
-    /// Returns true for each particle in contact at `x`.
-    pub(crate) fn touching(&mut self, x: &[Vector3<f64>]) -> Vec<bool> {
-        (0..x.len())
-            .map(|i| self.touch(i, &x[i]).is_some())
-            .collect()
-    }
-
     fn anchor(&self, i: usize) -> Option<FrictionAnchor> {
         self.friction.as_ref()?.anchors[i]
     }
@@ -277,5 +230,49 @@ impl Potential for BodyContact {
         for (sum, area) in stiffness.iter_mut().zip(&self.area) {
             *sum += area * (layer::slope(layer::DEEP) + sticking);
         }
+    }
+
+    /// Takes new normal forces, and drags the anchors along by what slipped.
+    fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
+        let mut slipped = false;
+        let Some(mut friction) = self.friction.take() else {
+            return slipped;
+        };
+        for (i, position) in x.iter().enumerate() {
+            let Some(sample) = self.touch(i, position) else {
+                friction.anchors[i] = None;
+                continue;
+            };
+            let stiffness = self.area[i] * layer::TANGENTIAL;
+            let normal = sample.normal.normalize();
+            let limit = friction.coefficient
+                * self.area[i]
+                * layer::pressure(self.offset - sample.distance);
+            let mut point = friction.anchors[i].map_or(*position, |a| a.point);
+            let u = tangential(&(position - point), &normal);
+            let slip = limit / stiffness;
+            let slipping = u.norm() > slip;
+            slipped |= u.norm() > slip + SLIP_FELT;
+            point = position - if slipping { u * (slip / u.norm()) } else { u };
+            friction.anchors[i] = Some(FrictionAnchor {
+                point,
+                normal,
+                limit,
+                slipping,
+            });
+        }
+        self.friction = Some(friction);
+        slipped
+    }
+
+    fn mark_touching(&mut self, x: &[Vector3<f64>], touching: &mut [bool]) {
+        for (i, (position, is_touching)) in x.iter().zip(touching).enumerate() {
+            *is_touching |= self.touch(i, position).is_some();
+        }
+    }
+
+    fn anchors(&self) -> Option<FrictionAnchors> {
+        let friction = self.friction.as_ref()?;
+        Some(FrictionAnchors(friction.anchors.clone()))
     }
 }

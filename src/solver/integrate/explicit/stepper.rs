@@ -1,7 +1,7 @@
 //! Explicit steps by a given rule: the fused kernel computes all terms that are pair forces, the
 //! terms themselves the others.
 
-use crate::solver::forces::PairForces;
+use crate::solver::forces::{PairForces, TermKind};
 use crate::solver::integrate::explicit::kernel::{Kernel, StepRule};
 use crate::solver::integrate::integrator::{ParticleState, accept};
 use crate::solver::model::system::System;
@@ -34,12 +34,16 @@ impl ExplicitStepper {
             .iter()
             .map(|term| term.potential.add_to_pair_forces(&mut pair_forces))
             .collect();
-        let more = system.contact.is_some() || in_kernel.contains(&false);
+        let more = in_kernel.contains(&false);
         let mut pairs = Vec::new();
         for (term, _) in system.terms.iter().zip(&in_kernel).filter(|(_, k)| !**k) {
             term.potential.add_coupled_pairs(&mut pairs);
         }
-        let touching = if system.contact.is_some() { count } else { 0 };
+        let touching = if system.has(TermKind::Contact) {
+            count
+        } else {
+            0
+        };
         let more_operations =
             OPERATIONS_PER_PAIR * pairs.len() as f64 + OPERATIONS_PER_CONTACT * touching as f64;
         Self {

@@ -18,6 +18,7 @@
 //! step, the part of wind without an energy is left out of the step, and the end is a residual, not
 //! a caller's test.
 
+use crate::solver::forces::TermKind;
 use crate::solver::integrate::integrator::StepError;
 use crate::solver::model::system::{STANDARD_GRAVITY, System};
 use crate::solver::optimize::line_search::{LineSearch, MAX_DISPLACEMENT};
@@ -174,7 +175,7 @@ impl IncrementalNewton {
         let search = LineSearch {
             value,
             slope,
-            first_share: if system.contact.is_some() {
+            first_share: if system.has(TermKind::Contact) {
                 (MAX_DISPLACEMENT / longest).min(1.0)
             } else {
                 1.0

@@ -57,8 +57,6 @@ fn system(n: usize) -> System<'static> {
                 cpu_s: 0.0,
             })
             .collect(),
-        contact: None,
-        contact_cpu_s: 0.0,
         clock: &|| 0.0,
     }
 }
