@@ -11,10 +11,11 @@ use super::validate::{self, PinnedCorner};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, Warning};
 use crate::pattern::{Panel, Pattern};
-use crate::scene::{AnchoredPlacement, Cut, DressForm, Wind};
+use crate::scene::{AnchoredPlacement, Cut, DressForm, DressFormCache, Wind};
 use crate::seam::suggest::SuggestedSeam;
 use crate::seam::{Face, SeamCheckInput, SeamSet};
 use crate::solver::SolverOptions;
+use std::sync::Arc;
 
 /// Direction of the warp where neither the pattern nor the garment states one: +y \[degrees\].
 const DEFAULT_WARP_DEG: f64 = 90.0;
@@ -35,6 +36,8 @@ pub struct ResolvedGarment {
     pub(super) fabrics: Vec<NamedFabric>,
     /// The body, if there is one.
     pub(super) avatar: Option<DressForm>,
+    /// Bodies made before.
+    pub(super) dress_forms: Arc<DressFormCache>,
     /// The corners that do not move.
     pub(super) pins: Vec<PinnedCorner>,
     /// Moving air, if there is any.
@@ -55,6 +58,13 @@ pub(super) struct ResolvedPanel {
 }
 
 impl ResolvedGarment {
+    /// Returns the same garment, which takes its body from `dress_forms` if it was made before.
+    #[must_use]
+    pub fn with_dress_forms(mut self, dress_forms: &Arc<DressFormCache>) -> Self {
+        self.dress_forms = Arc::clone(dress_forms);
+        self
+    }
+
     /// Returns the garment file complete in itself: the pattern, avatar and fabrics that it
     /// referred to are inside. It resolves to the same garment again, with any library.
     pub fn garment(&self) -> &Garment {
@@ -124,6 +134,7 @@ pub fn resolve(
         panels,
         fabrics: fabrics.fabrics,
         avatar,
+        dress_forms: Arc::default(),
         pins,
         wind: garment.wind.map(wind),
         suggested,

@@ -5,10 +5,9 @@ use crate::export::{DrapedPanel, GarmentMesh};
 use crate::fault::Faults;
 use crate::memory;
 use crate::mesh::{self, ClothMesh, PanelRange};
-use crate::scene::{self, Body, DressForm, PanelParts, Parts, Scene};
+use crate::scene::{self, Body, PanelParts, Parts, Scene};
 use crate::solver::{self, Context, DrapeReport, SolverOptions};
 use nalgebra::Vector3;
-use std::sync::Arc;
 
 /// The result of a fit.
 #[derive(Clone, Debug)]
@@ -78,12 +77,15 @@ fn triangulate(garment: &ResolvedGarment, context: &Context<'_>) -> Result<Cloth
 }
 
 fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults> {
-    let avatar = garment.avatar.as_ref().map(DressForm::build).transpose();
+    let make = |form| garment.dress_forms.build(form);
+    let avatar = garment.avatar.as_ref().map(make).transpose();
     let avatar = avatar.map_err(|faults| faults.under("/avatar/form"))?;
     let panels = garment.pattern.panels.iter().zip(&garment.panels);
     let panels = panels.map(|(outline, panel)| PanelParts {
         cut: panel.cut,
-        placed: panel.placement.place(outline, panel.face, avatar.as_ref()),
+        placed: panel
+            .placement
+            .place(outline, panel.face, avatar.as_deref()),
     });
     let pins = garment.pins.iter();
     let scene = scene::build(Parts {
@@ -93,7 +95,7 @@ fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults>
         pins: pins
             .map(|pin| mesh.panels[pin.panel].corners[pin.corner])
             .collect(),
-        body: avatar.map(|avatar| Body::Avatar(Arc::new(avatar))),
+        body: avatar.map(Body::Avatar),
         mesh,
     });
     Ok(Scene {

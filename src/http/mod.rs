@@ -7,7 +7,6 @@
 //! - `respond`: answers: problems, representations with entity tags and ranges.
 //! - `middleware`: access control, log, counters.
 
-mod dress_form_cache;
 mod extract;
 mod middleware;
 mod openapi;

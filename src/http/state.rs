@@ -1,6 +1,5 @@
 //! The state that all handlers share.
 
-use super::dress_form_cache::DressFormCache;
 use super::middleware::{AccessPolicy, RequestMetrics};
 use super::respond::Problem;
 use crate::config::{Config, Limits};
@@ -24,8 +23,6 @@ pub(super) struct App {
     pub(super) access: AccessPolicy,
     /// Counts of requests.
     pub(super) metrics: RequestMetrics,
-    /// Dress forms made lately.
-    pub(super) dress_forms: DressFormCache,
     /// A permit for each computation that a request may wait for.
     compute_permits: Arc<Semaphore>,
     stream_permits: Arc<Semaphore>,
@@ -59,7 +56,6 @@ impl AppState {
             queue,
             access: AccessPolicy::new(&config.hosts, &config.tokens),
             metrics: RequestMetrics::default(),
-            dress_forms: DressFormCache::default(),
             compute_permits: Arc::new(Semaphore::new(cores)),
             stream_permits: Arc::new(Semaphore::new(STREAMS)),
         }))

@@ -3,7 +3,7 @@
 use super::store::{DocumentKind, Documents, Page, PageRequest, StoreError};
 use crate::fit::AssetLibrary;
 use crate::pattern::Pattern;
-use crate::scene::{self, DressForm, Fabric};
+use crate::scene::{self, DressForm, DressFormCache, Fabric};
 use jiff::Timestamp;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -36,12 +36,21 @@ pub struct Stored<T> {
 /// Stored patterns, avatars and fabrics. All calls block.
 pub struct Catalogue {
     documents: Arc<dyn Documents>,
+    dress_forms: Arc<DressFormCache>,
 }
 
 impl Catalogue {
     /// Creates the catalogue of a document store.
     pub fn new(documents: Arc<dyn Documents>) -> Self {
-        Self { documents }
+        Self {
+            documents,
+            dress_forms: Arc::default(),
+        }
+    }
+
+    /// Returns the dress forms made lately.
+    pub fn dress_forms(&self) -> &Arc<DressFormCache> {
+        &self.dress_forms
     }
 
     /// Stores a pattern, checked before, and gives it its id.

@@ -5,8 +5,10 @@ use super::validate;
 use crate::config::Limits;
 use crate::fault::{Faults, Warning};
 use crate::fit::{self, AssetLibrary, Garment, ResolvedGarment};
+use crate::scene::DressFormCache;
 use crate::seam::suggest::SuggestedSeam;
 use crate::solver::{Analysis, Method, SolverOptions};
+use std::sync::Arc;
 
 /// Methods of a drape, where none are listed.
 const DRAPE_METHODS: [Method; 3] = [
@@ -36,6 +38,18 @@ pub struct ResolvedStudy {
 }
 
 impl ResolvedStudy {
+    /// Returns the same study, whose garments take their body from `dress_forms` if it was made
+    /// before.
+    #[must_use]
+    pub fn with_dress_forms(self, dress_forms: &Arc<DressFormCache>) -> Self {
+        let with = |garment: ResolvedGarment| garment.with_dress_forms(dress_forms);
+        Self {
+            request: self.request,
+            first: with(self.first),
+            others: self.others.into_iter().map(with).collect(),
+        }
+    }
+
     /// Returns the request with nothing left open: the garment complete in itself, empty lists
     /// filled in (but for steps, which depend on the scene). To be stored.
     pub fn request(&self) -> &StudyRequest {

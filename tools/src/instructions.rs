@@ -103,7 +103,7 @@ fn tables() -> Result<String, String> {
 /// Returns true if a function is one of the matrix library, whose innermost ones have addresses for
 /// names.
 fn of_matrices(function: &str) -> bool {
-    let crates = ["0x", "faer::", "pulp::", "nano_gemm", "private_gemm"];
+    let crates = ["0x", "seamster_cholesky::", "pulp::"];
     crates.iter().any(|name| function.contains(name))
 }
 
@@ -147,10 +147,7 @@ fn row(edge: &str, profile: &Profile) -> Result<String, String> {
         report += of(profile, function)?;
     }
     let form = of(profile, "avatar::form::DressForm::build")?;
-    let factors = of(
-        profile,
-        "solver::linalg::cholesky::BlockCholesky::factorize",
-    )?;
+    let factors = of(profile, "seamster_cholesky::Cholesky::factorize")?;
     let shares = [report, form, factors].map(share).join(" | ");
     Ok(format!("| {edge} m | {all} | {shares} |\n"))
 }

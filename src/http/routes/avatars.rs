@@ -71,7 +71,7 @@ pub(super) async fn create(
     ValidatedJson(record): ValidatedJson<AvatarRecord>,
 ) -> Result<impl IntoResponse, Problem> {
     let item = state.run_compute(move |app| {
-        let avatar = app.dress_forms.build(&record.form);
+        let avatar = app.catalogue().dress_forms().build(&record.form);
         let avatar = avatar.map_err(|faults| faults.under("/form"))?;
         let stored = app.catalogue().add_avatar(record)?;
         Ok::<_, Problem>(AvatarItem::from_record(stored).with_landmarks(&avatar))
@@ -161,7 +161,7 @@ async fn find_and_build(
     let stored = found.ok_or_else(|| unknown(id))?;
     let form = stored.value.form;
     let avatar = state
-        .run_compute(move |app| app.dress_forms.build(&form))
+        .run_compute(move |app| app.catalogue().dress_forms().build(&form))
         .await?;
     Ok((stored, avatar.map_err(Problem::internal)?))
 }

@@ -1,5 +1,6 @@
 //! The body that a garment is draped on: its surface, its landmarks and its signed distance.
 
+mod dress_form_cache;
 mod exact;
 mod field;
 mod form;
@@ -11,6 +12,7 @@ mod surface;
 mod torso;
 mod tree;
 
+pub use dress_form_cache::DressFormCache;
 pub use field::BodySample;
 pub use form::DressForm;
 pub use surface::TriangleMesh;

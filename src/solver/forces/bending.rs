@@ -19,6 +19,7 @@
 //! plate on meshes that look the same from every vertex, as the inside of a lattice does; where
 //! triangles alternate, cloth comes out softer.
 
+use crate::solver::forces::active_elements::ActiveElements;
 use crate::solver::forces::{PairForce, PairForces, Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
@@ -131,6 +132,7 @@ fn above_plane(rest: [[f64; 2]; 3], at: [f64; 2], k: usize) -> ([f64; 6], Vector
 pub(crate) struct BendForce {
     patches: Vec<BendPatch>,
     slots: Vec<[Slot; 21]>,
+    active: ActiveElements,
 }
 
 /// Pairs of the six particles of a patch, each once.
@@ -156,6 +158,7 @@ impl BendForce {
         Self {
             patches,
             slots: Vec::new(),
+            active: ActiveElements::default(),
         }
     }
 }
@@ -187,21 +190,24 @@ impl Potential for BendForce {
     }
 
     fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
-        let rows = |patch: &BendPatch| -> f64 {
+        let mut sum = 0.0;
+        self.active.for_each(self.patches.len(), |k| {
+            let patch = &self.patches[k];
             let row = |w| weighted(patch, w, x).norm_squared();
-            patch.weights.iter().map(row).sum()
-        };
-        0.5 * self.patches.iter().map(rows).sum::<f64>()
+            sum += patch.weights.iter().map(row).sum::<f64>();
+        });
+        0.5 * sum
     }
 
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
-        for patch in &self.patches {
+        self.active.for_each(self.patches.len(), |k| {
+            let patch = &self.patches[k];
             let bent = patch.weights.each_ref().map(|w| weighted(patch, w, x));
             for (i, &particle) in patch.particles.iter().enumerate() {
                 let [u, v, w] = &patch.weights;
                 force[particle] -= bent[0] * u[i] + bent[1] * v[i] + bent[2] * w[i];
             }
-        }
+        });
     }
 
     fn add_hessian(
@@ -210,7 +216,8 @@ impl Potential for BendForce {
         _hessian_modification: f64,
         hessian: &mut BlockMatrix,
     ) {
-        for (patch, slots) in self.patches.iter().zip(&self.slots) {
+        self.active.for_each(self.patches.len(), |k| {
+            let (patch, slots) = (&self.patches[k], &self.slots[k]);
             let [u, v, w] = &patch.weights;
             for (&(i, j), &slot) in PAIRS.iter().zip(slots) {
                 let mut product = u[i] * u[j] + v[i] * v[j] + w[i] * w[j];
@@ -221,7 +228,13 @@ impl Potential for BendForce {
                 }
                 hessian.add(slot, &Matrix3::from_diagonal_element(product));
             }
-        }
+        });
+    }
+
+    fn narrow(&mut self, moving: Option<&[bool]>) {
+        let patches = &self.patches;
+        let has_one = |k: usize, moving: &[bool]| patches[k].particles.iter().any(|&p| moving[p]);
+        self.active.narrow(moving, patches.len(), has_one);
     }
 
     fn add_stiffness_bound(&self, stiffness: &mut [f64]) {

@@ -14,6 +14,7 @@
 //! (the elastica). With ever finer meshes the threshold goes to infinity, and what is left is the
 //! continuum above.
 
+use crate::solver::forces::active_elements::ActiveElements;
 use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix2, Matrix3, Vector3};
@@ -143,6 +144,7 @@ impl MembraneTriangle {
 pub(crate) struct ContinuumForce {
     triangles: Vec<MembraneTriangle>,
     slots: Vec<[Slot; 6]>,
+    active: ActiveElements,
     /// True while no triangle is taken to buckle.
     taut: bool,
 }
@@ -154,6 +156,7 @@ impl ContinuumForce {
         Self {
             triangles,
             slots: Vec::new(),
+            active: ActiveElements::default(),
             taut: false,
         }
     }
@@ -183,13 +186,17 @@ impl Potential for ContinuumForce {
     }
 
     fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
-        let energy =
-            |t: &MembraneTriangle| t.area * t.energy(MembraneTriangle::strain(&t.deformation(x)));
-        self.triangles.iter().map(energy).sum()
+        let mut sum = 0.0;
+        self.active.for_each(self.triangles.len(), |k| {
+            let t = &self.triangles[k];
+            sum += t.area * t.energy(MembraneTriangle::strain(&t.deformation(x)));
+        });
+        sum
     }
 
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
-        for t in &self.triangles {
+        self.active.for_each(self.triangles.len(), |k| {
+            let t = &self.triangles[k];
             let f = t.deformation(x);
             let strain = MembraneTriangle::strain(&f);
             let s = if self.taut {
@@ -204,7 +211,7 @@ impl Potential for ContinuumForce {
             for (&particle, g) in t.particles.iter().zip(&t.gradients) {
                 force[particle] -= p[0] * g[0] + p[1] * g[1];
             }
-        }
+        });
     }
 
     fn add_hessian(
@@ -213,7 +220,8 @@ impl Potential for ContinuumForce {
         hessian_modification: f64,
         hessian: &mut BlockMatrix,
     ) {
-        for (t, slots) in self.triangles.iter().zip(&self.slots) {
+        self.active.for_each(self.triangles.len(), |k| {
+            let (t, slots) = (&self.triangles[k], &self.slots[k]);
             let f = t.deformation(x);
             let strain = MembraneTriangle::strain(&f);
             let mut s = t.stress(strain);
@@ -241,7 +249,13 @@ impl Potential for ContinuumForce {
                     + h12.transpose() * (a[1] * b[0]);
                 hessian.add(slot, &block);
             }
-        }
+        });
+    }
+
+    fn narrow(&mut self, moving: Option<&[bool]>) {
+        let triangles = &self.triangles;
+        let has_one = |k: usize, moving: &[bool]| triangles[k].particles.iter().any(|&p| moving[p]);
+        self.active.narrow(moving, triangles.len(), has_one);
     }
 
     fn set_taut(&mut self, taut: bool) {

@@ -1,5 +1,6 @@
 //! The force terms, one file each: an energy, its force and its Hessian on particle positions.
 
+pub(crate) mod active_elements;
 pub(crate) mod bending;
 pub(crate) mod central;
 pub(crate) mod contact;

@@ -100,6 +100,10 @@ pub(crate) trait Potential {
         None
     }
 
+    /// Evaluates only what has a particle of `moving`, until it is called without: energies are
+    /// then right up to a constant, forces and Hessians on those particles. A term may ignore it.
+    fn narrow(&mut self, _moving: Option<&[bool]>) {}
+
     /// Sets the velocities of the particles \[m/s\] and the time \[s\], for forces that depend on
     /// either.
     fn set_motion(&mut self, _velocity: &[Vector3<f64>], _time: f64) {}

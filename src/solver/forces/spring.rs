@@ -1,5 +1,6 @@
 //! Linear springs on mesh edges: the membrane of the paper (P8).
 
+use crate::solver::forces::active_elements::ActiveElements;
 use crate::solver::forces::central::CentralSpring;
 use crate::solver::forces::{PairForce, PairForces, Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
@@ -30,6 +31,7 @@ pub(crate) struct SpringForce {
     springs: Vec<Spring>,
     slots: Vec<Slot>,
     diagonals: Vec<usize>,
+    active: ActiveElements,
 }
 
 impl SpringForce {
@@ -38,6 +40,7 @@ impl SpringForce {
             springs,
             slots: Vec::new(),
             diagonals: Vec::new(),
+            active: ActiveElements::default(),
         }
     }
 }
@@ -63,19 +66,22 @@ impl Potential for SpringForce {
     }
 
     fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
-        self.springs
-            .iter()
-            .map(|s| s.law().energy(&(x[s.a] - x[s.b])))
-            .sum()
+        let mut sum = 0.0;
+        self.active.for_each(self.springs.len(), |k| {
+            let s = &self.springs[k];
+            sum += s.law().energy(&(x[s.a] - x[s.b]));
+        });
+        sum
     }
 
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
-        for s in &self.springs {
+        self.active.for_each(self.springs.len(), |k| {
+            let s = &self.springs[k];
             if let Some(f) = s.law().tension(&(x[s.b] - x[s.a])) {
                 force[s.a] += f;
                 force[s.b] -= f;
             }
-        }
+        });
     }
 
     fn add_hessian(
@@ -84,15 +90,21 @@ impl Potential for SpringForce {
         hessian_modification: f64,
         hessian: &mut BlockMatrix,
     ) {
-        for (s, &slot) in self.springs.iter().zip(&self.slots) {
+        self.active.for_each(self.springs.len(), |k| {
+            let (s, slot) = (&self.springs[k], self.slots[k]);
             let d = x[s.b] - x[s.a];
-            let Some(block) = s.law().hessian(&d, hessian_modification) else {
-                continue;
-            };
-            hessian.add_diagonal(self.diagonals[s.a], &block);
-            hessian.add_diagonal(self.diagonals[s.b], &block);
-            hessian.add(slot, &-block);
-        }
+            if let Some(block) = s.law().hessian(&d, hessian_modification) {
+                hessian.add_diagonal(self.diagonals[s.a], &block);
+                hessian.add_diagonal(self.diagonals[s.b], &block);
+                hessian.add(slot, &-block);
+            }
+        });
+    }
+
+    fn narrow(&mut self, moving: Option<&[bool]>) {
+        let springs = &self.springs;
+        let has_one = |k: usize, moving: &[bool]| moving[springs[k].a] || moving[springs[k].b];
+        self.active.narrow(moving, springs.len(), has_one);
     }
 
     fn add_stiffness_bound(&self, stiffness: &mut [f64]) {

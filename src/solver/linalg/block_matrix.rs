@@ -1,6 +1,7 @@
 //! Sparsity of the Hessian, and the symmetric matrix of 3 x 3 blocks laid out after it.
 
 use nalgebra::{Matrix3, Vector3};
+use seamster_cholesky::{Cholesky, OutOfMemory};
 
 /// Lower triangle of a symmetric block matrix, column by column, rows ascending: the diagonal block
 /// comes first in each column.
@@ -37,6 +38,14 @@ impl Sparsity {
     /// Returns the number of particles.
     pub(crate) fn particle_count(&self) -> usize {
         self.column_start.len() - 1
+    }
+
+    /// Returns memory for the factor of a matrix of this sparsity.
+    ///
+    /// # Errors
+    /// [`OutOfMemory`] if there is none.
+    pub(crate) fn cholesky(&self) -> Result<Cholesky, OutOfMemory> {
+        Cholesky::new(&self.column_start, &self.rows)
     }
 
     /// Returns the number of blocks stored.

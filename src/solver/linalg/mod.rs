@@ -1,7 +1,5 @@
 //! Sparse linear algebra on matrices of 3 x 3 blocks.
 
 pub(crate) mod block_matrix;
-pub(crate) mod cholesky;
 pub(crate) mod lanczos;
 pub(crate) mod nonsymmetric;
-pub(crate) mod ordering;

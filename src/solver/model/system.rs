@@ -179,6 +179,14 @@ impl System<'_> {
         self.for_each(|force| force.add_hessian(x, hessian_modification, hessian));
     }
 
+    /// Evaluates only what has a particle of `moving`, until it is called without: energies are
+    /// then right up to a constant, forces and Hessians on those particles.
+    pub(crate) fn narrow(&mut self, moving: Option<&[bool]>) {
+        for term in &mut self.terms {
+            term.potential.narrow(moving);
+        }
+    }
+
     /// Returns a bound on the stiffness of each particle in the rest shape \[N/m\].
     pub(crate) fn stiffness(&mut self) -> Vec<f64> {
         let mut sum = vec![0.0; self.particle_count()];

@@ -10,6 +10,29 @@ const SUFFICIENT_DECREASE: f64 = 1e-4;
 /// body.
 pub(crate) const MAX_DISPLACEMENT: f64 = 0.04;
 
+/// A function that a line search decreases.
+pub(crate) trait Objective {
+    /// Returns its value at `x` \[J\].
+    fn value(&mut self, x: &[Vector3<f64>]) -> f64;
+
+    /// Improves a trial that takes `share` of the step and decreases the objective by `decrease`;
+    /// returns the decrease then \[J\].
+    fn improve(&mut self, _trial: &mut [Vector3<f64>], _share: f64, decrease: f64) -> f64 {
+        decrease
+    }
+
+    /// Returns true if the objective is less steep along the step at `trial` than at its start.
+    fn is_flatter(&mut self, _trial: &[Vector3<f64>]) -> bool {
+        true
+    }
+}
+
+impl<F: FnMut(&[Vector3<f64>]) -> f64> Objective for F {
+    fn value(&mut self, x: &[Vector3<f64>]) -> f64 {
+        self(x)
+    }
+}
+
 /// A descent direction and the objective where it begins.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LineSearch {
@@ -17,6 +40,8 @@ pub(crate) struct LineSearch {
     pub(crate) value: f64,
     /// Decrease of the objective per share of the step at the start \[J\].
     pub(crate) slope: f64,
+    /// Second derivative of the objective along the step \[J\].
+    pub(crate) curvature: f64,
     /// Share of the step that is tried first.
     pub(crate) first_share: f64,
     /// Shares tried at most, each half the one before.
@@ -28,7 +53,7 @@ pub(crate) struct LineSearch {
 pub(crate) struct AcceptedStep {
     /// Share of the whole step.
     pub(crate) share: f64,
-    /// Decrease of the objective \[J\].
+    /// Decrease of the objective \[J\]; the predicted one where differences are rounding.
     pub(crate) decrease: f64,
 }
 
@@ -39,24 +64,46 @@ impl LineSearch {
         64.0 * f64::EPSILON * self.value.abs() * (count as f64).sqrt()
     }
 
+    /// Returns the decrease that the quadratic model predicts for a share of the step \[J\].
+    pub(crate) fn predicted(&self, share: f64) -> f64 {
+        share * self.slope - 0.5 * share * share * self.curvature
+    }
+
+    /// Returns the least decrease for which a share of the step is taken \[J\].
+    pub(crate) fn sufficient(&self, share: f64) -> f64 {
+        SUFFICIENT_DECREASE * share * self.slope
+    }
+
     /// Moves `x` along `step` by the first share that decreases `objective` sufficiently; leaves it
     /// if none does. `trial` is scratch.
+    ///
+    /// Where the predicted decrease is rounding, the slope still tells, and must have fallen (W. W.
+    /// Hager, H. Zhang, SIAM J. Optim. 16(1), 2005): or a step to and fro across a kink would go on
+    /// for ever.
     pub(crate) fn run(
         &self,
         x: &mut [Vector3<f64>],
         (step, trial): (&[Vector3<f64>], &mut [Vector3<f64>]),
-        mut objective: impl FnMut(&[Vector3<f64>]) -> f64,
+        objective: &mut impl Objective,
     ) -> Option<AcceptedStep> {
         let rounding = self.rounding(x.len());
         let mut share = self.first_share;
-        for _ in 0..self.trials {
+        for number in 1..=self.trials {
             for ((t, x), d) in trial.iter_mut().zip(x.iter()).zip(step) {
                 *t = x + d * share;
             }
-            let decrease = self.value - objective(trial);
-            if decrease >= SUFFICIENT_DECREASE * share * self.slope - rounding {
+            let decrease = self.value - objective.value(trial);
+            let decrease = objective.improve(trial, share, decrease);
+            let predicted = self.predicted(share);
+            let is_told = predicted > 4.0 * rounding;
+            if decrease >= self.sufficient(share) - rounding
+                && (is_told || number == self.trials || objective.is_flatter(trial))
+            {
                 x.copy_from_slice(trial);
-                return Some(AcceptedStep { share, decrease });
+                return Some(AcceptedStep {
+                    share,
+                    decrease: if is_told { decrease } else { predicted },
+                });
             }
             share *= 0.5;
         }
@@ -75,12 +122,17 @@ mod tests {
         let search = LineSearch {
             value: 0.5,
             slope: 4.0,
+            curvature: 4.0,
             first_share: 1.0,
             trials: 3,
         };
         let (mut x, mut trial) = ([Vector3::x()], [Vector3::zeros()]);
-        let half_square = |x: &[Vector3<f64>]| 0.5 * x[0].norm_squared();
-        let found = search.run(&mut x, (&[Vector3::x() * -4.0], &mut trial), half_square);
+        let mut half_square = |x: &[Vector3<f64>]| 0.5 * x[0].norm_squared();
+        let found = search.run(
+            &mut x,
+            (&[Vector3::x() * -4.0], &mut trial),
+            &mut half_square,
+        );
         let found = found.expect("a quarter of the step descends");
         assert_eq!((found.share, found.decrease), (0.25, 0.5));
         assert_eq!(x[0], Vector3::zeros());
@@ -91,7 +143,11 @@ mod tests {
         let mut x = [Vector3::x()];
         assert!(
             fewer
-                .run(&mut x, (&[Vector3::x() * -4.0], &mut trial), half_square)
+                .run(
+                    &mut x,
+                    (&[Vector3::x() * -4.0], &mut trial),
+                    &mut half_square
+                )
                 .is_none()
         );
         assert_eq!(x[0], Vector3::x());

@@ -7,7 +7,8 @@
 //! The true second derivative first. Where that has no Cholesky factor, a share of its indefinite
 //! part is projected out, doubled until there is a factor; a diagonal shift where projecting out
 //! all of it does not do. A line search on the energy accepts or shortens the step, and no particle
-//! moves further than 4 cm at once.
+//! moves further than 4 cm at once. Before it shortens one, the few particles whose forces the step
+//! got wrong move on alone ([`crate::solver::optimize::local_elimination`]).
 //!
 //! # Guarantees
 //! Apart from friction, whose normal forces are lagged, and wind, which has no energy, the energy
@@ -18,8 +19,10 @@ use crate::solver::forces::TermKind;
 use crate::solver::linalg::block_matrix::BlockMatrix;
 use crate::solver::linalg::nonsymmetric::NonsymmetricSolver;
 use crate::solver::model::system::System;
+use crate::solver::optimize::eliminated_energy::EliminatedEnergy;
 use crate::solver::optimize::iterate::{Callback, Iterate, Termination};
 use crate::solver::optimize::line_search::{LineSearch, MAX_DISPLACEMENT};
+use crate::solver::optimize::local_elimination::{GlobalStep, LocalElimination};
 use crate::solver::optimize::newton_workspace::{NewtonWorkspace, add_inertia};
 use crate::solver::optimize::pseudo_transient::{FIRST_GAMMA, PseudoTransient};
 use crate::solver::report::measure::rms;
@@ -54,6 +57,9 @@ pub(crate) struct Newton {
     /// Solver for forces that have no energy.
     nonsymmetric: Option<NonsymmetricSolver>,
     pseudo_transient: PseudoTransient,
+    elimination: LocalElimination,
+    /// Share of the indefinite part that the last factor left out.
+    modification: f64,
     /// True if the last factor was that of the true second derivative.
     was_convex: bool,
     touching: Vec<bool>,
@@ -76,6 +82,8 @@ impl Newton {
         Ok(Self {
             shifted: BlockMatrix::zeros(&work.sparsity),
             nonsymmetric: (!system.is_conservative()).then(NonsymmetricSolver::default),
+            elimination: LocalElimination::new(&work.sparsity),
+            modification: 0.0,
             work,
             pseudo_transient: PseudoTransient::new(first_gamma),
             iterations: 0,
@@ -142,9 +150,7 @@ impl Newton {
         system.net_force(x, &mut work.force);
         system.hessian(x, 0.0, &mut work.hessian);
         system.constrain(&work.sparsity, &mut work.hessian);
-        work.cholesky
-            .factorize(&work.sparsity, &work.hessian)
-            .ok()?;
+        work.cholesky.factorize(&work.hessian.blocks).ok()?;
         self.solve(system, x);
         Some(rms(x.len(), |i| self.work.step[i]))
     }
@@ -164,7 +170,8 @@ impl Newton {
                 self.make_definite(system, x);
                 continue;
             }
-            let is_true = self.pseudo_transient.modification == 0.0;
+            self.modification = self.pseudo_transient.modification;
+            let is_true = self.modification == 0.0;
             self.fallbacks.true_hessian |= is_true;
             self.was_convex = is_true;
             self.pseudo_transient.modify_less(failed);
@@ -202,9 +209,7 @@ impl Newton {
         let weight = |mass| mass / (gamma * gamma);
         add_inertia(&mut self.shifted, &work.sparsity, &system.mass, weight);
         system.constrain(&work.sparsity, &mut self.shifted);
-        work.cholesky
-            .factorize(&work.sparsity, &self.shifted)
-            .is_ok()
+        work.cholesky.factorize(&self.shifted.blocks).is_ok()
     }
 
     /// Solves for the step from `x` by the last factor.
@@ -242,20 +247,32 @@ impl Newton {
         let search = LineSearch {
             value: energy,
             slope: self.work.slope(),
+            curvature,
             first_share: (MAX_DISPLACEMENT / longest).min(1.0),
             trials: LINE_SEARCH_TRIALS,
         };
-        let along = (&self.work.step[..], &mut self.work.trial[..]);
-        let Some(accepted) = search.run(x, along, |x| system.energy(x)) else {
+        let work = &mut self.work;
+        let mut energy = EliminatedEnergy {
+            system,
+            elimination: &mut self.elimination,
+            global: GlobalStep {
+                sparsity: &work.sparsity,
+                force: &work.force,
+                touching: &self.touching,
+                share: search.first_share,
+                modification: self.modification,
+                gamma: self.pseudo_transient.gamma,
+            },
+            step: &work.step,
+            search,
+        };
+        let along = (&work.step[..], &mut work.trial[..]);
+        let Some(accepted) = search.run(x, along, &mut energy) else {
             return false;
         };
-        let share = accepted.share;
-        let predicted = share * search.slope - 0.5 * share * share * curvature;
-        self.pseudo_transient.adapt(
-            share,
-            accepted.decrease,
-            predicted.max(search.rounding(x.len())),
-        );
+        let predicted = search.predicted(accepted.share);
+        self.pseudo_transient
+            .adapt(accepted.share, accepted.decrease, predicted);
         true
     }
 

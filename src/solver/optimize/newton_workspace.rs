@@ -1,16 +1,15 @@
 //! Matrices and vectors of Newton's method, as both minimizers need them.
 
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
-use crate::solver::linalg::cholesky::BlockCholesky;
 use crate::solver::model::system::System;
 use nalgebra::{Matrix3, Vector3};
-use seamster_cholesky::OutOfMemory;
+use seamster_cholesky::{Cholesky, OutOfMemory};
 
 /// Scratch memory of Newton's method on one system.
 pub(crate) struct NewtonWorkspace {
     pub(crate) sparsity: Sparsity,
     pub(crate) hessian: BlockMatrix,
-    pub(crate) cholesky: BlockCholesky,
+    pub(crate) cholesky: Cholesky,
     /// Negative gradient of the objective \[N\].
     pub(crate) force: Vec<Vector3<f64>>,
     /// Newton step \[m\].
@@ -29,7 +28,7 @@ impl NewtonWorkspace {
         let count = system.particle_count();
         Ok(Self {
             hessian: BlockMatrix::zeros(&sparsity),
-            cholesky: BlockCholesky::new(&sparsity)?,
+            cholesky: sparsity.cholesky()?,
             sparsity,
             force: vec![Vector3::zeros(); count],
             step: vec![Vector3::zeros(); count],

@@ -14,6 +14,9 @@ const LARGEST_GAMMA: f64 = 1e4;
 const SMALLEST_GAMMA: f64 = 1e-7;
 /// Share of the indefinite part that is projected out at least after a step that went too far.
 const BACKTRACK_MODIFICATION: f64 = 0.4;
+/// Factor of that share from one step to the next, and after a step whose factorization failed.
+const DECAY: f64 = 0.7;
+const AFTER_FAILURE: f64 = 0.9;
 /// Smallest share of the indefinite part that is projected out, if any is.
 const LEAST_MODIFICATION: f64 = 0.02;
 
@@ -52,7 +55,7 @@ impl PseudoTransient {
 
     /// Projects out less in the next step, slowly if a factorization `failed` in this one.
     pub(crate) fn modify_less(&mut self, failed: bool) {
-        self.modification *= if failed { 0.9 } else { 0.5 };
+        self.modification *= if failed { AFTER_FAILURE } else { DECAY };
         if self.modification < LEAST_MODIFICATION {
             self.modification = 0.0;
         }

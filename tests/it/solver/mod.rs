@@ -2,7 +2,6 @@
 
 mod buckling;
 mod cantilever;
-mod cholesky;
 mod contact;
 mod drape;
 mod estimates;

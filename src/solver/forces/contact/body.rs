@@ -9,6 +9,7 @@
 //! within a step friction has an energy.
 
 use crate::scene::{Body, BodySample};
+use crate::solver::forces::active_elements::ActiveElements;
 use crate::solver::forces::contact::layer;
 use crate::solver::forces::friction_anchors::{FrictionAnchor, FrictionAnchors};
 use crate::solver::forces::{Potential, TermKind};
@@ -66,6 +67,7 @@ pub(crate) struct BodyContact {
     reuse: f64,
     friction: Option<Friction>,
     diagonals: Vec<usize>,
+    active: ActiveElements,
 }
 
 impl BodyContact {
@@ -85,6 +87,7 @@ impl BodyContact {
             reuse: 0.0,
             friction: None,
             diagonals: Vec::new(),
+            active: ActiveElements::default(),
         }
     }
 
@@ -154,7 +157,9 @@ impl Potential for BodyContact {
 
     fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
         let mut sum = 0.0;
-        for (i, position) in x.iter().enumerate() {
+        let active = std::mem::take(&mut self.active);
+        active.for_each(x.len(), |i| {
+            let position = &x[i];
             let k = self.area[i] * layer::TANGENTIAL;
             if let Some(sample) = self.touch(i, position) {
                 sum += self.area[i] * layer::energy(self.offset - sample.distance);
@@ -168,12 +173,15 @@ impl Potential for BodyContact {
                     anchor.limit * (u - 0.5 * slip)
                 };
             }
-        }
+        });
+        self.active = active;
         sum
     }
 
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
-        for (i, position) in x.iter().enumerate() {
+        let active = std::mem::take(&mut self.active);
+        active.for_each(x.len(), |i| {
+            let position = &x[i];
             let k = self.area[i] * layer::TANGENTIAL;
             if let Some(sample) = self.touch(i, position) {
                 force[i] +=
@@ -188,7 +196,8 @@ impl Potential for BodyContact {
                     anchor.limit / length
                 };
             }
-        }
+        });
+        self.active = active;
     }
 
     fn add_hessian(
@@ -197,7 +206,9 @@ impl Potential for BodyContact {
         hessian_modification: f64,
         hessian: &mut BlockMatrix,
     ) {
-        for (i, position) in x.iter().enumerate() {
+        let active = std::mem::take(&mut self.active);
+        active.for_each(x.len(), |i| {
+            let position = &x[i];
             let k = self.area[i] * layer::TANGENTIAL;
             if let Some(sample) = self.touch(i, position) {
                 let depth = self.offset - sample.distance;
@@ -218,7 +229,13 @@ impl Potential for BodyContact {
                 }
                 hessian.add_diagonal(self.diagonals[i], &block);
             }
-        }
+        });
+        self.active = active;
+    }
+
+    fn narrow(&mut self, moving: Option<&[bool]>) {
+        self.active
+            .narrow(moving, self.area.len(), |i, moving| moving[i]);
     }
 
     fn add_stiffness_bound(&self, stiffness: &mut [f64]) {

@@ -150,7 +150,7 @@ impl IncrementalNewton {
             system.hessian(x, modification, &mut work.hessian);
             add_inertia(&mut work.hessian, &work.sparsity, &system.mass, weight);
             system.constrain(&work.sparsity, &mut work.hessian);
-            let factor = work.cholesky.factorize(&work.sparsity, &work.hessian);
+            let factor = work.cholesky.factorize(&work.hessian.blocks);
             if factor.is_ok() {
                 work.solve();
                 return Ok(());
@@ -175,6 +175,8 @@ impl IncrementalNewton {
         let search = LineSearch {
             value,
             slope,
+            // The model is Φ's own, and its minimum is the whole step.
+            curvature: slope,
             first_share: if system.has(TermKind::Contact) {
                 (MAX_DISPLACEMENT / longest).min(1.0)
             } else {
@@ -183,8 +185,8 @@ impl IncrementalNewton {
             trials: LINE_SEARCH_TRIALS,
         };
         let along = (&self.work.step[..], &mut self.work.trial[..]);
-        let potential = |x: &[Vector3<f64>]| Self::potential(system, inertia_term, x);
-        search.run(x, along, potential).is_some()
+        let mut potential = |x: &[Vector3<f64>]| Self::potential(system, inertia_term, x);
+        search.run(x, along, &mut potential).is_some()
     }
 }
 

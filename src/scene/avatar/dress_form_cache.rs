@@ -1,8 +1,8 @@
-//! A cache of dress forms: one takes seconds to make, and a page requests the same one again and
-//! again.
+//! A cache of dress forms: one takes most of a second to make, and the same one is dressed again
+//! and again.
 
+use super::{Avatar, DressForm};
 use crate::fault::Faults;
-use crate::scene::{Avatar, DressForm};
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -10,8 +10,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 const CAPACITY: usize = 4;
 
 /// A cache of the dress forms made lately, newest last.
-#[derive(Default)]
-pub(super) struct DressFormCache {
+#[derive(Debug, Default)]
+pub struct DressFormCache {
     // A std mutex: held for a lookup or an insertion, not while a form is made.
     made: Mutex<VecDeque<(DressForm, Arc<Avatar>)>>,
 }
@@ -21,7 +21,7 @@ impl DressFormCache {
     ///
     /// # Errors
     /// Measurements outside what a person has, each with its pointer.
-    pub(super) fn build(&self, form: &DressForm) -> Result<Arc<Avatar>, Faults> {
+    pub fn build(&self, form: &DressForm) -> Result<Arc<Avatar>, Faults> {
         let known = {
             let made = self.made.lock().unwrap_or_else(PoisonError::into_inner);
             let found = made.iter().find(|(known, _)| known == form);

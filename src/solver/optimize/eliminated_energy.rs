@@ -1,0 +1,54 @@
+//! The energy of a system along a step, less what local elimination gains at each trial.
+
+use crate::solver::model::system::System;
+use crate::solver::optimize::line_search::{LineSearch, Objective};
+use crate::solver::optimize::local_elimination::{GlobalStep, LocalElimination};
+use nalgebra::Vector3;
+
+/// Share of the predicted decrease below which what a trial got wrong is eliminated.
+const GOOD: f64 = 0.8;
+/// Share of the predicted decrease at which that is enough.
+const ENOUGH: f64 = 0.9;
+/// Shares of a step at which elimination is tried.
+const TRIALS: i32 = 2;
+/// Steepness at the end of a step over that at its start, where the energy does not tell.
+const LESS_STEEP: f64 = 0.9;
+
+/// The energy of a system along one step.
+pub(crate) struct EliminatedEnergy<'e, 's> {
+    pub(crate) system: &'e mut System<'s>,
+    pub(crate) elimination: &'e mut LocalElimination,
+    /// The step; its share is that of each trial.
+    pub(crate) global: GlobalStep<'e>,
+    pub(crate) step: &'e [Vector3<f64>],
+    pub(crate) search: LineSearch,
+}
+
+impl Objective for EliminatedEnergy<'_, '_> {
+    fn value(&mut self, x: &[Vector3<f64>]) -> f64 {
+        self.system.energy(x)
+    }
+
+    fn improve(&mut self, trial: &mut [Vector3<f64>], share: f64, decrease: f64) -> f64 {
+        let predicted = self.search.predicted(share);
+        // Rounding is nothing that could be put right.
+        let good = GOOD * predicted - 4.0 * self.search.rounding(trial.len());
+        let least_share = self.search.first_share * 0.5_f64.powi(TRIALS - 1);
+        if share < least_share || decrease >= good {
+            return decrease;
+        }
+        let enough = (ENOUGH * predicted).max(self.search.sufficient(share));
+        let global = GlobalStep {
+            share,
+            ..self.global
+        };
+        let missing = enough - decrease;
+        decrease + self.elimination.run(self.system, &global, trial, missing)
+    }
+
+    fn is_flatter(&mut self, trial: &[Vector3<f64>]) -> bool {
+        let force = self.elimination.force_at(self.system, trial);
+        let along: f64 = self.step.iter().zip(force).map(|(d, f)| d.dot(f)).sum();
+        along.abs() <= LESS_STEEP * self.search.slope
+    }
+}
