@@ -47,6 +47,10 @@ impl Objective for EliminatedEnergy<'_, '_> {
     }
 
     fn is_flatter(&mut self, trial: &[Vector3<f64>]) -> bool {
+        // Forces without an energy are no slope of one.
+        if !self.system.is_conservative() {
+            return true;
+        }
         let force = self.elimination.force_at(self.system, trial);
         let along: f64 = self.step.iter().zip(force).map(|(d, f)| d.dot(f)).sum();
         along.abs() <= LESS_STEEP * self.search.slope

@@ -53,8 +53,8 @@ pub(crate) struct LineSearch {
 pub(crate) struct AcceptedStep {
     /// Share of the whole step.
     pub(crate) share: f64,
-    /// Decrease of the objective \[J\]; the predicted one where differences are rounding.
-    pub(crate) decrease: f64,
+    /// Decrease of the objective \[J\]; none where its differences are rounding.
+    pub(crate) decrease: Option<f64>,
 }
 
 impl LineSearch {
@@ -100,10 +100,8 @@ impl LineSearch {
                 && (is_told || number == self.trials || objective.is_flatter(trial))
             {
                 x.copy_from_slice(trial);
-                return Some(AcceptedStep {
-                    share,
-                    decrease: if is_told { decrease } else { predicted },
-                });
+                let decrease = is_told.then_some(decrease);
+                return Some(AcceptedStep { share, decrease });
             }
             share *= 0.5;
         }
@@ -134,7 +132,7 @@ mod tests {
             &mut half_square,
         );
         let found = found.expect("a quarter of the step descends");
-        assert_eq!((found.share, found.decrease), (0.25, 0.5));
+        assert_eq!((found.share, found.decrease), (0.25, Some(0.5)));
         assert_eq!(x[0], Vector3::zeros());
         let fewer = LineSearch {
             trials: 2,

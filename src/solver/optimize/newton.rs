@@ -158,12 +158,8 @@ impl Newton {
     /// Takes one step; returns false if there is none that lowers the energy.
     fn advance(&mut self, system: &mut System<'_>, x: &mut [Vector3<f64>]) -> bool {
         let energy = system.energy(x);
-        let mut failed = false;
-        system.hessian(
-            x,
-            self.pseudo_transient.modification,
-            &mut self.work.hessian,
-        );
+        let (mut failed, mut retreated) = (false, false);
+        self.assemble(system, x);
         while !self.pseudo_transient.is_exhausted() {
             if !self.factorize(system) {
                 failed = true;
@@ -174,28 +170,40 @@ impl Newton {
             let is_true = self.modification == 0.0;
             self.fallbacks.true_hessian |= is_true;
             self.was_convex = is_true;
-            self.pseudo_transient.modify_less(failed);
+            if !retreated {
+                self.pseudo_transient.modify_less(failed);
+            }
             let found = self.search(system, x, energy);
             self.estimate = self.estimate.filter(|_| is_true);
             if found {
                 return true;
             }
             self.fallbacks.smaller_step = true;
-            self.pseudo_transient.gamma *= 0.1;
+            if retreated || self.modification == 1.0 {
+                self.pseudo_transient.gamma *= 0.1;
+            } else {
+                // γ grows back by steps, so that shrinking it costs many: once all of the
+                // indefinite part is projected out instead.
+                retreated = true;
+                self.pseudo_transient.modification = 1.0;
+                self.assemble(system, x);
+            }
         }
         self.pseudo_transient.gamma = FIRST_GAMMA;
         false
+    }
+
+    /// Computes the second derivative at `x`, less what is projected out.
+    fn assemble(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) {
+        let modification = self.pseudo_transient.modification;
+        system.hessian(x, modification, &mut self.work.hessian);
     }
 
     /// Projects out more of the second derivative, or shifts it further where all is projected out.
     fn make_definite(&mut self, system: &mut System<'_>, x: &[Vector3<f64>]) {
         if self.pseudo_transient.modify_more() {
             self.fallbacks.projected_hessian = true;
-            system.hessian(
-                x,
-                self.pseudo_transient.modification,
-                &mut self.work.hessian,
-            );
+            self.assemble(system, x);
         } else {
             self.fallbacks.diagonal_shift = true;
             self.pseudo_transient.gamma *= 0.25;
@@ -271,8 +279,10 @@ impl Newton {
             return false;
         };
         let predicted = search.predicted(accepted.share);
+        // Where the energy tells nothing, the model did not fail.
+        let decrease = accepted.decrease.unwrap_or(predicted);
         self.pseudo_transient
-            .adapt(accepted.share, accepted.decrease, predicted);
+            .adapt(accepted.share, decrease, predicted);
         true
     }
 

@@ -15,7 +15,7 @@ const SMALLEST_GAMMA: f64 = 1e-7;
 /// Share of the indefinite part that is projected out at least after a step that went too far.
 const BACKTRACK_MODIFICATION: f64 = 0.4;
 /// Factor of that share from one step to the next, and after a step whose factorization failed.
-const DECAY: f64 = 0.7;
+const DECAY: f64 = 0.5;
 const AFTER_FAILURE: f64 = 0.9;
 /// Smallest share of the indefinite part that is projected out, if any is.
 const LEAST_MODIFICATION: f64 = 0.02;

@@ -15,6 +15,9 @@ const POSITION_LIMIT: usize = 4_000_000;
 /// Largest ratio of two successive distances that is taken for convergence.
 const SLOWEST_CONVERGENCE: f64 = 0.9;
 
+/// Residual down to which the estimate by moves was measured.
+const LEAST_RESIDUAL_OF_MOVES: f64 = 0.01;
+
 /// A shape that is kept.
 struct Snapshot {
     cpu_s: f64,
@@ -131,7 +134,11 @@ impl ConvergenceHistory {
         let point = |(number, s): (usize, &Snapshot)| {
             let on_finest = self.snapshots[..=number].iter().filter(|s| s.level == 0);
             let shapes: Vec<_> = on_finest.map(Snapshot::moment).collect();
-            let by_moves = || Some(remaining_error(s.residual, &shapes)?.distance_m);
+            // Nearer to rest, moves tell nothing that was measured.
+            let by_moves = || {
+                let remaining = remaining_error(s.residual, &shapes)?;
+                (s.residual >= LEAST_RESIDUAL_OF_MOVES).then_some(remaining.distance_m)
+            };
             let known = s.estimate.filter(|_| s.residual <= ESTIMATE_RESIDUAL_LIMIT);
             let known = known.or_else(by_moves);
             ErrorPoint {
