@@ -16,8 +16,8 @@ const LEAF: usize = 16;
 const LONE_LEAF: usize = 48;
 /// Ends from which a part is looked at.
 const ATTEMPTS: usize = 3;
-/// Least share of a part on one side of its cut.
-const LEAST_SHARE: f64 = 0.38;
+/// Least share of a part on one side of its cut, in hundredths.
+const LEAST_SHARE: usize = 38;
 
 /// Vertices that are eliminated together: a separator or a leaf.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -167,7 +167,7 @@ impl Dissection<'_> {
             after[least + 1] += 1;
             after[i + 1] -= 1;
         }
-        let least_first = ((count as f64 * LEAST_SHARE) as usize).max(1);
+        let least_first = (count * LEAST_SHARE / 100).max(1);
         let (mut of_before, mut of_after) = (0, 0);
         let mut best = (0, false, f64::INFINITY);
         for first in 0..=count - least_first {
