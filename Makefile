@@ -18,7 +18,7 @@ help:
 	@echo "make stability  stiff and extreme cases, all of them: a JSON line a case in target/stability.jsonl (CASES: some only)"
 	@echo "make table   what the project makes of the real patterns in SEAMSTER_TEST_DATA, against the truth"
 	@echo "make fuzz    searches for inputs that break the importer and the seam check (T seconds each)"
-	@echo "make soak    hours: every stability case, 10 000 damaged files, fuzzing, ten runs of the queue and service tests"
+	@echo "make soak    hours: every stability case, a circle skirt, 10 000 damaged files, fuzzing, ten runs of the queue and service tests"
 	@echo "make smoke   a fresh service sews both samples, a validator reads the result"
 	@echo "make audit   known faults of dependencies (needs the internet)"
 
@@ -81,6 +81,7 @@ fuzz: page
 
 # What takes too long for every change.
 soak: page stability fuzz
+	cargo test --release --locked --test it -- --ignored fit::garmentcode
 	SEAMSTER_MUTATIONS=10000 cargo test --release --locked --test it pattern::loss
 	@for run in $$(seq 10); do \
 	  echo "run $$run of 10"; \
