@@ -1,9 +1,10 @@
 //! Symbolic factorization: the front of each part of the graph, and the place of everything in it.
 //!
-//! A front (I. S. Duff, J. K. Reid, "The multifrontal solution of indefinite sparse symmetric linear
-//! systems", ACM TOMS 9(3), 1983) is the dense matrix of the vertices of one part, its own, and of
-//! those later ones that the part and its children touch, which are below. Its own columns become
-//! columns of the factor; what they contribute to the rest is added to the front of the parent.
+//! A front (I. S. Duff, J. K. Reid, "The multifrontal solution of indefinite sparse symmetric
+//! linear systems", ACM TOMS 9(3), 1983) is the dense matrix of the vertices of one part, its own,
+//! and of those later ones that the part and its children touch, which are below. Its own columns
+//! become columns of the factor; what they contribute to the rest is added to the front of the
+//! parent.
 
 use crate::dissection::Part;
 use crate::graph::Graph;
