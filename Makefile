@@ -81,7 +81,7 @@ fuzz: page
 
 # What takes too long for every change.
 soak: page stability fuzz
-	cargo test --release --locked --test it -- --ignored fit::garmentcode
+	cargo test --release --locked --test it -- --ignored
 	SEAMSTER_MUTATIONS=10000 cargo test --release --locked --test it pattern::loss
 	@for run in $$(seq 10); do \
 	  echo "run $$run of 10"; \
