@@ -4,8 +4,8 @@
 //! summed up in registers.
 
 use crate::NotPositiveDefinite;
-use crate::tiles::{TILE_ROWS, TileColumn, triangle_len};
-use pulp::{Simd, WithSimd};
+use crate::tiles::{TILE_ROWS, TileColumn, TileOperation, triangle_len};
+use pulp::Simd;
 
 /// Columns of a product that are summed up at a time: with three vectors a column there are
 /// registers for them.
@@ -21,22 +21,11 @@ pub(crate) struct FrontFactorization<'f> {
     pub(crate) own_tile_rows: usize,
 }
 
-impl WithSimd for FrontFactorization<'_> {
+impl TileOperation for FrontFactorization<'_> {
     type Output = Result<(), NotPositiveDefinite>;
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
-        match S::F64_LANES {
-            4 => self.run::<S, 3>(simd),
-            2 => self.run::<S, 6>(simd),
-            _ => self.run::<S, TILE_ROWS>(simd),
-        }
-    }
-}
-
-impl FrontFactorization<'_> {
-    #[inline(always)]
-    fn run<S: Simd, const VECTORS: usize>(self, simd: S) -> Result<(), NotPositiveDefinite> {
+    fn run<S: Simd, const VECTORS: usize>(self, simd: S) -> Self::Output {
         let Self {
             panel,
             update,

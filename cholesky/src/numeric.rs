@@ -3,9 +3,11 @@
 use crate::NotPositiveDefinite;
 use crate::kernel::FrontFactorization;
 use crate::symbolic::{ContributionVertex, Entry, Front, Symbolic};
-use crate::tiles::{TILE_ROWS, TILE_VERTICES, TileColumn, triangle_len};
+use crate::tiles::{
+    TILE_ROWS, TILE_VERTICES, TileColumn, TileOperation, run, tile_count, triangle_len,
+};
 use nalgebra::Matrix3;
-use pulp::{Arch, Simd, WithSimd};
+use pulp::{Arch, Simd};
 
 /// Factors the matrix of `blocks`; the factor and the stacks of contributions are overwritten.
 pub(crate) fn factorize(
@@ -29,27 +31,30 @@ pub(crate) fn factorize(
             add_entry(panel, entry, &blocks[entry.block]);
         }
         for child in children.clone() {
-            arch.dispatch(ExtendAdd {
+            let extend_add = ExtendAdd {
                 front,
                 child,
                 contribution: contribution(child),
                 target: Target::Panel(&mut *panel),
-            });
+            };
+            run(arch, extend_add);
         }
         let update = &mut stack[front.stack..front.stack + front.update_len()];
-        arch.dispatch(FrontFactorization {
+        let factorization = FrontFactorization {
             panel,
             update: &mut *update,
             columns: front.columns(),
             own_tile_rows: front.tile_rows()[0],
-        })?;
+        };
+        run(arch, factorization)?;
         for child in children {
-            arch.dispatch(ExtendAdd {
+            let extend_add = ExtendAdd {
                 front,
                 child,
                 contribution: contribution(child),
                 target: Target::Update(&mut *update),
-            });
+            };
+            run(arch, extend_add);
         }
     }
     Ok(())
@@ -83,26 +88,23 @@ struct ExtendAdd<'f> {
     target: Target<'f>,
 }
 
-impl WithSimd for ExtendAdd<'_> {
+impl TileOperation for ExtendAdd<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _simd: S) {
+    fn run<S: Simd, const VECTORS: usize>(self, _simd: S) {
         let own = self.front.own.len();
         let vertices = &self.child.contribution;
         // Those that become columns of the panel come first.
         let owned = vertices.partition_point(|vertex| vertex.place < own);
-        let (target, columns, first) = match self.target {
-            Target::Panel(panel) => (panel, 0..owned, 0),
-            Target::Update(update) => (update, owned..vertices.len(), own),
-        };
-        let start = |row: &ContributionVertex| match first {
-            0 => row.in_panel,
-            _ => row.in_update,
-        };
+        let (target, columns, first, start): (_, _, _, fn(&ContributionVertex) -> usize) =
+            match self.target {
+                Target::Panel(panel) => (panel, 0..owned, 0, |row| row.in_panel),
+                Target::Update(update) => (update, owned..vertices.len(), own, |row| row.in_update),
+            };
         // In the order in which the contribution lies, tile row by tile row.
         let first_tile = columns.start / TILE_VERTICES;
-        for tile in first_tile..vertices.len().div_ceil(TILE_VERTICES) {
+        for tile in first_tile..tile_count(vertices.len()) {
             let source = &self.contribution[triangle_len(tile)..triangle_len(tile + 1)];
             let rows = TILE_VERTICES * tile..vertices.len().min(TILE_VERTICES * (tile + 1));
             for row in rows.start.max(columns.start)..rows.end {

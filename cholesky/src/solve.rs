@@ -1,17 +1,18 @@
 //! Forward and backward substitution.
 
 use crate::symbolic::{Front, Symbolic};
-use crate::tiles::{TILE_ROWS, TileColumn};
-use pulp::{Arch, Simd, WithSimd};
+use crate::tiles::{TILE_ROWS, TILE_VERTICES, TileColumn, TileOperation, run};
+use pulp::{Arch, Simd};
 
 /// Solves with `factor`: `x`, in the order of elimination, holds the right side and becomes the
 /// solution.
 pub(crate) fn solve(arch: Arch, symbolic: &Symbolic, factor: &[TileColumn], x: &mut [f64]) {
-    arch.dispatch(Substitution {
+    let substitution = Substitution {
         symbolic,
         factor,
         x,
-    });
+    };
+    run(arch, substitution);
 }
 
 struct Substitution<'s> {
@@ -20,50 +21,67 @@ struct Substitution<'s> {
     x: &'s mut [f64],
 }
 
-impl WithSimd for Substitution<'_> {
+impl TileOperation for Substitution<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        match S::F64_LANES {
-            4 => self.run::<S, 3>(simd),
-            2 => self.run::<S, 6>(simd),
-            _ => self.run::<S, TILE_ROWS>(simd),
-        }
-    }
-}
-
-impl Substitution<'_> {
-    #[inline(always)]
     fn run<S: Simd, const VECTORS: usize>(self, simd: S) {
         for front in &self.symbolic.fronts {
-            let panel = &self.factor[front.panel..front.panel + front.panel_len()];
-            forward::<S, VECTORS>(simd, front, panel, self.x);
+            forward::<S, VECTORS>(simd, &FrontPanel::new(front, self.factor), self.x);
         }
         for front in self.symbolic.fronts.iter().rev() {
-            let panel = &self.factor[front.panel..front.panel + front.panel_len()];
-            backward::<S, VECTORS>(simd, front, panel, self.x);
+            backward::<S, VECTORS>(simd, &FrontPanel::new(front, self.factor), self.x);
         }
     }
 }
 
-/// Ranks of the vertices below, tile by tile.
-fn below_tiles(front: &Front) -> impl Iterator<Item = &[usize]> {
-    front.below.chunks(TILE_ROWS / 3)
+/// A front and its part of the factor.
+struct FrontPanel<'f> {
+    front: &'f Front,
+    own_rows: &'f [TileColumn],
+    rows_below: &'f [TileColumn],
+}
+
+impl<'f> FrontPanel<'f> {
+    #[inline(always)]
+    fn new(front: &'f Front, factor: &'f [TileColumn]) -> Self {
+        let panel = &factor[front.panel..front.panel + front.panel_len()];
+        let (own_rows, rows_below) = panel.split_at(front.tile_rows()[0] * front.columns());
+        Self {
+            front,
+            own_rows,
+            rows_below,
+        }
+    }
+
+    /// Iterates over the tile rows of its own vertices.
+    #[inline(always)]
+    fn own(&self) -> impl DoubleEndedIterator<Item = (usize, &[TileColumn])> + ExactSizeIterator {
+        self.own_rows.chunks_exact(self.front.columns()).enumerate()
+    }
+
+    /// Iterates over the tile rows of the vertices below, with the places of these in what follows
+    /// the front's own.
+    #[inline(always)]
+    fn below(&self) -> impl Iterator<Item = (&[TileColumn], impl Iterator<Item = usize>)> {
+        let rows = self.rows_below.chunks_exact(self.front.columns());
+        let end = self.front.own.end;
+        let tiles = self.front.below.chunks(TILE_VERTICES);
+        rows.zip(tiles.map(move |ranks| ranks.iter().map(move |rank| 3 * (rank - end))))
+    }
+
+    /// Returns the values of its own vertices and those of the later ones.
+    #[inline(always)]
+    fn split<'x>(&self, x: &'x mut [f64]) -> (&'x mut [f64], &'x mut [f64]) {
+        let (head, later) = x.split_at_mut(3 * self.front.own.end);
+        (&mut head[3 * self.front.own.start..], later)
+    }
 }
 
 #[inline(always)]
-fn forward<S: Simd, const VECTORS: usize>(
-    simd: S,
-    front: &Front,
-    panel: &[TileColumn],
-    x: &mut [f64],
-) {
-    let columns = front.columns();
-    let (head, later) = x.split_at_mut(3 * front.own.end);
-    let own = &mut head[3 * front.own.start..];
-    let (own_rows, rows_below) = panel.split_at(front.tile_rows()[0] * columns);
-    for (tile, row) in own_rows.chunks_exact(columns).enumerate() {
+fn forward<S: Simd, const VECTORS: usize>(simd: S, panel: &FrontPanel<'_>, x: &mut [f64]) {
+    let (own, later) = panel.split(x);
+    for (tile, row) in panel.own() {
         let before = tile * TILE_ROWS;
         let (earlier, rest) = own.split_at_mut(before);
         let product = multiply::<S, VECTORS>(simd, &row[..before], earlier);
@@ -79,10 +97,9 @@ fn forward<S: Simd, const VECTORS: usize>(
             }
         }
     }
-    for (row, ranks) in rows_below.chunks_exact(columns).zip(below_tiles(front)) {
+    for (row, places) in panel.below() {
         let product = multiply::<S, VECTORS>(simd, row, own);
-        for (&rank, product) in ranks.iter().zip(product.chunks_exact(3)) {
-            let first = 3 * (rank - front.own.end);
+        for (first, product) in places.zip(product.chunks_exact(3)) {
             for (x, product) in later[first..first + 3].iter_mut().zip(product) {
                 *x -= product;
             }
@@ -91,25 +108,16 @@ fn forward<S: Simd, const VECTORS: usize>(
 }
 
 #[inline(always)]
-fn backward<S: Simd, const VECTORS: usize>(
-    simd: S,
-    front: &Front,
-    panel: &[TileColumn],
-    x: &mut [f64],
-) {
-    let columns = front.columns();
-    let (head, later) = x.split_at_mut(3 * front.own.end);
-    let own = &mut head[3 * front.own.start..];
-    let (own_rows, rows_below) = panel.split_at(front.tile_rows()[0] * columns);
-    for (row, ranks) in rows_below.chunks_exact(columns).zip(below_tiles(front)) {
+fn backward<S: Simd, const VECTORS: usize>(simd: S, panel: &FrontPanel<'_>, x: &mut [f64]) {
+    let (own, later) = panel.split(x);
+    for (row, places) in panel.below() {
         let mut known = [0.0; TILE_ROWS];
-        for (known, &rank) in known.chunks_exact_mut(3).zip(ranks) {
-            let first = 3 * (rank - front.own.end);
+        for (known, first) in known.chunks_exact_mut(3).zip(places) {
             known.copy_from_slice(&later[first..first + 3]);
         }
         subtract_transposed::<S, VECTORS>(simd, own, row, &known);
     }
-    for (tile, row) in own_rows.chunks_exact(columns).enumerate().rev() {
+    for (tile, row) in panel.own().rev() {
         let before = tile * TILE_ROWS;
         let (earlier, rest) = own.split_at_mut(before);
         let width = TILE_ROWS.min(rest.len());

@@ -1,10 +1,12 @@
 //! The elements of a term that act: all, or, while few particles move, those that they belong to.
 
-/// Elements of a term that act.
+use std::sync::Arc;
+
+/// Elements of a term that act; a clone is cheap.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct ActiveElements {
-    /// Indices of those that act, ascending; none if all do.
-    some: Option<Vec<usize>>,
+    /// Indices, ascending; none if all elements act.
+    indices: Option<Arc<[usize]>>,
 }
 
 impl ActiveElements {
@@ -16,15 +18,15 @@ impl ActiveElements {
         count: usize,
         has_one: impl Fn(usize, &[bool]) -> bool,
     ) {
-        self.some = moving.map(|moving| (0..count).filter(|&i| has_one(i, moving)).collect());
+        self.indices = moving.map(|moving| (0..count).filter(|&i| has_one(i, moving)).collect());
     }
 
     /// Calls `run` with the index of each of `count` elements that acts, in order.
     #[inline]
     pub(crate) fn for_each(&self, count: usize, run: impl FnMut(usize)) {
-        match &self.some {
+        match &self.indices {
             None => (0..count).for_each(run),
-            Some(some) => some.iter().copied().for_each(run),
+            Some(indices) => indices.iter().copied().for_each(run),
         }
     }
 }

@@ -95,12 +95,12 @@ impl LineSearch {
             let decrease = self.value - objective.value(trial);
             let decrease = objective.improve(trial, share, decrease);
             let predicted = self.predicted(share);
-            let is_told = predicted > 4.0 * rounding;
+            let is_measurable = predicted > 4.0 * rounding;
             if decrease >= self.sufficient(share) - rounding
-                && (is_told || number == self.trials || objective.is_flatter(trial))
+                && (is_measurable || number == self.trials || objective.is_flatter(trial))
             {
                 x.copy_from_slice(trial);
-                let decrease = is_told.then_some(decrease);
+                let decrease = is_measurable.then_some(decrease);
                 return Some(AcceptedStep { share, decrease });
             }
             share *= 0.5;

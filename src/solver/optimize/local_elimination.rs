@@ -28,7 +28,7 @@ const ROUNDS: usize = 6;
 /// Shares of their step that are tried, each half the one before.
 const TRIALS: usize = 4;
 
-/// A step of all particles, and what its model foretold.
+/// A step of all particles and the quadratic model that it is from.
 #[derive(Clone, Copy)]
 pub(crate) struct GlobalStep<'a> {
     pub(crate) sparsity: &'a Sparsity,
@@ -382,7 +382,7 @@ mod tests {
         }
     }
 
-    /// Takes the Newton step from the straight string, which foretells nothing of the ceiling, and
+    /// Takes the Newton step from the straight string, whose model knows no ceiling, and
     /// eliminates; returns the step's end, that of the elimination, and the decrease.
     fn eliminate(touching: Option<usize>) -> (Vec<Vector3<f64>>, Vec<Vector3<f64>>, f64) {
         let mut system = string(touching);

@@ -58,10 +58,9 @@ pub(crate) struct Newton {
     nonsymmetric: Option<NonsymmetricSolver>,
     pseudo_transient: PseudoTransient,
     elimination: LocalElimination,
-    /// Share of the indefinite part that the last factor left out.
+    /// Share of the indefinite part that is projected out of the last factor; 0 if that is the
+    /// factor of the true second derivative.
     modification: f64,
-    /// True if the last factor was that of the true second derivative.
-    was_convex: bool,
     touching: Vec<bool>,
     /// Length of the last full step \[m, RMS\], if it is that to the solution.
     estimate: Option<f64>,
@@ -87,7 +86,6 @@ impl Newton {
             work,
             pseudo_transient: PseudoTransient::new(first_gamma),
             iterations: 0,
-            was_convex: true,
             touching: Vec::new(),
             estimate: None,
             fallbacks: Fallbacks::default(),
@@ -120,7 +118,7 @@ impl Newton {
                 number,
                 residual,
                 positions: x,
-                convex: self.was_convex,
+                convex: self.is_convex(),
                 estimate_before: self.estimate.take(),
             });
             if let ControlFlow::Break(termination) = flow {
@@ -136,7 +134,7 @@ impl Newton {
 
     /// Returns true if the true second derivative had a factor in the last step.
     pub(crate) fn is_convex(&self) -> bool {
-        self.was_convex
+        self.modification == 0.0
     }
 
     /// Returns ‖H⁻¹ f‖ over the particles \[m, RMS\], the distance to the solution of this mesh;
@@ -167,9 +165,8 @@ impl Newton {
                 continue;
             }
             self.modification = self.pseudo_transient.modification;
-            let is_true = self.modification == 0.0;
+            let is_true = self.is_convex();
             self.fallbacks.true_hessian |= is_true;
-            self.was_convex = is_true;
             if !retreated {
                 self.pseudo_transient.modify_less(failed);
             }
@@ -178,13 +175,14 @@ impl Newton {
             if found {
                 return true;
             }
-            self.fallbacks.smaller_step = true;
             if retreated || self.modification == 1.0 {
+                self.fallbacks.smaller_step = true;
                 self.pseudo_transient.gamma *= 0.1;
             } else {
                 // γ grows back by steps, so that shrinking it costs many: once all of the
                 // indefinite part is projected out instead.
                 retreated = true;
+                self.fallbacks.projected_hessian = true;
                 self.pseudo_transient.modification = 1.0;
                 self.assemble(system, x);
             }

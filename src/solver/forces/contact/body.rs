@@ -157,7 +157,7 @@ impl Potential for BodyContact {
 
     fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
         let mut sum = 0.0;
-        let active = std::mem::take(&mut self.active);
+        let active = self.active.clone();
         active.for_each(x.len(), |i| {
             let position = &x[i];
             let k = self.area[i] * layer::TANGENTIAL;
@@ -174,12 +174,11 @@ impl Potential for BodyContact {
                 };
             }
         });
-        self.active = active;
         sum
     }
 
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
-        let active = std::mem::take(&mut self.active);
+        let active = self.active.clone();
         active.for_each(x.len(), |i| {
             let position = &x[i];
             let k = self.area[i] * layer::TANGENTIAL;
@@ -197,7 +196,6 @@ impl Potential for BodyContact {
                 };
             }
         });
-        self.active = active;
     }
 
     fn add_hessian(
@@ -206,7 +204,7 @@ impl Potential for BodyContact {
         hessian_modification: f64,
         hessian: &mut BlockMatrix,
     ) {
-        let active = std::mem::take(&mut self.active);
+        let active = self.active.clone();
         active.for_each(x.len(), |i| {
             let position = &x[i];
             let k = self.area[i] * layer::TANGENTIAL;
@@ -230,7 +228,6 @@ impl Potential for BodyContact {
                 hessian.add_diagonal(self.diagonals[i], &block);
             }
         });
-        self.active = active;
     }
 
     fn narrow(&mut self, moving: Option<&[bool]>) {

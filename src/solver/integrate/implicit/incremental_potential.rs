@@ -64,18 +64,11 @@ impl IncrementalNewton {
         })
     }
 
-    /// Returns the operations of one iteration, counted: assembly, the factor from its length, two
-    /// solves.
-    ///
-    /// The columns of a factor of length L with n columns have L / n numbers on average, and their
-    /// squares, which are the operations, add up to at least L²/n; for plane meshes ordered by
-    /// minimum degree to about three times that.
+    /// Returns the operations of one iteration, counted: assembly, the factor, two solves.
     pub(crate) fn operations(&self) -> f64 {
-        let length = self.work.cholesky.factor_len() as f64;
-        let columns = 3.0 * self.work.force.len() as f64;
         ASSEMBLY * self.work.sparsity.block_count() as f64
-            + 3.0 * length * length / columns
-            + 4.0 * length
+            + self.work.cholesky.multiply_adds()
+            + 4.0 * self.work.cholesky.factor_len() as f64
     }
 
     /// Returns Φ at `x` \[J\].
