@@ -14,7 +14,7 @@ from collections import defaultdict
 from pathlib import Path
 
 WIDTH = 100
-ROOTS = ("src", "cholesky", "tests", "tools", "examples", "fuzz", "crates")
+ROOTS = ("src", "cholesky", "crossings", "tests", "tools", "examples", "fuzz", "crates")
 QUESTION = re.compile(r"\s*//[/!]\s+(What|Whether|How|Where|Which|Why)\b")
 DOC = re.compile(r"\s*//[/!]")
 COMMENT = re.compile(r"\s*//")

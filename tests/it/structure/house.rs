@@ -79,9 +79,16 @@ fn lines_without_tests(text: &str) -> usize {
 /// Every Rust file of the project's own.
 fn rust_files() -> Vec<PathBuf> {
     let mut files = vec![];
-    let mut folders: Vec<_> = ["src", "cholesky/src", "tests", "tools", "examples"]
-        .map(|f| root().join(f))
-        .into();
+    let mut folders: Vec<_> = [
+        "src",
+        "cholesky/src",
+        "crossings",
+        "tests",
+        "tools",
+        "examples",
+    ]
+    .map(|f| root().join(f))
+    .into();
     while let Some(folder) = folders.pop() {
         let Ok(entries) = std::fs::read_dir(folder) else {
             continue;
