@@ -59,11 +59,14 @@ async function follow(id, signal) {
   throw new Problem("The connection to the service was lost. Reload the page to look again.", 0, []);
 }
 
-/** Why a fit failed. That it did not come to rest is what the report says. */
+/** Faults of a fit that the report tells, with all that belongs to them. */
+const REPORTED = new Set(["not_converged", "crossings", "body", "gap", "strain", "worn"].map((fault) => `fit/${fault}`));
+
+/** Why a fit failed, but for what the report says. */
 function showError(fit, report) {
   if (fit.status !== "failed" || !fit.error) return;
   const faults = fit.error.errors ?? [];
-  if (report && faults.length > 0 && faults.every((fault) => fault.code === "fit/not_converged")) return;
+  if (report && faults.length > 0 && faults.every((fault) => REPORTED.has(fault.code))) return;
   replaceChildren(byId("fit-faults"), problemItems(Problem.fromBody(fit.error, fit.error.status ?? 0)));
 }
 
@@ -75,7 +78,7 @@ async function showResult(fit) {
   });
   showError(fit, report);
   update({ report });
-  if (report) await showOutcome(fit.id, state.garment.avatar);
+  if (report) await showOutcome(fit.id, state.garment.avatar, report.intersections ?? []);
 }
 
 async function watchFit(fit) {

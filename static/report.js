@@ -35,15 +35,39 @@ function precision(report) {
   return parts.length ? finding("plain", `Estimated error: ${parts.join(", ")}.`) : null;
 }
 
+/** Crossings of cloth with cloth and with the body, where they were counted; faults with the sentence of the verdict. */
+function crossings(report) {
+  const { self_intersections: pairs, body_intersections: onBody, good } = report;
+  if (pairs == null) return [];
+  const fault = (kind) => good?.because[good.failed.indexOf(kind)];
+  const items = [];
+  if (fault("crossings")) items.push(finding("bad", sentence(fault("crossings"))));
+  else if (pairs > 0) items.push(finding("plain", `${plural(pairs, "pair")} of triangles cross, as self-contact is off.`));
+  else items.push(finding("good", "No cloth passes through cloth."));
+  if (fault("body")) items.push(finding("bad", sentence(fault("body"))));
+  else if (onBody != null) items.push(finding("good", "No cloth passes through the body."));
+  if (fault("strain")) items.push(finding("bad", sentence(fault("strain"))));
+  return items;
+}
+
+function verdictLine(report, status) {
+  if (!report.converged) {
+    return el("p", { class: "verdict bad" }, status === "canceled" ? "Stopped before it came to rest." : "The garment did not come to rest.");
+  }
+  const good = report.good?.ok ?? true;
+  return good
+    ? el("p", { class: "verdict good" }, "The garment came to rest, and nothing is wrong with it.")
+    : el("p", { class: "verdict bad" }, "The garment came to rest, but it is not right.");
+}
+
 /** The summary; `canceled` where the fit was stopped. */
 export function reportSummary(report, status) {
-  const verdict = report.converged
-    ? el("p", { class: "verdict good" }, "The garment came to rest.")
-    : el("p", { class: "verdict bad" }, status === "canceled" ? "Stopped before it came to rest." : "The garment did not come to rest.");
+  const verdict = verdictLine(report, status);
   const worn = report.worn ?? { ok: false, because: "not stated" };
   const items = [
     finding(report.converged ? "good" : "bad", reason(report)),
     closing(report),
+    ...crossings(report),
     inside(report),
     finding(worn.ok ? "good" : "bad", `${worn.ok ? "Worn" : "Not worn"}: ${worn.because}`.replace(/[^.]$/, "$&.")),
     precision(report),

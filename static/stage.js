@@ -33,8 +33,8 @@ async function bodyMesh(avatar) {
   return (await call(`/v1/avatars/${encodeURIComponent(id)}/mesh`, { headers: { Accept: "model/gltf-binary" } })).arrayBuffer();
 }
 
-/** Shows the shape of a fit on its body. */
-export async function showOutcome(fitId, avatar) {
+/** Shows the shape of a fit on its body, with marks where its report found crossings. */
+export async function showOutcome(fitId, avatar, intersections) {
   const mine = ++shows;
   const key = JSON.stringify(avatar);
   const [view, garment, body] = await Promise.all([
@@ -45,6 +45,7 @@ export async function showOutcome(fitId, avatar) {
   if (!view || mine !== shows) return;
   if (body !== undefined) await view.showBody(body);
   await view.showGarment(garment);
+  view.mark(intersections.map((place) => place.at));
   shownBody = key;
   note("");
 }

@@ -15,6 +15,9 @@ const BODY = 0xb9b1a8;
 /** The body is drawn some 3 mm further away, so that its facets do not show through cloth that lies on it. The report has the true depth. */
 const BODY_BEHIND = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 600 };
 const SEAM_LINE = 0x2c3338;
+const MARK = 0xd0342c;
+/** Radius of the mark of a place [m]. */
+const MARK_RADIUS = 0.007;
 
 function lights() {
   const key = new THREE.DirectionalLight(0xfff6ea, 2.1);
@@ -88,7 +91,8 @@ export function createViewer(host) {
   const scene = new THREE.Scene();
   const body = new THREE.Group();
   const garment = new THREE.Group();
-  scene.add(...lights(), body, garment);
+  const marks = new THREE.Group();
+  scene.add(...lights(), body, garment, marks);
   const camera = new THREE.PerspectiveCamera(32, 1, 0.05, 50);
   const controls = new OrbitControls(camera, canvas);
   controls.minDistance = 0.3;
@@ -178,8 +182,21 @@ export function createViewer(host) {
       first = false;
       draw();
     },
+    /** Marks places, seen through all that is before them. */
+    mark(places) {
+      dispose(marks);
+      const material = new THREE.MeshBasicMaterial({ color: MARK, transparent: true, opacity: 0.7, depthTest: false });
+      const ball = new THREE.SphereGeometry(MARK_RADIUS, 12, 8);
+      for (const at of places) {
+        const mark = new THREE.Mesh(ball, material);
+        mark.position.set(...at);
+        marks.add(mark);
+      }
+      draw();
+    },
     clear() {
       dispose(garment);
+      dispose(marks);
       first = true;
       draw();
     },

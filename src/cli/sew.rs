@@ -30,7 +30,7 @@ pub(super) struct SewCommand {
     scene: Option<PathBuf>,
 }
 
-/// Sews a garment; the exit code tells whether it converged.
+/// Sews a garment; the exit code tells whether it came to rest and is good.
 pub(super) fn sew(command: &SewCommand) -> ExitCode {
     let limits = Limits::default();
     let ran = resolve(command, &limits).and_then(|resolved| {
@@ -106,7 +106,13 @@ fn write_output(command: &SewCommand, sewn: &SewOutput) -> ExitCode {
         eprintln!("seamster: it did not converge: {}", report.why);
         return FAILED.into();
     }
-    ExitCode::SUCCESS
+    let faults = report.good.iter().flat_map(|good| &good.because);
+    let mut exit = ExitCode::SUCCESS;
+    for fault in faults {
+        eprintln!("seamster: it is at rest, but {fault}");
+        exit = FAILED.into();
+    }
+    exit
 }
 
 fn write_all(command: &SewCommand, SewOutput { outcome, scene }: &SewOutput) -> Result<(), String> {

@@ -2,6 +2,7 @@
 //!
 //! [`read_garment`] → [`resolve`] → [`run`] → [`FitOutcome`].
 
+mod crossings;
 mod garment;
 mod json_schema;
 mod library;
@@ -17,6 +18,7 @@ mod sewing_pattern;
 mod suggest;
 mod unsupported;
 mod validate;
+mod verdict;
 
 pub use garment::{
     AvatarRef, DressFormSpec, Elastic, Garment, MapKind, PanelSpec, PatternRef, Pin, SCHEMA,

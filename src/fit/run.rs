@@ -1,6 +1,9 @@
 //! Sews and drapes a resolved garment.
 
+use super::crossings;
+use super::garment::SelfContact;
 use super::resolve::ResolvedGarment;
+use super::verdict::{Demands, verdict};
 use crate::export::{DrapedPanel, GarmentMesh};
 use crate::fault::Faults;
 use crate::memory;
@@ -35,6 +38,7 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
     let solved = (context.cpu_s)();
     let mesh = garment_mesh(garment, &scene, &drape.positions);
     let mut report = drape.report;
+    judge(garment, &scene, &drape.positions, &mut report);
     report.cpu_s.mesh = meshed - began;
     report.cpu_s.assemble = assembled - meshed;
     report.cpu_s.export = (context.cpu_s)() - solved;
@@ -47,6 +51,30 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
         report,
         canceled: drape.canceled,
     })
+}
+
+/// Counts the crossings of a shape, and says in the report whether it is good.
+fn judge(
+    garment: &ResolvedGarment,
+    scene: &Scene,
+    positions: &[Vector3<f64>],
+    report: &mut DrapeReport,
+) {
+    let panels = garment.pattern.panels.iter().map(|panel| &*panel.id);
+    // A shape that cannot be judged is not good.
+    if let Ok(found) = crossings::find(scene, &panels.collect::<Vec<_>>(), positions) {
+        report.self_intersections = Some(found.cloth);
+        report.degenerate_triangles = Some(found.degenerate);
+        report.body_intersections = found.body;
+        report.vertices_inside_body = found.inside;
+        report.intersections = found.places;
+    }
+    let demands = Demands {
+        no_crossings: garment.garment().self_contact != SelfContact::Off,
+        has_avatar: scene.body.is_some(),
+        seam_gap_m: garment.garment().simulate.seam_eps_m,
+    };
+    report.good = Some(verdict(report, demands));
 }
 
 /// Takes the CPU time `spent` already \[s\] off the time limit.

@@ -2,6 +2,7 @@
 
 use super::kind::JobKind;
 use crate::fault::{Fault, FaultCode, Faults, FitCode, StudyCode};
+use crate::solver::{Shortcoming, Verdict};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
@@ -9,9 +10,10 @@ use utoipa::ToSchema;
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Failure)]
 pub struct JobFailure {
-    /// For a client to act on, of a fit: `fit/not_converged`, `fit/refused`, `fit/time_limit`,
-    /// `fit/panicked`, `fit/abandoned` or `fit/storage`; of a study: `study/nothing_ran` and, but
-    /// for the first, the same with `study`.
+    /// For a client to act on, of a fit: `fit/not_converged`, the first fault of one at rest
+    /// (`fit/crossings`, `fit/body`, `fit/gap`, `fit/strain`, `fit/worn`), `fit/refused`,
+    /// `fit/time_limit`, `fit/panicked`, `fit/abandoned` or `fit/storage`; of a study:
+    /// `study/nothing_ran`, and from `fit/refused` on the same with `study`.
     #[schema(value_type = String)]
     pub code: FaultCode,
     /// Sentence for a person on what happened.
@@ -55,6 +57,19 @@ impl JobFailure {
     /// Returns the failure of a fit that did not converge, for the reason that its report gives.
     pub(super) fn not_converged(reason: &str) -> Self {
         Self::new(FitCode::NotConverged, reason)
+    }
+
+    /// Returns the failure of a fit that came to rest and is not good, named by its first fault;
+    /// none if it is good or was not judged.
+    pub(super) fn not_good(verdict: &Verdict) -> Option<Self> {
+        let code = match verdict.failed.first()? {
+            Shortcoming::Crossings => FitCode::Crossings,
+            Shortcoming::Body => FitCode::Body,
+            Shortcoming::Gap => FitCode::Gap,
+            Shortcoming::Strain => FitCode::Strain,
+            Shortcoming::Worn => FitCode::Worn,
+        };
+        Some(Self::new(code, verdict.because.join("; ")))
     }
 
     /// Returns the failure of a study without a run, for the reason why the first was left out.

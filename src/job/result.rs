@@ -37,7 +37,9 @@ impl JobOutcome {
     /// Returns why it is no success, though the run came to its end.
     pub(super) fn failure(&self) -> Option<JobFailure> {
         match self {
-            Self::Fit(outcome) if outcome.report.converged => None,
+            Self::Fit(outcome) if outcome.report.converged => {
+                JobFailure::not_good(outcome.report.good.as_ref()?)
+            }
             Self::Fit(outcome) => Some(JobFailure::not_converged(&outcome.report.why)),
             Self::Study(study) if !study.runs.is_empty() => None,
             Self::Study(study) => {

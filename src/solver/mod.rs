@@ -36,6 +36,6 @@ pub use crate::solver::options::{Analysis, MembraneModel, Method, SeamClose, Sol
 pub use crate::solver::outcome::Drape;
 pub use crate::solver::report::measure::rms_distance;
 pub use crate::solver::report::schema::{
-    Advice, CpuSeconds, DrapeReport, Energy, ErrorPoint, LevelReport, Plan, SkippedTerm, Support,
-    TermTime,
+    Advice, CpuSeconds, DrapeReport, Energy, ErrorPoint, Intersection, IntersectionKind,
+    LevelReport, Plan, Shortcoming, SkippedTerm, Support, TermTime, Verdict,
 };

@@ -8,8 +8,17 @@ fault_codes! {
         Abandoned = "abandoned":
             "The processes that ran the fit died, one after the other.",
             "Use a coarser mesh; look into the log of the service.";
+        Body = "body":
+            "The garment came to rest, but passes through the body; its report says where.",
+            "Give a body of its size or place its panels further out.";
         Canceled = "canceled":
             "The fit was stopped on request.";
+        Crossings = "crossings":
+            "The garment came to rest, but cloth passes through cloth; its report says where.",
+            "Place the panels so that they start apart, or allow it by `self_contact` `off`.";
+        Gap = "gap":
+            "The garment came to rest, but a seam is open.",
+            "Look for seams of very unlike sides, or give a larger `simulate.seam_eps_m`.";
         KeyReused = "key_reused":
             "The `Idempotency-Key` was used before for another request.",
             "Send a new key with a new request.";
@@ -25,11 +34,17 @@ fault_codes! {
         Storage = "storage":
             "The garment or the result could not be read or written.",
             "Look into the log of the service.";
+        Strain = "strain":
+            "The garment came to rest, but is stretched further than any cloth bears.",
+            "Look for seams of very unlike sides and a garment too small for the body.";
         TimeLimit = "time_limit":
             "The fit used all the CPU time that it may use.",
             "Use a coarser mesh or a larger tolerance.";
         TwoPatterns = "two_patterns":
             "The pattern comes beside the garment and in the garment too.",
             "Leave it out of the garment.";
+        Worn = "worn":
+            "The garment came to rest, but the body does not carry it; its report says why.",
+            "Place its panels higher, give a body of its size or pin a corner.";
     }
 }

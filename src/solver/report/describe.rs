@@ -209,7 +209,7 @@ fn skipped_terms(scene: &Scene, ran: &[TermTime]) -> Vec<SkippedTerm> {
     if scene.wind.is_none() {
         skip(TermKind::Wind.name(), "the scene has none");
     }
-    skip(SELF_CONTACT, "cloth against cloth is not looked for");
+    skip(SELF_CONTACT, "this version has none: crossings are counted");
     if scene.body.is_none() {
         skip(TermKind::Contact.name(), "the scene has no avatar");
         skip(FRICTION, "the scene has no avatar");

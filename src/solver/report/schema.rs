@@ -39,8 +39,23 @@ pub struct DrapeReport {
     pub strain_max: f64,
     /// Deepest that a vertex or the middle of a triangle lies inside the body \[m\].
     pub penetration_max_m: f64,
-    /// Pairs of triangles that cross, where that was looked for.
+    /// Whether the garment is good, where it was judged: a fit always is.
+    #[serde(default)]
+    pub good: Option<Verdict>,
+    /// Pairs of triangles of cloth that meet without being neighbors, or lie on each other.
     pub self_intersections: Option<usize>,
+    /// Triangles of cloth without area.
+    #[serde(default)]
+    pub degenerate_triangles: Option<usize>,
+    /// Pairs of a triangle of cloth and one of the body's surface that meet.
+    #[serde(default)]
+    pub body_intersections: Option<usize>,
+    /// Vertices of cloth inside the body.
+    #[serde(default)]
+    pub vertices_inside_body: Option<usize>,
+    /// Places of all these, those with most first, at most 100.
+    #[serde(default)]
+    pub intersections: Vec<Intersection>,
     /// True if the body carries the garment, and why.
     #[serde(rename = "worn")]
     pub support: Support,
@@ -80,6 +95,63 @@ pub struct DrapeReport {
     /// Warnings about the seams that were sewn.
     #[serde(default)]
     pub warnings: Vec<Warning>,
+}
+
+/// Verdict on a garment at rest or not.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[schema(as = Good)]
+pub struct Verdict {
+    /// True if nothing failed.
+    pub ok: bool,
+    /// Faults, the gravest first.
+    pub failed: Vec<Shortcoming>,
+    /// Sentence on each of them, with its place.
+    pub because: Vec<String>,
+}
+
+/// Fault of a garment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+#[schema(as = Failed)]
+pub enum Shortcoming {
+    /// Cloth passes through cloth, or has triangles without area.
+    Crossings,
+    /// Cloth passes through the body.
+    Body,
+    /// A seam is open.
+    Gap,
+    /// Cloth is stretched further than any bears.
+    Strain,
+    /// The body does not carry it.
+    Worn,
+}
+
+/// Place where a garment passes through itself or the body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct Intersection {
+    /// What meets there.
+    pub kind: IntersectionKind,
+    /// Panels of the cloth that does: two where cloth meets cloth, the same twice where a panel
+    /// meets itself.
+    pub panels: Vec<String>,
+    /// A point of it \[m\].
+    pub at: [f64; 3],
+    /// Pairs of triangles, triangles or vertices there.
+    pub count: usize,
+}
+
+/// What meets at an [`Intersection`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum IntersectionKind {
+    /// Triangles of cloth.
+    Cloth,
+    /// A triangle of cloth and one of the body.
+    Body,
+    /// A triangle without area, with itself.
+    Degenerate,
+    /// A vertex that is inside the body.
+    InsideBody,
 }
 
 /// Energy by term \[J\].

@@ -38,6 +38,7 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("spade", &["mesh"]),
     ("jsonschema", &["fit"]),
     ("seamster_cholesky", &["solver"]),
+    ("seamster_crossings", &["fit"]),
     ("std::env", &["config"]),
     ("std::fs", &["memory", "job", "http", "cli"]),
     ("std::net", &["config", "http", "cli"]),

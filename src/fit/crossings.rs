@@ -1,0 +1,151 @@
+//! Where the shape of a garment passes through itself and through the body, by an exact test that
+//! knows nothing of the solver.
+
+use crate::mesh::ClothMesh;
+use crate::scene::{Avatar, Body, Scene};
+use crate::solver::{Intersection, IntersectionKind};
+use nalgebra::Vector3;
+use seamster_crossings::{Crossing, CrossingReport, Surface, SurfaceError, find_crossings};
+use std::collections::BTreeMap;
+
+/// Crossings of each kind whose places are looked at.
+const KEPT: usize = 10_000;
+/// Places that a report names at most.
+const PLACES: usize = 100;
+/// Width of a place \[m\]: about that of a fold.
+const PLACE: f64 = 0.03;
+
+/// The crossings of a garment: how many of each kind, and the places where most of them are.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct FoundCrossings {
+    /// Pairs of triangles of cloth that meet.
+    pub(super) cloth: usize,
+    /// Triangles without area.
+    pub(super) degenerate: usize,
+    /// Pairs of a triangle of cloth and one of the body that meet; none without a body.
+    pub(super) body: Option<usize>,
+    /// Vertices inside the body; none without a body.
+    pub(super) inside: Option<usize>,
+    /// Places, those with most crossings first.
+    pub(super) places: Vec<Intersection>,
+}
+
+/// Finds the crossings of a garment whose panels have the names `panels`, at `positions` \[m\] in
+/// the single precision in which meshes are written.
+///
+/// # Errors
+/// A position that single precision cannot hold.
+pub(super) fn find(
+    scene: &Scene,
+    panels: &[&str],
+    positions: &[Vector3<f64>],
+) -> Result<FoundCrossings, SurfaceError> {
+    let mesh = &scene.mesh;
+    let points = single(positions);
+    let triangles = indices(&mesh.triangles);
+    let stitches: Vec<[usize; 2]> = mesh.stitches.iter().map(|s| [s.a, s.b]).collect();
+    let cloth = Surface::new(&points, &triangles, &indices(&stitches))?;
+    let avatar = scene.body.as_ref().and_then(Body::avatar);
+    let report = match avatar {
+        Some(avatar) => with_body(&cloth, avatar)?,
+        None => find_crossings(&cloth, None, KEPT),
+    };
+    Ok(FoundCrossings {
+        cloth: report.cloth.count,
+        degenerate: report.degenerate.len(),
+        body: avatar.map(|_| report.body.count),
+        inside: avatar.map(|_| report.inside.len()),
+        places: places(mesh, panels, &points, &report),
+    })
+}
+
+fn with_body(cloth: &Surface<'_>, avatar: &Avatar) -> Result<CrossingReport, SurfaceError> {
+    let points = single(&avatar.surface.vertices);
+    let triangles = indices(&avatar.surface.triangles);
+    let body = Surface::new(&points, &triangles, &[])?;
+    Ok(find_crossings(cloth, Some(&body), KEPT))
+}
+
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "the judged positions are those written out; what does not fit is refused as not finite"
+)]
+fn single(positions: &[Vector3<f64>]) -> Vec<[f32; 3]> {
+    let single = |p: &Vector3<f64>| [p.x as f32, p.y as f32, p.z as f32];
+    positions.iter().map(single).collect()
+}
+
+fn indices<const N: usize>(of: &[[usize; N]]) -> Vec<[u32; N]> {
+    let index =
+        |v: usize| u32::try_from(v).expect("Limits bound the vertices of a mesh below 2^32");
+    of.iter().map(|v| v.map(index)).collect()
+}
+
+/// Returns the places where most crossings are.
+fn places(
+    mesh: &ClothMesh,
+    panels: &[&str],
+    points: &[[f32; 3]],
+    report: &CrossingReport,
+) -> Vec<Intersection> {
+    let panel = |triangle: u32| panel_of(mesh, triangle as usize);
+    let mut places = Places::default();
+    for Crossing { triangles, point } in &report.cloth.kept {
+        let [a, b] = triangles.map(panel);
+        places.add(IntersectionKind::Cloth, vec![a.min(b), a.max(b)], *point);
+    }
+    for &triangle in report.degenerate.iter().take(KEPT) {
+        let corner = points[mesh.triangles[triangle as usize][0]];
+        let panel = vec![panel(triangle)];
+        places.add(IntersectionKind::Degenerate, panel, corner.map(f64::from));
+    }
+    for Crossing { triangles, point } in &report.body.kept {
+        places.add(IntersectionKind::Body, vec![panel(triangles[0])], *point);
+    }
+    for &vertex in report.inside.iter().take(KEPT) {
+        let vertex = vertex as usize;
+        let panel = mesh.panels.partition_point(|p| p.vertices.end <= vertex);
+        let at = points[vertex].map(f64::from);
+        places.add(IntersectionKind::InsideBody, vec![panel], at);
+    }
+    places.most(panels)
+}
+
+fn panel_of(mesh: &ClothMesh, triangle: usize) -> usize {
+    mesh.panels
+        .partition_point(|panel| panel.triangles.end <= triangle)
+}
+
+/// Crossings gathered by what crosses and where.
+#[derive(Default)]
+struct Places(BTreeMap<(IntersectionKind, Vec<usize>, [i64; 3]), (usize, [f64; 3])>);
+
+impl Places {
+    fn add(&mut self, kind: IntersectionKind, panels: Vec<usize>, at: [f64; 3]) {
+        #[expect(
+            clippy::cast_possible_truncation,
+            reason = "a cast of floats to integers saturates, and places far off may be one"
+        )]
+        let cell = at.map(|coordinate| (coordinate / PLACE).floor() as i64);
+        let place = self.0.entry((kind, panels, cell)).or_insert((0, at));
+        place.0 += 1;
+    }
+
+    /// Returns the places with most crossings, those first.
+    fn most(self, names: &[&str]) -> Vec<Intersection> {
+        let mut places: Vec<_> = self.0.into_iter().collect();
+        // Stable: places with as many crossings stay in the order of their keys.
+        places.sort_by_key(|(_, (count, _))| std::cmp::Reverse(*count));
+        places.truncate(PLACES);
+        let place = |((kind, panels, _), (count, at))| {
+            let panels: Vec<usize> = panels;
+            Intersection {
+                kind,
+                panels: panels.into_iter().map(|p| names[p].to_owned()).collect(),
+                at,
+                count,
+            }
+        };
+        places.into_iter().map(place).collect()
+    }
+}
