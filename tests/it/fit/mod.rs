@@ -4,3 +4,4 @@ mod garmentcode;
 mod samples;
 mod seams;
 mod true_garments;
+mod verdict;

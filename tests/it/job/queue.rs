@@ -16,7 +16,7 @@ use seamster::job::{
     Runner, SqliteStore, WorkerPool,
 };
 use seamster::progress::{CancelToken, Progress};
-use seamster::solver::DrapeReport;
+use seamster::solver::{DrapeReport, Shortcoming, Verdict};
 use seamster::study::{Study, StudyRequest};
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -48,6 +48,7 @@ impl Runner for Script {
     ) -> Result<JobOutcome, Faults> {
         self.begun.fetch_add(1, Ordering::SeqCst);
         let (kind, mut good, mut canceled) = (work.kind(), true, false);
+        let mut failed = None;
         let garment = match work {
             JobRequest::Fit(garment) => *garment,
             JobRequest::Study(asked) => asked.garment,
@@ -56,6 +57,8 @@ impl Runner for Script {
             "refuse" => return Err(Fault::new(SeamCode::Twisted, "/seams/0", "it is").into()),
             "panic" => panic!("as told"),
             "diverge" => good = false,
+            "cross" => failed = Some(Shortcoming::Crossings),
+            "sink" => failed = Some(Shortcoming::Body),
             "count" => (1..=1_000).for_each(|step| progress(at(f64::from(step) / 1_000.0, 0.0))),
             "wait" => canceled = wait(cancel, progress, 0.0),
             "burn" => canceled = wait(cancel, progress, 1e9),
@@ -65,7 +68,15 @@ impl Runner for Script {
             }
             _ => {}
         }
-        Ok(done(kind, good, canceled))
+        let mut outcome = done(kind, good, canceled);
+        if let (JobOutcome::Fit(fit), Some(failed)) = (&mut outcome, failed) {
+            fit.report.good = Some(Verdict {
+                ok: false,
+                failed: vec![failed, Shortcoming::Gap],
+                because: vec!["as told".to_owned(), "and a gap".to_owned()],
+            });
+        }
+        Ok(outcome)
     }
 }
 
@@ -375,6 +386,23 @@ fn fit_that_does_not_converge_fails_and_keeps_its_shape() {
     assert_eq!(record.error.as_ref().unwrap().detail, "as told");
     assert!(queue.file(&record, ResultFile::Mesh).unwrap().is_some());
     assert!(queue.file(&record, ResultFile::Report).unwrap().is_some());
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
+fn fit_that_is_not_good_fails_by_its_first_fault_and_keeps_its_shape() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    for (does, code) in [("cross", "fit/crossings"), ("sink", "fit/body")] {
+        let record = finished(&queue, submit(&queue, does));
+        assert_eq!(record.status, JobStatus::Failed);
+        assert_eq!(error_code(&record), code);
+        let detail = &record.error.as_ref().unwrap().detail;
+        assert_eq!(detail, "as told; and a gap");
+        assert!(queue.file(&record, ResultFile::Mesh).unwrap().is_some());
+        assert!(queue.file(&record, ResultFile::Report).unwrap().is_some());
+    }
     pool.shutdown(TIMEOUT);
 }
 
