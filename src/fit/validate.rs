@@ -74,6 +74,7 @@ fn options_faults(options: &SolverOptions, limits: &Limits) -> Vec<Fault> {
             limits.edge_length_m,
         ),
         ("tolerance", Some(options.tolerance), [1e-12, 1.0]),
+        ("tolerance_m", options.tolerance_m, [1e-9, 0.1]),
         ("seam_eps_m", Some(options.seam_eps_m), [1e-6, 0.05]),
         ("seam_stiffness_n_m", options.seam_stiffness_n_m, [1.0, 1e8]),
         (
@@ -85,7 +86,8 @@ fn options_faults(options: &SolverOptions, limits: &Limits) -> Vec<Fault> {
     ];
     let faults = numbers.into_iter();
     let faults = faults.filter_map(|(field, value, range)| range_fault(field, value?, range));
-    faults.chain(step_fault(options)).collect()
+    let faults = faults.chain(step_fault(options));
+    faults.chain(distance_fault(options)).collect()
 }
 
 fn range_fault(field: &str, value: f64, [low, high]: [f64; 2]) -> Option<Fault> {
@@ -93,6 +95,15 @@ fn range_fault(field: &str, value: f64, [low, high]: [f64; 2]) -> Option<Fault> 
         let (pointer, detail) = (format!("/simulate/{field}"), format!("{field} is {value}"));
         let fix = format!("give a number from {low} to {high}");
         Fault::new(GarmentCode::Number, pointer, detail).fix(fix)
+    })
+}
+
+fn distance_fault(options: &SolverOptions) -> Option<Fault> {
+    (options.tolerance_m.is_some() && options.method.is_time_stepping()).then(|| {
+        let method = options.method.name();
+        let detail = format!("tolerance_m is given, and {method} cannot tell that distance");
+        let fault = Fault::new(GarmentCode::Number, "/simulate/tolerance_m", detail);
+        fault.fix("give tolerance in its place, or the method newton")
     })
 }
 

@@ -26,6 +26,9 @@ pub struct SolverOptions {
     /// Residual r to reach for a drape (dimensionless); RMS position error in meters per simulated
     /// second for motion.
     pub tolerance: f64,
+    /// Distance to the rest shape of this mesh to reach for a drape, in place of `tolerance`
+    /// \[m, RMS over the vertices\]; for Newton's method, which alone can tell it.
+    pub tolerance_m: Option<f64>,
     /// Fixed step of a trajectory \[s\].
     pub step_s: Option<f64>,
     /// Simulated time of a trajectory \[s\].
@@ -50,6 +53,7 @@ impl Default for SolverOptions {
             method: Method::Auto,
             edge_length_m: 0.012,
             tolerance: 1e-5,
+            tolerance_m: None,
             step_s: None,
             duration_s: None,
             frame_rate_hz: None,

@@ -166,6 +166,8 @@ pub(crate) struct RelaxOutcome {
 pub(crate) enum AtRest {
     /// To the tolerance asked for.
     WithinTolerance,
+    /// To the distance from the rest shape that was asked for.
+    WithinDistance,
     /// To the round-off floor of the residual, which is above the tolerance.
     WithinRoundOff,
 }

@@ -310,6 +310,7 @@ impl<'a, 'c, 'w> DrapeRuns<'a, 'c, 'w> {
         SolverOptions {
             method,
             tolerance,
+            tolerance_m: None,
             edge_length_m: self.scene.edge_length_m,
             ..self.plan.simulate.clone()
         }

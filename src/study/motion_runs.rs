@@ -332,6 +332,7 @@ impl<'a, 'c, 'w> MotionRuns<'a, 'c, 'w> {
             analysis: Analysis::Static,
             method: Method::Newton,
             tolerance,
+            tolerance_m: None,
             step_s: None,
             ..self.plan.simulate.clone()
         }

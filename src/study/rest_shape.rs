@@ -35,6 +35,7 @@ impl RestShape {
         }
         let options = SolverOptions {
             tolerance: TO_THE_FLOOR,
+            tolerance_m: None,
             step_s: None,
             ..options.clone()
         };

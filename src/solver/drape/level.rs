@@ -19,6 +19,8 @@ pub(crate) struct Level<'a, 'c, 'w> {
     pub(crate) monitor: &'a mut Monitor<'c, 'w>,
     /// Residual to reach, unless the floor is above it.
     pub(crate) tolerance: f64,
+    /// Distance to the rest shape to reach, if that is asked for \[m\].
+    pub(crate) tolerance_m: Option<f64>,
     /// Least residual that is asked for, over its round-off floor.
     pub(crate) floor_multiple: f64,
     /// True on the level that was asked for.

@@ -190,11 +190,12 @@ impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
             clock: self.clock,
             limits: self.limits,
             monitor: &mut self.monitor,
-            tolerance: if number == 0 {
-                self.options.tolerance
-            } else {
-                self.options.tolerance.max(COARSE_TOLERANCE)
+            tolerance: match (number, self.options.tolerance_m) {
+                (0, None) => self.options.tolerance,
+                (0, Some(_)) => 0.0,
+                _ => self.options.tolerance.max(COARSE_TOLERANCE),
             },
+            tolerance_m: self.options.tolerance_m.filter(|_| number == 0),
             floor_multiple: if self.from.is_some() {
                 CONTINUED_FLOOR_MULTIPLE
             } else {

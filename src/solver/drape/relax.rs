@@ -14,7 +14,9 @@ use crate::solver::model::system::System;
 use crate::solver::optimize::iterate::{Iterate, Termination};
 use crate::solver::optimize::newton::Newton;
 use crate::solver::options::Method;
-use crate::solver::outcome::{AtRest, ForceBalance, RelaxOutcome, Unfinished};
+use crate::solver::outcome::{
+    AtRest, ESTIMATE_RESIDUAL_LIMIT, ForceBalance, RelaxOutcome, Unfinished,
+};
 use crate::solver::report::measure::{energies, mean_height, seam_gap};
 use crate::solver::statistics::{SolveStatistics, TermTimes};
 use nalgebra::Vector3;
@@ -67,9 +69,12 @@ pub(crate) fn relax(
         dof_map: &dof_map,
         stitches: dof_map.pairs(&stitches),
         tolerance,
+        tolerance_m: level.tolerance_m,
+        is_near: false,
         monitor: level.monitor,
     };
     let (stage, newton) = relaxation.run(&mut system, &mut shape);
+    let is_near = relaxation.is_near;
     *x = dof_map.scatter(&shape);
     let canceled = level.monitor.canceled;
     let estimate = level
@@ -81,9 +86,16 @@ pub(crate) fn relax(
         // Of every level: it may be the last that there is time for.
         energy: energies(&mut system, &shape),
     };
+    let reached = if is_near {
+        AtRest::WithinDistance
+    } else if tolerance > level.tolerance {
+        AtRest::WithinRoundOff
+    } else {
+        AtRest::WithinTolerance
+    };
     let statistics = stage.statistics(TermTimes::of_system(&system));
     let outcome = RelaxOutcome {
-        end: end(&stage, canceled, tolerance > level.tolerance),
+        end: end(&stage, canceled, reached),
         balance,
         estimate: estimate.flatten(),
         remaining: level.monitor.remaining_error(stage.residual, x),
@@ -94,11 +106,10 @@ pub(crate) fn relax(
     (outcome, statistics)
 }
 
-/// Returns success or failure of a relaxation; `by_floor` if the round-off floor set its tolerance.
-fn end(stage: &StageOutcome, canceled: bool, by_floor: bool) -> Result<AtRest, Unfinished> {
+/// Returns success or failure of a relaxation; success is what was `reached`.
+fn end(stage: &StageOutcome, canceled: bool, reached: AtRest) -> Result<AtRest, Unfinished> {
     match stage.termination {
-        Termination::Reached if by_floor => Ok(AtRest::WithinRoundOff),
-        Termination::Reached => Ok(AtRest::WithinTolerance),
+        Termination::Reached => Ok(reached),
         _ => Err(Unfinished::NotRelaxed {
             end: stage.end(canceled),
             residual: stage.residual,
@@ -114,6 +125,10 @@ struct Relaxation<'a, 'c, 'w> {
     /// Pairs of particles that are sewn together and still two.
     stitches: Vec<(usize, usize)>,
     tolerance: f64,
+    /// Distance to the rest shape that will do \[m\].
+    tolerance_m: Option<f64>,
+    /// True once that was reached.
+    is_near: bool,
     monitor: &'a mut Monitor<'c, 'w>,
 }
 
@@ -150,13 +165,23 @@ impl Relaxation<'_, '_, '_> {
             estimate_before: iterate.estimate_before,
             shape: &|| self.dof_map.scatter(iterate.positions),
         });
+        self.is_near = self
+            .tolerance_m
+            .is_some_and(|most| is_within(&iterate, most));
         let share = if iterate.convex { 1.0 } else { SADDLE };
         if fell {
             ControlFlow::Break(Termination::Interrupted)
-        } else if flow.is_continue() && residual <= share * tolerance {
+        } else if flow.is_continue() && (self.is_near || residual <= share * tolerance) {
             ControlFlow::Break(Termination::Reached)
         } else {
             flow
         }
     }
+}
+
+/// Returns true if an iterate is within `most` \[m, RMS\] of the rest shape: the one before was, in
+/// a minimum of the energy and so near to rest that the Hessian tells, and this one is nearer.
+fn is_within(iterate: &Iterate<'_>, most: f64) -> bool {
+    let before = iterate.estimate_before.filter(|_| iterate.convex);
+    before.is_some_and(|distance| distance <= most) && iterate.residual <= ESTIMATE_RESIDUAL_LIMIT
 }

@@ -21,6 +21,11 @@ impl ActiveElements {
         self.indices = moving.map(|moving| (0..count).filter(|&i| has_one(i, moving)).collect());
     }
 
+    /// Returns true if all elements act.
+    pub(crate) fn is_all(&self) -> bool {
+        self.indices.is_none()
+    }
+
     /// Calls `run` with the index of each of `count` elements that acts, in order.
     #[inline]
     pub(crate) fn for_each(&self, count: usize, run: impl FnMut(usize)) {

@@ -93,6 +93,9 @@ fn reason(outcome: &DrapeOutcome) -> String {
     let residual = outcome.balance.residual;
     match &outcome.end {
         Ok(AtRest::WithinTolerance) => stage_reason(StageEnd::Converged, residual),
+        Ok(AtRest::WithinDistance) => {
+            format!("at rest: within the distance asked for, at r = {residual:.1e}")
+        }
         Ok(AtRest::WithinRoundOff) => format!(
             "at rest: stopped by the round-off floor of {:.1e}, at r = {residual:.1e}",
             outcome.balance.residual_floor

@@ -37,6 +37,7 @@ fn draped_on(name: &str, simulate: Value) -> [Drape; 2] {
         let drape = solver::drape(&scene, &options, context);
         let on = SolverOptions {
             tolerance: TO_THE_FLOOR,
+            tolerance_m: None,
             ..options
         };
         let on = solver::drape_on(&scene, &on, &drape, context);
@@ -87,6 +88,25 @@ fn a_drape_that_goes_on_keeps_what_friction_holds() {
         .expect("a shape at rest has one");
     let moved = rms_distance(&drape.positions, &on.positions);
     assert!(moved <= PROMISE.end() * error, "{moved} {error}");
+}
+
+#[test]
+fn a_distance_asked_for_is_reached_and_not_gone_far_beyond() {
+    let iterations = |simulate: Value| {
+        let [drape, on] = draped_on("top", simulate);
+        assert!(drape.report.converged, "{}", drape.report.why);
+        (drape.report.newton_iterations, drape, on)
+    };
+    let asked = 1e-4;
+    let (few, drape, on) = iterations(json!({"edge_length_m": 0.03, "tolerance_m": asked}));
+    let error = rms_distance(&drape.positions, &on.positions);
+    assert!(error <= PROMISE.end() * asked, "{error}");
+    let estimate = drape.report.error_estimate_m;
+    assert!(estimate.is_some_and(|e| e <= asked), "{estimate:?}");
+    let why = &drape.report.why;
+    assert!(why.starts_with("at rest: within the distance"), "{why}");
+    let (more, ..) = iterations(json!({"edge_length_m": 0.03, "tolerance_m": 1e-9}));
+    assert!(few < more, "{few} against {more} iterations");
 }
 
 fn fitted(name: &str, simulate: Value) -> DrapeReport {
