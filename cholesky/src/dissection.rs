@@ -27,6 +27,37 @@ pub(crate) struct Part {
     pub(crate) parent: Option<usize>,
 }
 
+/// Returns the parts that are left of `parts` where only some vertices are: `place` is the number of
+/// each vertex among them. A dissection of a graph is one of each part of it.
+pub(crate) fn restrict(parts: &[Part], place: &[Option<usize>]) -> Vec<Part> {
+    let left = |part: &Part| -> Vec<usize> {
+        let places = part.vertices.iter().map(|&v| place[v]);
+        places.flatten().collect()
+    };
+    let mut restricted: Vec<Part> = parts
+        .iter()
+        .map(|part| Part {
+            vertices: left(part),
+            parent: None,
+        })
+        .collect();
+    let mut kept = restricted.iter().filter(|part| !part.vertices.is_empty());
+    let mut number = kept.by_ref().count();
+    // For each part itself, or the next above it that is not empty.
+    let mut target: Vec<Option<usize>> = vec![None; parts.len()];
+    for (i, part) in parts.iter().enumerate().rev() {
+        let above = part.parent.and_then(|parent| target[parent]);
+        restricted[i].parent = above;
+        target[i] = above;
+        if !restricted[i].vertices.is_empty() {
+            number -= 1;
+            target[i] = Some(number);
+        }
+    }
+    restricted.retain(|part| !part.vertices.is_empty());
+    restricted
+}
+
 /// Returns the parts of a graph, each before its parent.
 pub(crate) fn dissect(graph: &Graph) -> Vec<Part> {
     let count = graph.vertex_count();

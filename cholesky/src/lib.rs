@@ -15,18 +15,28 @@ mod solve;
 mod symbolic;
 mod tiles;
 
+use crate::dissection::Part;
 use crate::graph::Graph;
-use crate::symbolic::Symbolic;
+use crate::symbolic::{Front, Symbolic};
 use crate::tiles::{TILE_ROWS, TileColumn};
 use nalgebra::{Matrix3, Vector3};
 use pulp::Arch;
+use std::ops::Range;
+
+/// Share of the work of a factorization that is spent on seeing whether it fails where the last one
+/// did.
+const SMALL_PART: f64 = 0.1;
 
 /// The factor of a matrix, and the memory for it.
 pub struct Cholesky {
     arch: Arch,
     symbolic: Symbolic,
+    parts: Vec<Part>,
     factor: Vec<TileColumn>,
     stacks: [Vec<TileColumn>; 2],
+    /// Front in which the last factorization failed, if it did and few others are needed to see
+    /// whether the next one fails there too.
+    suspect: Option<usize>,
     /// Right side or solution in the order of elimination.
     vector: Vec<f64>,
 }
@@ -46,20 +56,43 @@ impl Cholesky {
     /// # Errors
     /// [`OutOfMemory`] if the factor does not fit.
     pub fn new(column_start: &[usize], rows: &[usize]) -> Result<Self, OutOfMemory> {
-        let count = column_start.len() - 1;
-        let entries = (0..count).flat_map(|column| {
-            let rows = &rows[column_start[column]..column_start[column + 1]];
-            rows.iter().map(move |&row| (column, row))
-        });
-        let graph = Graph::from_pairs(count, entries.filter(|(column, row)| column != row));
+        let graph = graph_of(column_start, rows);
         let parts = dissection::dissect(&graph);
-        let symbolic = Symbolic::new((column_start, rows), &graph, &parts);
+        Self::dissected((column_start, rows), &graph, parts)
+    }
+
+    /// Analyzes a matrix of some of the vertices of this one, which are 0, 1, ... there and
+    /// `vertices` here: they are eliminated in the same order, which need not be sought.
+    ///
+    /// # Errors
+    /// [`OutOfMemory`] if the factor does not fit.
+    pub fn restricted(
+        &self,
+        (column_start, rows): (&[usize], &[usize]),
+        vertices: &[usize],
+    ) -> Result<Self, OutOfMemory> {
+        let mut place = vec![None; self.symbolic.order.len()];
+        for (i, &v) in vertices.iter().enumerate() {
+            place[v] = Some(i);
+        }
+        let parts = dissection::restrict(&self.parts, &place);
+        Self::dissected((column_start, rows), &graph_of(column_start, rows), parts)
+    }
+
+    fn dissected(
+        matrix: (&[usize], &[usize]),
+        graph: &Graph,
+        parts: Vec<Part>,
+    ) -> Result<Self, OutOfMemory> {
+        let symbolic = Symbolic::new(matrix, graph, &parts);
         Ok(Self {
             arch: Arch::new(),
             factor: zeros(symbolic.factor_len)?,
             stacks: [zeros(symbolic.stack_len[0])?, zeros(symbolic.stack_len[1])?],
-            vector: vec![0.0; 3 * count],
+            suspect: None,
+            vector: vec![0.0; 3 * graph.vertex_count()],
             symbolic,
+            parts,
         })
     }
 
@@ -78,13 +111,36 @@ impl Cholesky {
     /// # Errors
     /// [`NotPositiveDefinite`] if a pivot is not positive; the factor is then of no use.
     pub fn factorize(&mut self, blocks: &[Matrix3<f64>]) -> Result<(), NotPositiveDefinite> {
-        numeric::factorize(
+        if let Some(front) = self.suspect {
+            self.factorize_fronts(blocks, self.symbolic.subtree(front))?;
+        }
+        self.suspect = None;
+        self.factorize_fronts(blocks, 0..self.symbolic.fronts.len())
+    }
+
+    fn factorize_fronts(
+        &mut self,
+        blocks: &[Matrix3<f64>],
+        fronts: Range<usize>,
+    ) -> Result<(), NotPositiveDefinite> {
+        let factored = numeric::factorize(
             self.arch,
-            &self.symbolic,
+            (&self.symbolic, fronts),
             blocks,
             &mut self.factor,
             &mut self.stacks,
-        )
+        );
+        factored.map_err(|front| {
+            self.suspect = Some(front).filter(|&front| self.is_soon_tried(front));
+            NotPositiveDefinite
+        })
+    }
+
+    /// Returns true if what the factorization of a front needs is a small part of the whole.
+    fn is_soon_tried(&self, front: usize) -> bool {
+        let needed = &self.symbolic.fronts[self.symbolic.subtree(front)];
+        let needed: f64 = needed.iter().map(Front::multiply_adds).sum();
+        needed < SMALL_PART * self.multiply_adds()
     }
 
     /// Solves with the last factor: `x` holds the right side and becomes the solution.
@@ -98,6 +154,16 @@ impl Cholesky {
             x[v].copy_from_slice(scalars);
         }
     }
+}
+
+/// Returns the graph of a lower triangle.
+fn graph_of(column_start: &[usize], rows: &[usize]) -> Graph {
+    let count = column_start.len() - 1;
+    let entries = (0..count).flat_map(|column| {
+        let rows = &rows[column_start[column]..column_start[column + 1]];
+        rows.iter().map(move |&row| (column, row))
+    });
+    Graph::from_pairs(count, entries.filter(|(column, row)| column != row))
 }
 
 /// Returns memory for so many tile columns.
@@ -197,6 +263,48 @@ mod tests {
         }
     }
 
+    /// The matrix of some vertices of another, which are in ascending order.
+    fn restricted(matrix: &GridMatrix, vertices: &[usize]) -> GridMatrix {
+        let (mut column_start, mut rows, mut blocks) = (vec![0], vec![], vec![]);
+        for &column in vertices {
+            for k in matrix.column_start[column]..matrix.column_start[column + 1] {
+                if let Ok(row) = vertices.binary_search(&matrix.rows[k]) {
+                    rows.push(row);
+                    blocks.push(matrix.blocks[k]);
+                }
+            }
+            column_start.push(rows.len());
+        }
+        GridMatrix {
+            column_start,
+            rows,
+            blocks,
+        }
+    }
+
+    #[test]
+    fn a_matrix_of_some_vertices_is_solved_in_the_order_of_all() {
+        let matrix = grid(23, 17, 14.0);
+        let whole = Cholesky::new(&matrix.column_start, &matrix.rows).expect("small");
+        // Every third or a patch: separators are emptied, and the graph falls to pieces.
+        let third = (0..23 * 17).step_by(3).collect::<Vec<_>>();
+        let patch = (0..23 * 17).filter(|i| i % 23 < 6).collect::<Vec<_>>();
+        for vertices in [third, patch, vec![5], vec![]] {
+            let part = restricted(&matrix, &vertices);
+            let laid_out = (&part.column_start[..], &part.rows[..]);
+            let mut cholesky = whole.restricted(laid_out, &vertices).expect("small");
+            cholesky.factorize(&part.blocks).expect("as the whole");
+            let mut solution: Vec<_> = vertices.iter().map(|&v| Vector3::x() * v as f64).collect();
+            let right =
+                DVector::from_iterator(3 * vertices.len(), solution.iter().flatten().copied());
+            cholesky.solve(&mut solution);
+            let scalars = solution.iter().flatten().copied();
+            let product = dense(&part) * DVector::from_iterator(right.len(), scalars);
+            // As above: norms and condition are bounded by Gershgorin.
+            assert!((product - &right).norm() <= 300.0 * f64::EPSILON * right.norm());
+        }
+    }
+
     #[test]
     fn an_indefinite_matrix_is_refused_and_the_next_one_is_not() {
         let mut matrix = grid(9, 9, 14.0);
@@ -204,7 +312,12 @@ mod tests {
         let middle = matrix.column_start[40];
         matrix.blocks[middle] = Matrix3::from_diagonal(&Vector3::new(14.0, -14.0, 14.0));
         assert_eq!(cholesky.factorize(&matrix.blocks), Err(NotPositiveDefinite));
+        // It fails again in the same place, and after that elsewhere.
+        assert_eq!(cholesky.factorize(&matrix.blocks), Err(NotPositiveDefinite));
         matrix.blocks[middle] = Matrix3::from_diagonal_element(14.0);
+        matrix.blocks[0] = Matrix3::from_diagonal_element(-14.0);
+        assert_eq!(cholesky.factorize(&matrix.blocks), Err(NotPositiveDefinite));
+        matrix.blocks[0] = Matrix3::from_diagonal_element(14.0);
         assert_eq!(cholesky.factorize(&matrix.blocks), Ok(()));
         matrix.blocks[middle][(0, 0)] = f64::NAN;
         assert_eq!(cholesky.factorize(&matrix.blocks), Err(NotPositiveDefinite));

@@ -8,16 +8,22 @@ use crate::tiles::{
 };
 use nalgebra::Matrix3;
 use pulp::{Arch, Simd};
+use std::ops::Range;
 
-/// Factors the matrix of `blocks`; the factor and the stacks of contributions are overwritten.
+/// Factors the part of the matrix of `blocks` that is in some of the fronts: all, or those that one
+/// of them needs. The factor and the stacks of contributions are overwritten.
+///
+/// # Errors
+/// The first front with a pivot that is not positive.
 pub(crate) fn factorize(
     arch: Arch,
-    symbolic: &Symbolic,
+    (symbolic, fronts): (&Symbolic, Range<usize>),
     blocks: &[Matrix3<f64>],
     factor: &mut [TileColumn],
     [even, odd]: &mut [Vec<TileColumn>; 2],
-) -> Result<(), NotPositiveDefinite> {
-    for front in &symbolic.fronts {
+) -> Result<(), usize> {
+    for number in fronts {
+        let front = &symbolic.fronts[number];
         let (contributions, stack) = if front.is_odd {
             (&even[..], &mut odd[..])
         } else {
@@ -46,7 +52,7 @@ pub(crate) fn factorize(
             columns: front.columns(),
             own_tile_rows: front.tile_rows()[0],
         };
-        run(arch, factorization)?;
+        run(arch, factorization).map_err(|NotPositiveDefinite| number)?;
         for child in children {
             let extend_add = ExtendAdd {
                 front,

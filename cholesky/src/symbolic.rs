@@ -22,6 +22,9 @@ pub(crate) struct Front {
     pub(crate) contribution: Vec<ContributionVertex>,
     /// Fronts that contribute to this one.
     pub(crate) children: Vec<usize>,
+    /// First of the fronts that contribute to it, directly or by others: they lie between that one
+    /// and this.
+    pub(crate) first_descendant: usize,
     /// Columns of the factor that begin with this one.
     pub(crate) panel: usize,
     /// True if it is an odd number of steps below a root: the contributions of such fronts lie on
@@ -78,6 +81,12 @@ impl Front {
         3 * self.own.len()
     }
 
+    /// Returns the multiplications and additions of its factorization, in pairs.
+    pub(crate) fn multiply_adds(&self) -> f64 {
+        let (own, below) = (self.columns() as f64, 3.0 * self.below.len() as f64);
+        own * own * own / 3.0 + own * own * below + own * below * below
+    }
+
     /// Returns the tile rows of its own vertices, and of those below.
     pub(crate) fn tile_rows(&self) -> [usize; 2] {
         [tile_count(self.own.len()), tile_count(self.below.len())]
@@ -132,11 +141,12 @@ impl Symbolic {
     /// Returns the multiplications and additions of a numeric factorization, in pairs: the squares
     /// of the lengths of all columns of the factor.
     pub(crate) fn multiply_adds(&self) -> f64 {
-        let of_front = |front: &Front| {
-            let (own, below) = (front.columns() as f64, 3.0 * front.below.len() as f64);
-            own * own * own / 3.0 + own * own * below + own * below * below
-        };
-        self.fronts.iter().map(of_front).sum()
+        self.fronts.iter().map(Front::multiply_adds).sum()
+    }
+
+    /// Returns the fronts that the factorization of one needs, and that one.
+    pub(crate) fn subtree(&self, front: usize) -> Range<usize> {
+        self.fronts[front].first_descendant..front + 1
     }
 
     /// Analyzes the lower triangle of a matrix whose graph was dissected into `parts`.
@@ -251,10 +261,13 @@ fn fronts(graph: &Graph, parts: &[Part], order: &[usize], rank: &[usize]) -> Vec
             .collect();
         below.sort_unstable();
         below.dedup();
+        let first_child = children.first();
         fronts.push(Front {
             own,
             below,
             contribution: Vec::new(),
+            first_descendant: first_child
+                .map_or(fronts.len(), |&child| fronts[child].first_descendant),
             children,
             panel: 0,
             is_odd: false,

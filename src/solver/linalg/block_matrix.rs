@@ -48,6 +48,19 @@ impl Sparsity {
         Cholesky::new(&self.column_start, &self.rows)
     }
 
+    /// Returns memory for the factor of a matrix of this sparsity, whose particles are some of those
+    /// that `whole` factors, in the order of that.
+    ///
+    /// # Errors
+    /// [`OutOfMemory`] if there is none.
+    pub(crate) fn cholesky_within(
+        &self,
+        whole: &Cholesky,
+        particles: &[usize],
+    ) -> Result<Cholesky, OutOfMemory> {
+        whole.restricted((&self.column_start, &self.rows), particles)
+    }
+
     /// Returns the number of blocks stored.
     pub(crate) fn block_count(&self) -> usize {
         self.rows.len()

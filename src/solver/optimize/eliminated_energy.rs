@@ -5,10 +5,8 @@ use crate::solver::optimize::line_search::{LineSearch, Objective};
 use crate::solver::optimize::local_elimination::{GlobalStep, LocalElimination};
 use nalgebra::Vector3;
 
-/// Share of the predicted decrease below which what a trial got wrong is eliminated.
-const GOOD: f64 = 0.8;
-/// Share of the predicted decrease at which that is enough.
-const ENOUGH: f64 = 0.9;
+/// Share of the predicted decrease that a round of elimination must gain for another one.
+const WORTH_ANOTHER: f64 = 0.01;
 /// Shares of a step at which elimination is tried.
 const TRIALS: i32 = 2;
 /// Steepness at the end of a step over that at its start, where the energy does not tell.
@@ -32,18 +30,22 @@ impl Objective for EliminatedEnergy<'_, '_> {
     fn improve(&mut self, trial: &mut [Vector3<f64>], share: f64, decrease: f64) -> f64 {
         let predicted = self.search.predicted(share);
         // Rounding is nothing that could be put right.
-        let good = GOOD * predicted - 4.0 * self.search.rounding(trial.len());
+        let is_rounding = predicted <= 4.0 * self.search.rounding(trial.len());
         let least_share = self.search.first_share * 0.5_f64.powi(TRIALS - 1);
-        if share < least_share || decrease >= good {
+        if share < least_share || is_rounding {
             return decrease;
         }
-        let enough = (ENOUGH * predicted).max(self.search.sufficient(share));
         let global = GlobalStep {
             share,
             ..self.global
         };
-        let missing = enough - decrease;
-        decrease + self.elimination.run(self.system, &global, trial, missing)
+        // Also where the step gained what was predicted: forces left over in few places would make
+        // the next step of all particles as short.
+        let worth_another = WORTH_ANOTHER * predicted;
+        decrease
+            + self
+                .elimination
+                .run(self.system, &global, trial, worth_another)
     }
 
     fn is_flatter(&mut self, trial: &[Vector3<f64>]) -> bool {

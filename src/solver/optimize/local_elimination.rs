@@ -14,13 +14,14 @@ use crate::solver::model::system::System;
 use crate::solver::optimize::line_search::MAX_DISPLACEMENT;
 use crate::solver::optimize::newton_workspace::add_inertia;
 use nalgebra::Vector3;
+use seamster_cholesky::Cholesky;
 
 /// Share of the squared errors of the forces that the particles which move account for.
 const COVERED: f64 = 0.99;
 /// Largest share of the particles whose forces may be wrong: where more are, the whole step is.
-const MOST_WRONG: f64 = 0.25;
+const MOST_WRONG: f64 = 0.4;
 /// Largest share of the particles that may move, those around the wrong ones among them.
-const MOST_MOVING: f64 = 0.5;
+const MOST_MOVING: f64 = 0.7;
 /// Smallest share of the indefinite part that is projected out, where there is no factor.
 const LEAST_MODIFICATION: f64 = 0.1;
 /// Rounds at one trial.
@@ -32,6 +33,8 @@ const TRIALS: usize = 4;
 #[derive(Clone, Copy)]
 pub(crate) struct GlobalStep<'a> {
     pub(crate) sparsity: &'a Sparsity,
+    /// Factor of the model; its order serves here too.
+    pub(crate) cholesky: &'a Cholesky,
     /// Forces before the step \[N\].
     pub(crate) force: &'a [Vector3<f64>],
     /// True for each particle in contact before the step; empty without contact.
@@ -68,21 +71,18 @@ impl LocalElimination {
         }
     }
 
-    /// Moves the few particles that the step to `trial` got wrong, round by round, until the energy
-    /// has decreased by `enough` \[J\] or no more can be gained; returns the decrease \[J\].
+    /// Moves the few particles that the step to `trial` got wrong, round by round, while a round
+    /// decreases the energy by `worth_another` \[J\] and more; returns the decrease \[J\].
     pub(crate) fn run(
         &mut self,
         system: &mut System<'_>,
         global: &GlobalStep<'_>,
         trial: &mut [Vector3<f64>],
-        enough: f64,
+        worth_another: f64,
     ) -> f64 {
         let mut decrease = 0.0;
         system.net_force(trial, &mut self.force);
         for _ in 0..ROUNDS {
-            if decrease >= enough {
-                break;
-            }
             let Some(particles) = self.find_moving(system, global, trial) else {
                 break;
             };
@@ -91,6 +91,9 @@ impl LocalElimination {
             system.narrow(None);
             let Some(gain) = gain else { break };
             decrease += gain;
+            if gain < worth_another {
+                break;
+            }
         }
         decrease
     }
@@ -206,7 +209,7 @@ impl LocalElimination {
         let sparsity = self.local_sparsity(global.sparsity, particles);
         let mass: Vec<f64> = particles.iter().map(|&i| system.mass[i]).collect();
         let mut local = BlockMatrix::zeros(&sparsity);
-        let mut cholesky = sparsity.cholesky().ok()?;
+        let mut cholesky = sparsity.cholesky_within(global.cholesky, particles).ok()?;
         let mut modification = global.modification;
         loop {
             system.hessian(trial, modification, &mut self.hessian);
@@ -396,6 +399,7 @@ mod tests {
         let step: Vec<_> = x.iter().zip(&work.step).map(|(x, d)| x + d).collect();
         let global = GlobalStep {
             sparsity: &work.sparsity,
+            cholesky: &work.cholesky,
             force: &work.force,
             touching: &[false; COUNT],
             share: 1.0,
@@ -405,7 +409,7 @@ mod tests {
         let mut trial = step.clone();
         let before = system.energy(&trial);
         let mut elimination = LocalElimination::new(&work.sparsity);
-        let decrease = elimination.run(&mut system, &global, &mut trial, f64::INFINITY);
+        let decrease = elimination.run(&mut system, &global, &mut trial, 0.0);
         let lost = before - system.energy(&trial);
         assert!((lost - decrease).abs() < 1e-9 * before, "{lost} {decrease}");
         (step, trial, decrease)

@@ -7,7 +7,7 @@
 //! The true second derivative first. Where that has no Cholesky factor, a share of its indefinite
 //! part is projected out, doubled until there is a factor; a diagonal shift where projecting out
 //! all of it does not do. A line search on the energy accepts or shortens the step, and no particle
-//! moves further than 4 cm at once. Before it shortens one, the few particles whose forces the step
+//! moves further than 4 cm at once. Before it judges one, the few particles whose forces the step
 //! got wrong move on alone ([`crate::solver::optimize::local_elimination`]).
 //!
 //! # Guarantees
@@ -263,6 +263,7 @@ impl Newton {
             elimination: &mut self.elimination,
             global: GlobalStep {
                 sparsity: &work.sparsity,
+                cholesky: &work.cholesky,
                 force: &work.force,
                 touching: &self.touching,
                 share: search.first_share,

@@ -1,7 +1,7 @@
 //! The verdict on whole garments: crossings counted at the end of a fit.
 
 use seamster::config::Limits;
-use seamster::fit::{self, FitOutcome, ShippedAssets};
+use seamster::fit::{self, FitOutcome, Garment, PatternRef, ShippedAssets};
 use seamster::progress::CancelToken;
 use seamster::solver::{Context, IntersectionKind, Shortcoming};
 use seamster_fixtures::panels::{pattern, rectangle};
@@ -18,13 +18,15 @@ fn curtains(degrees: f64, self_contact: &str) -> FitOutcome {
         json!({"placement": {"offset_m": [0.0, 0.0, z], "rotate_deg": [0.0, degrees, 0.0]}})
     };
     let garment = json!({
-        "pattern": panels, "seams": [], "avatar": null, "self_contact": self_contact,
+        "seams": [], "avatar": null, "self_contact": self_contact,
         "pins": [pin("one", 1), pin("one", 2), pin("other", 1), pin("other", 2)],
         "panels": {"one": at(0.0, 0.0), "other": at(degrees, if degrees == 0.0 { 0.1 } else { 0.0 })},
         "simulate": {"edge_length_m": 0.05},
     });
-    let bytes = serde_json::to_vec(&garment).expect("JSON");
-    let garment = fit::read_garment(&bytes).expect("a garment");
+    let garment = Garment {
+        pattern: Some(PatternRef::Whole(Box::new(panels))),
+        ..serde_json::from_value(garment).expect("a garment")
+    };
     let limits = Limits::default();
     let prepared = fit::resolve(garment, &ShippedAssets, &limits).expect("it can be sewn");
     let mut context = Context {
