@@ -6,7 +6,7 @@ NPM_CI = npm ci --ignore-scripts --no-audit --no-fund
 
 # Set LISTEN or BIN on the command line: make run LISTEN=127.0.0.1:9000
 
-.PHONY: help run test check soak bench stability instructions table fuzz smoke audit build page browser chromium valgrind
+.PHONY: help run test check soak bench stability instructions table sweep fuzz smoke audit build page browser chromium valgrind
 .DEFAULT_GOAL := help
 
 help:
@@ -17,6 +17,7 @@ help:
 	@echo "make instructions  what a scene lacks, and its report, cost, counted by valgrind (ARGS='--table FILE' writes it there)"
 	@echo "make stability  stiff and extreme cases, all of them: a JSON line a case in target/stability.jsonl (CASES: some only)"
 	@echo "make table   what the project makes of the real patterns in SEAMSTER_TEST_DATA, against the truth"
+	@echo "make sweep   sews the real patterns in SEAMSTER_TEST_DATA: a row each, pictures in target/sweep (GARMENTS: some only; ARGS='--edge-length 0.02')"
 	@echo "make fuzz    searches for inputs that break the importer and the seam check (T seconds each)"
 	@echo "make soak    hours: every stability case, a circle skirt, 10 000 damaged files, fuzzing, ten runs of the queue and service tests"
 	@echo "make smoke   a fresh service sews both samples, a validator reads the result"
@@ -70,6 +71,9 @@ stability:
 
 table: page
 	cargo run --locked -p seamster-tools -- truth-table $(SECTIONS)
+
+sweep: page
+	cargo run --release --locked -p seamster-tools -- sweep $(ARGS) $(GARMENTS)
 
 fuzz: page
 	cargo fuzz --version >/dev/null 2>&1 || cargo install --locked cargo-fuzz

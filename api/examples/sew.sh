@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Sew and drape the skirt on the command line, without a service.
-# Leaves skirt.glb and skirt.report.json in the folder OUT, or beside README.md.
+# Leaves skirt.glb, skirt.report.json and skirt.png in the folder OUT, or beside README.md.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 seamster=${SEAMSTER:-target/release/seamster}
 out=${OUT:-.}
 
 "$seamster" sew static/samples/skirt.dxf static/samples/skirt.garment.json \
-  -o "$out/skirt.glb" --report "$out/skirt.report.json"
+  -o "$out/skirt.glb" --report "$out/skirt.report.json" --picture "$out/skirt.png"

@@ -5,6 +5,7 @@ mod faults;
 mod health;
 mod input;
 mod output;
+mod picture;
 mod serve;
 mod sew;
 mod study;

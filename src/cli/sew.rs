@@ -4,6 +4,7 @@ use super::exit::{BAD_INPUT, FAILED, fail};
 use super::faults;
 use super::input::{FileFaults, Input};
 use super::output::{MeshOutput, write};
+use super::picture::PictureOptions;
 use clap::Args;
 use seamster::config::Limits;
 use seamster::fault::Faults;
@@ -28,6 +29,8 @@ pub(super) struct SewCommand {
     /// File to write the assembled scene to
     #[arg(long, value_name = "S.json")]
     scene: Option<PathBuf>,
+    #[command(flatten)]
+    picture: PictureOptions,
 }
 
 /// Sews a garment; the exit code tells whether it came to rest and is good.
@@ -59,10 +62,11 @@ fn resolve<'a>(
     Ok(resolved)
 }
 
-/// An outcome, and the scene where it is requested.
+/// An outcome, and the scene and the picture where they are requested.
 struct SewOutput {
     outcome: FitOutcome,
     scene: Option<Vec<u8>>,
+    picture: Option<Vec<u8>>,
 }
 
 fn run(
@@ -81,8 +85,9 @@ fn run(
     let scene = command.scene.is_some();
     let scene = scene.then(|| fit::scene_json(resolved, &context));
     Ok(SewOutput {
-        outcome,
         scene: scene.transpose()?,
+        picture: command.picture.draw(resolved, &outcome, limits)?,
+        outcome,
     })
 }
 
@@ -115,14 +120,18 @@ fn write_output(command: &SewCommand, sewn: &SewOutput) -> ExitCode {
     exit
 }
 
-fn write_all(command: &SewCommand, SewOutput { outcome, scene }: &SewOutput) -> Result<(), String> {
+fn write_all(command: &SewCommand, sewn: &SewOutput) -> Result<(), String> {
+    let outcome = &sewn.outcome;
     command.output.write(&outcome.mesh)?;
     if let Some(path) = &command.report {
         let json = serde_json::to_vec_pretty(&outcome.report).map_err(|error| error.to_string())?;
         write(path, &json)?;
     }
-    if let (Some(path), Some(json)) = (&command.scene, scene) {
+    if let (Some(path), Some(json)) = (&command.scene, &sewn.scene) {
         write(path, json)?;
     }
-    Ok(())
+    match &sewn.picture {
+        Some(png) => command.picture.write(png),
+        None => Ok(()),
+    }
 }

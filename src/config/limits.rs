@@ -41,6 +41,8 @@ pub struct Limits {
     pub trajectory_positions: usize,
     /// CPU time of one fit \[s\].
     pub fit_cpu_s: f64,
+    /// Smallest and largest width and height of a picture \[pixels\].
+    pub picture_px: [u32; 2],
     /// Runs of one study.
     pub study_runs: usize,
     /// Items of each list of a study: methods, tolerances, steps, edge lengths.
@@ -77,6 +79,7 @@ impl Default for Limits {
             steps: 20_000_000,
             trajectory_positions: 10_000_000,
             fit_cpu_s: 3_600.0,
+            picture_px: [16, 4_096],
             study_runs: 200,
             study_list: 16,
             study_cpu_s: 7_200.0,

@@ -29,6 +29,6 @@ pub use library::{AssetLibrary, ShippedAssets};
 pub(crate) use request_schema::RequestSchema;
 pub use request_schema::{ReadError, read_garment};
 pub use resolve::{ResolvedGarment, resolve};
-pub use run::{FitOutcome, run, scene};
+pub use run::{FitOutcome, avatar, run, scene};
 pub use scene_json::scene_json;
 pub(crate) use seam_check::check_seams;

@@ -8,9 +8,10 @@ use crate::export::{DrapedPanel, GarmentMesh};
 use crate::fault::Faults;
 use crate::memory;
 use crate::mesh::{self, ClothMesh, PanelRange};
-use crate::scene::{self, Body, PanelParts, Parts, Scene};
+use crate::scene::{self, Avatar, Body, PanelParts, Parts, Scene};
 use crate::solver::{self, Context, DrapeReport, SolverOptions};
 use nalgebra::Vector3;
+use std::sync::Arc;
 
 /// The result of a fit.
 #[derive(Clone, Debug)]
@@ -94,6 +95,16 @@ pub fn scene(garment: &ResolvedGarment, context: &Context<'_>) -> Result<Scene, 
     assemble(garment, triangulate(garment, context)?)
 }
 
+/// Returns the body that a resolved garment is draped on, if there is one. It is made once.
+///
+/// # Errors
+/// Measurements outside what a person has.
+pub fn avatar(garment: &ResolvedGarment) -> Result<Option<Arc<Avatar>>, Faults> {
+    let make = |form| garment.dress_forms.build(form);
+    let avatar = garment.avatar.as_ref().map(make).transpose();
+    avatar.map_err(|faults| faults.under("/avatar/form"))
+}
+
 fn triangulate(garment: &ResolvedGarment, context: &Context<'_>) -> Result<ClothMesh, Faults> {
     mesh::triangulate(
         &garment.pattern,
@@ -105,9 +116,7 @@ fn triangulate(garment: &ResolvedGarment, context: &Context<'_>) -> Result<Cloth
 }
 
 fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults> {
-    let make = |form| garment.dress_forms.build(form);
-    let avatar = garment.avatar.as_ref().map(make).transpose();
-    let avatar = avatar.map_err(|faults| faults.under("/avatar/form"))?;
+    let avatar = avatar(garment)?;
     let panels = garment.pattern.panels.iter().zip(&garment.panels);
     let panels = panels.map(|(outline, panel)| PanelParts {
         cut: panel.cut,

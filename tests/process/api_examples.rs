@@ -187,6 +187,7 @@ fn command_line_leaves_a_mesh_and_a_report() {
     let report: Value = serde_json::from_slice(&example.file("skirt.report.json")).unwrap();
     assert_eq!(report["converged"], true, "{report}");
     gltf::Gltf::from_slice(&example.file("skirt.glb")).unwrap();
+    assert_eq!(&example.file("skirt.png")[1..4], b"PNG");
 }
 
 #[test]

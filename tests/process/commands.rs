@@ -18,14 +18,25 @@ fn written(folder: &Path, name: &str, garment: &Value) -> String {
 }
 
 #[test]
-fn sew_writes_mesh_report_and_scene() {
+fn sew_writes_mesh_report_scene_and_picture() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let garment = written(folder.path(), "garment.json", &garment());
     let dxf = sample("skirt.dxf");
     let (mesh, report, scene) = (at("out.glb"), at("r.json"), at("s.json"));
+    let picture = at("out.png");
     let output = run(&[
-        "sew", &dxf, &garment, "-o", &mesh, "--report", &report, "--scene", &scene,
+        "sew",
+        &dxf,
+        &garment,
+        "-o",
+        &mesh,
+        "--report",
+        &report,
+        "--scene",
+        &scene,
+        "--picture",
+        &picture,
     ]);
     assert_eq!(code(&output), Some(0), "{}", stderr(&output));
     assert_eq!(&std::fs::read(mesh).unwrap()[..4], b"glTF");
@@ -33,6 +44,22 @@ fn sew_writes_mesh_report_and_scene() {
     assert_eq!(report["converged"], true);
     let scene: Value = serde_json::from_slice(&std::fs::read(scene).unwrap()).unwrap();
     assert!(scene.is_object());
+    assert_eq!(&std::fs::read(picture).unwrap()[1..4], b"PNG");
+}
+
+#[test]
+fn sew_refuses_a_picture_that_it_cannot_draw_before_it_sews() {
+    let inputs = ["sew", "absent.dxf", "absent.json", "-o", "out.glb"];
+    let wrong: [(&[&str], &str); 3] = [
+        (&["--picture", "out.jpg"], "must end in .png"),
+        (&["--picture", "out.png", "--view", "below"], "`front`"),
+        (&["--view", "front"], "--picture"),
+    ];
+    for (options, why) in wrong {
+        let output = run(&[&inputs, options].concat());
+        assert_eq!(code(&output), Some(2), "{options:?}");
+        assert!(stderr(&output).contains(why), "{}", stderr(&output));
+    }
 }
 
 /// The lines that tell what was suggested.

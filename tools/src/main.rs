@@ -4,11 +4,13 @@
 mod accuracy;
 mod bench;
 mod bench_samples;
+mod child;
 mod draft_samples;
 mod explicit_step;
 mod instructions;
 mod marked;
 mod stability;
+mod sweep;
 mod truth_table;
 
 use clap::{Parser, Subcommand};
@@ -34,6 +36,8 @@ enum Tool {
     BenchSamples,
     /// Stiff and extreme cases against what is expected of them.
     Stability(stability::StabilityOptions),
+    /// Real garments sewn, a row and a picture each; needs `SEAMSTER_TEST_DATA`.
+    Sweep(sweep::SweepOptions),
     /// Error estimates against true errors, and time limits against times taken.
     Accuracy(accuracy::AccuracyOptions),
     /// Instructions that terms, reports and dress forms take; needs valgrind.
@@ -58,6 +62,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         Tool::Bench(options) => bench::main(&options)?,
         Tool::BenchSamples => bench_samples::main(),
         Tool::Stability(options) => return Ok(stability::main(&options)?),
+        Tool::Sweep(options) => sweep::main(&options)?,
         Tool::Accuracy(options) => accuracy::main(&options)?,
         Tool::Instructions(options) => instructions::main(&options)?,
         Tool::ExplicitStep => explicit_step::main(),

@@ -2,3 +2,4 @@
 
 mod drawing;
 mod meshes;
+mod picture;

@@ -35,6 +35,7 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("tokio_stream", &["job", "http", "cli"]),
     ("rusqlite", &["job"]),
     ("dxf", &["pattern"]),
+    ("png", &["export"]),
     ("spade", &["mesh"]),
     ("jsonschema", &["fit"]),
     ("seamster_cholesky", &["solver"]),

@@ -1,0 +1,192 @@
+//! The garments: their files, the bodies that they were drafted for, and their seams.
+
+use seamster::config::Limits;
+use seamster::fit::{AvatarRef, Garment, PanelSpec, PatternRef};
+use seamster::pattern::{self, ImportOptions, MIRROR, Pattern, SeamPair};
+use seamster::scene::DressForm;
+use seamster::seam::suggest;
+use seamster_fixtures::drafts;
+use seamster_fixtures::truth::suggest_truth;
+use serde::Deserialize;
+use serde_json::{Value, json};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A garment of the folder.
+pub(super) struct SweepGarment {
+    /// Name of its file, without its ending.
+    pub(super) name: String,
+    /// Body of its own size.
+    form: DressForm,
+    file: PathBuf,
+    seams: SeamSource,
+}
+
+/// Where the seams of a garment are known from.
+enum SeamSource {
+    /// The pattern's file states them.
+    Pattern,
+    /// The program that drafted it wrote them beside it.
+    Draft,
+    /// They were written down by hand, all of them, in this file.
+    Written(PathBuf),
+    /// They are not known, and suggested.
+    Suggested,
+}
+
+/// `own_size.json`.
+#[derive(Deserialize)]
+struct OwnSizes {
+    garments: BTreeMap<String, OwnSize>,
+}
+
+#[derive(Deserialize)]
+struct OwnSize {
+    form: DressForm,
+}
+
+/// Returns the garments of a folder of real patterns whose size is known, in the order of their
+/// names.
+///
+/// # Errors
+/// Files that cannot be read.
+pub(super) fn list(folder: &Path) -> io::Result<Vec<SweepGarment>> {
+    let sizes: OwnSizes = serde_json::from_slice(&fs::read(folder.join("own_size.json"))?)?;
+    let garment = |(name, size): (String, OwnSize)| {
+        let file = find_pattern(folder, &name)?;
+        Ok(SweepGarment {
+            seams: seam_source(folder, &name, &file)?,
+            form: size.form,
+            file,
+            name,
+        })
+    };
+    sizes.garments.into_iter().map(garment).collect()
+}
+
+fn find_pattern(folder: &Path, name: &str) -> io::Result<PathBuf> {
+    let named = |ending| folder.join("dxf").join(format!("{name}.{ending}"));
+    let mut files = ["dxf", "DXF", "json"].into_iter().map(named);
+    files.find(|file| file.exists()).ok_or_else(|| {
+        let missing = format!("{name}: the folder has no pattern of this name");
+        io::Error::new(io::ErrorKind::NotFound, missing)
+    })
+}
+
+fn seam_source(folder: &Path, name: &str, file: &Path) -> io::Result<SeamSource> {
+    if file.extension().is_some_and(|ending| ending == "json") {
+        return Ok(SeamSource::Pattern);
+    }
+    if folder.join(format!("dxf/{name}.seams.json")).exists() {
+        return Ok(SeamSource::Draft);
+    }
+    let truths = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/truth");
+    let truth = truths.join(format!("{name}.json"));
+    if truth.exists() {
+        let stated: Value = serde_json::from_slice(&fs::read(&truth)?)?;
+        if stated["complete"] != json!(false) {
+            return Ok(SeamSource::Written(truth));
+        }
+    }
+    Ok(SeamSource::Suggested)
+}
+
+impl SweepGarment {
+    /// Returns true if all its seams are known.
+    pub(super) fn has_true_seams(&self) -> bool {
+        !matches!(self.seams, SeamSource::Suggested)
+    }
+
+    /// Returns the garment as it is to be sewn, on the form of its own size, or on the default one.
+    pub(super) fn garment(&self, folder: &Path, on_own_form: bool) -> Garment {
+        let form = if on_own_form {
+            self.form
+        } else {
+            DressForm::default()
+        };
+        let (pattern, seams) = match &self.seams {
+            SeamSource::Suggested => (self.import(), None),
+            SeamSource::Pattern => {
+                let pattern = self.import();
+                let seams = pattern.seams.clone();
+                (pattern, Some(seams))
+            }
+            SeamSource::Draft => {
+                let draft = drafts::garment(&folder.join("dxf"), &self.name);
+                (draft.pattern, Some(draft.pairs))
+            }
+            SeamSource::Written(file) => {
+                let truth = suggest_truth::written(file, folder);
+                (
+                    truth.pattern,
+                    Some(as_worn(truth.seams, truth.alternatives)),
+                )
+            }
+        };
+        let garment = match seams {
+            None => with_seams(pattern, &json!("suggest")),
+            Some(seams) => with_true_seams(pattern, &seams),
+        };
+        Garment {
+            avatar: Some(AvatarRef::form(form)),
+            ..garment
+        }
+    }
+
+    fn import(&self) -> Pattern {
+        let bytes = fs::read(&self.file).expect("the folder has it");
+        pattern::import(&bytes, &ImportOptions::default(), &Limits::default())
+            .unwrap_or_else(|faults| panic!("{}: {faults}", self.name))
+    }
+}
+
+/// Adds to the seams those that close a band which is buttoned: a join that no other seam is
+/// another way of.
+fn as_worn(mut seams: Vec<SeamPair>, others: Vec<SeamPair>) -> Vec<SeamPair> {
+    let is_new = |other: &SeamPair| seams.iter().all(|seam| seam.id != other.id);
+    let others = others.into_iter().filter(is_new);
+    let joins: Vec<_> = others.filter(|seam| seam.id.ends_with("-join")).collect();
+    seams.extend(joins);
+    seams
+}
+
+fn with_seams(pattern: Pattern, seams: &Value) -> Garment {
+    Garment {
+        pattern: Some(PatternRef::Whole(Box::new(pattern))),
+        ..serde_json::from_value(json!({ "seams": seams }))
+            .expect("a garment needs its seams alone")
+    }
+}
+
+/// Returns a garment of the panels that its seams join, started where the service would start them.
+fn with_true_seams(mut pattern: Pattern, seams: &[SeamPair]) -> Garment {
+    let sides = seams.iter().flat_map(|pair| [&pair.a, &pair.b]);
+    let runs = sides.flat_map(|side| side.runs());
+    let sewn: BTreeSet<&str> = runs.map(|run| run.panel.as_str()).collect();
+    let is_sewn = |id: &str| sewn.iter().any(|name| name.trim_end_matches(MIRROR) == id);
+    pattern
+        .panels
+        .retain(|panel| is_sewn(&panel.id) || sewn.contains(&*panel.id));
+    pattern
+        .placements
+        .retain(|id, _| is_sewn(id) || sewn.contains(&**id));
+    let suggested = suggest::suggest(&pattern, &Limits::default()).panels;
+    let placed = suggested.into_iter().filter(|(id, _)| {
+        let source = id.trim_end_matches(MIRROR);
+        !pattern.placements.contains_key(source) && sewn.contains(&**id)
+    });
+    let spec = |(id, panel): (String, suggest::SuggestedPanel)| {
+        let spec = PanelSpec {
+            placement: Some(panel.placement),
+            ..PanelSpec::default()
+        };
+        (id, spec)
+    };
+    let panels = placed.map(spec).collect();
+    Garment {
+        panels,
+        ..with_seams(pattern, &json!(seams))
+    }
+}

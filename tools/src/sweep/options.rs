@@ -1,0 +1,65 @@
+//! What to sew, and how.
+
+use super::garment::SweepGarment;
+use super::line::SweepLine;
+use clap::{Args, ValueEnum};
+
+/// Sews real garments.
+#[derive(Args)]
+pub(crate) struct SweepOptions {
+    /// Garments to sew; a name may end in `*`. All of them if none is named.
+    pub(super) garments: Vec<String>,
+    /// Length of mesh edges [m].
+    #[arg(long, default_value_t = 0.015)]
+    pub(super) edge_length: f64,
+    /// Body that they are sewn on.
+    #[arg(long, value_enum, default_value_t = Form::Own)]
+    pub(super) form: Form,
+    /// CPU time allowed to each [s].
+    #[arg(long, default_value_t = 60.0)]
+    pub(super) time_limit: f64,
+    /// Sews the one garment named in this process, and prints its line as JSON.
+    #[arg(long, hide = true)]
+    pub(super) alone: bool,
+}
+
+/// Body of a sweep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum Form {
+    /// The form of each garment's own size.
+    Own,
+    /// The service's default form for all.
+    Default,
+}
+
+impl Form {
+    /// Returns its word on the command line.
+    pub(super) fn word(self) -> &'static str {
+        match self {
+            Self::Own => "own",
+            Self::Default => "default",
+        }
+    }
+}
+
+impl SweepOptions {
+    /// Returns true if a garment is to be sewn.
+    pub(super) fn names(&self, garment: &SweepGarment) -> bool {
+        let fits = |name: &String| match name.strip_suffix('*') {
+            Some(start) => garment.name.starts_with(start),
+            None => garment.name == *name,
+        };
+        self.garments.is_empty() || self.garments.iter().any(fits)
+    }
+
+    /// Returns the line of a garment of which nothing is known yet.
+    pub(super) fn line(&self, garment: &SweepGarment) -> SweepLine {
+        SweepLine {
+            name: garment.name.clone(),
+            true_seams: garment.has_true_seams(),
+            form: self.form.word().to_owned(),
+            edge_length_m: self.edge_length,
+            ..SweepLine::default()
+        }
+    }
+}

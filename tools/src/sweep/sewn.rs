@@ -1,0 +1,108 @@
+//! One garment sewn in this process.
+
+use super::garment::SweepGarment;
+use super::line::SweepLine;
+use super::options::{Form, SweepOptions};
+use seamster::config::Limits;
+use seamster::export::{self, PictureSubject};
+use seamster::fit::{self, FitOutcome, ResolvedGarment, ShippedAssets};
+use seamster::job::thread_cpu_s;
+use seamster::progress::CancelToken;
+use seamster::solver::Context;
+use serde_json::json;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+/// Width of a picture \[pixels\].
+const WIDTH: u32 = 2000;
+
+/// Sews a garment and draws it into a folder.
+pub(super) fn sew(
+    garment: &SweepGarment,
+    folder: &Path,
+    options: &SweepOptions,
+    pictures: &Path,
+) -> SweepLine {
+    let line = options.line(garment);
+    let sewn = run(garment, folder, options).and_then(|(resolved, outcome)| {
+        draw(
+            &resolved,
+            &outcome,
+            &pictures.join(format!("{}.png", garment.name)),
+        )?;
+        Ok(outcome)
+    });
+    match sewn {
+        Ok(outcome) => measured(line, &outcome),
+        Err(error) => SweepLine {
+            error: Some(error.to_string()),
+            ..line
+        },
+    }
+}
+
+fn run(
+    garment: &SweepGarment,
+    folder: &Path,
+    options: &SweepOptions,
+) -> Result<(ResolvedGarment, FitOutcome), Box<dyn Error>> {
+    let limits = Limits::default();
+    let mut garment = garment.garment(folder, options.form == Form::Own);
+    garment.simulate.edge_length_m = options.edge_length;
+    garment.simulate.time_limit_s = Some(options.time_limit);
+    let resolved = fit::resolve(garment, &ShippedAssets, &limits)?;
+    let began = thread_cpu_s();
+    let mut context = Context {
+        cpu_s: &|| thread_cpu_s() - began,
+        cancel: &CancelToken::new(),
+        progress: &mut |_| {},
+        limits: &limits,
+    };
+    let outcome = fit::run(&resolved, &mut context)?;
+    Ok((resolved, outcome))
+}
+
+fn draw(
+    garment: &ResolvedGarment,
+    outcome: &FitOutcome,
+    file: &Path,
+) -> Result<(), Box<dyn Error>> {
+    let avatar = fit::avatar(garment)?;
+    let crossings = outcome.report.intersections.iter();
+    let subject = PictureSubject {
+        mesh: &outcome.mesh,
+        body: avatar.as_ref().map(|avatar| &avatar.surface),
+        marks: &crossings.map(|crossing| crossing.at).collect::<Vec<_>>(),
+    };
+    let sheet = export::picture_sheet(&subject, WIDTH, &Limits::default());
+    let sheet = sheet.map_err(|fault| fault.detail)?;
+    Ok(fs::write(file, sheet.png())?)
+}
+
+fn measured(line: SweepLine, outcome: &FitOutcome) -> SweepLine {
+    let report = outcome.report.clone();
+    let good = report.good.unwrap_or_default();
+    let word = |fault| json!(fault).as_str().map(str::to_owned);
+    SweepLine {
+        vertices: report.vertices,
+        converged: report.converged,
+        good: good.ok,
+        failed: good.failed.into_iter().filter_map(word).collect(),
+        because: good.because,
+        residual: report.residual,
+        seam_gap_m: report.seam_gap_max_m,
+        penetration_m: report.penetration_max_m,
+        crossings: report.self_intersections,
+        degenerate_triangles: report.degenerate_triangles,
+        body_crossings: report.body_intersections,
+        vertices_inside: report.vertices_inside_body,
+        strain_max: report.strain_max,
+        worn: report.support.ok,
+        worn_because: report.support.because,
+        why: report.why,
+        cpu_s: report.cpu_s.total,
+        memory_bytes: report.memory_peak_bytes,
+        ..line
+    }
+}

@@ -1,0 +1,80 @@
+//! The lines as rows of plain text.
+
+use super::line::SweepLine;
+
+/// Returns the head of the rows of one kind of seams.
+pub(super) fn head(are_true: bool) -> String {
+    let seams = if are_true { "true" } else { "suggested" };
+    let columns = [
+        "garment", "vertices", "rest", "good", "r", "gap mm", "pen. mm", "cloth", "body", "inside",
+        "strain", "worn", "CPU s", "MB",
+    ];
+    format!("\n== {seams} seams\n{}", spaced(columns))
+}
+
+/// Returns a line as a row, with what is wrong at its end.
+pub(super) fn row(line: &SweepLine) -> String {
+    if let Some(error) = &line.error {
+        return format!("{:32} {}", line.name, error.trim().replace('\n', "; "));
+    }
+    let good = match line.failed.is_empty() {
+        true => "good".to_owned(),
+        false => line.failed.join(","),
+    };
+    let cells = [
+        line.name.clone(),
+        line.vertices.to_string(),
+        yes(line.converged),
+        good,
+        format!("{:.0e}", line.residual),
+        format!("{:.2}", 1e3 * line.seam_gap_m),
+        format!("{:.2}", 1e3 * line.penetration_m),
+        count(line.crossings),
+        count(line.body_crossings),
+        count(line.vertices_inside),
+        format!("{:.2}", line.strain_max),
+        yes(line.worn),
+        format!("{:.1}", line.cpu_s),
+        format!("{}", line.memory_bytes >> 20),
+    ];
+    let reasons = [(line.converged, &line.why), (line.worn, &line.worn_because)];
+    let reasons = reasons.into_iter().filter(|(ok, _)| !ok);
+    let reasons: Vec<&str> = reasons.map(|(_, reason)| reason.trim()).collect();
+    format!(
+        "{}  {}",
+        spaced(cells.each_ref().map(String::as_str)),
+        reasons.join("; ")
+    )
+}
+
+/// Returns how many garments are at rest and good, in a sentence.
+pub(super) fn summary(lines: &[SweepLine]) -> String {
+    let of_kind = |are_true: bool| {
+        let lines = lines.iter().filter(|line| line.true_seams == are_true);
+        let all = lines.clone().count();
+        let good = lines.filter(|line| line.converged && line.good).count();
+        format!("{good} of {all}")
+    };
+    format!(
+        "at rest and good: {} by true seams, {} by suggested ones",
+        of_kind(true),
+        of_kind(false)
+    )
+}
+
+fn spaced(cells: [&str; 14]) -> String {
+    let [name, vertices, rest, good, rest_of @ ..] = cells;
+    let figures: Vec<String> = rest_of.iter().map(|cell| format!("{cell:>7}")).collect();
+    format!(
+        "{name:32} {vertices:>8} {rest:>4} {good:26} {}",
+        figures.join(" ")
+    )
+}
+
+fn yes(is_so: bool) -> String {
+    if is_so { "yes" } else { "no" }.to_owned()
+}
+
+fn count(of: Option<usize>) -> String {
+    of.map_or("–".to_owned(), |count| count.to_string())
+}
