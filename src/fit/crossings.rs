@@ -116,9 +116,12 @@ fn panel_of(mesh: &ClothMesh, triangle: usize) -> usize {
         .partition_point(|panel| panel.triangles.end <= triangle)
 }
 
-/// Crossings gathered by what crosses and where.
+/// What crosses, in which panels, and the cell of space where.
+type PlaceKey = (IntersectionKind, Vec<usize>, [i64; 3]);
+
+/// Crossings gathered by place: how many, and a point of the first.
 #[derive(Default)]
-struct Places(BTreeMap<(IntersectionKind, Vec<usize>, [i64; 3]), (usize, [f64; 3])>);
+struct Places(BTreeMap<PlaceKey, (usize, [f64; 3])>);
 
 impl Places {
     fn add(&mut self, kind: IntersectionKind, panels: Vec<usize>, at: [f64; 3]) {
@@ -137,14 +140,11 @@ impl Places {
         // Stable: places with as many crossings stay in the order of their keys.
         places.sort_by_key(|(_, (count, _))| std::cmp::Reverse(*count));
         places.truncate(PLACES);
-        let place = |((kind, panels, _), (count, at))| {
-            let panels: Vec<usize> = panels;
-            Intersection {
-                kind,
-                panels: panels.into_iter().map(|p| names[p].to_owned()).collect(),
-                at,
-                count,
-            }
+        let place = |((kind, panels, _), (count, at)): (PlaceKey, _)| Intersection {
+            kind,
+            panels: panels.into_iter().map(|p| names[p].to_owned()).collect(),
+            at,
+            count,
         };
         places.into_iter().map(place).collect()
     }

@@ -169,7 +169,7 @@ pub(crate) enum AtRest {
     /// To the distance from the rest shape that was asked for.
     WithinDistance,
     /// To the round-off floor of the residual, which is above the tolerance.
-    WithinRoundOff,
+    AtRoundOffFloor,
 }
 
 /// Reason why a shape is not at rest.

@@ -89,7 +89,7 @@ pub(crate) fn relax(
     let reached = if is_near {
         AtRest::WithinDistance
     } else if tolerance > level.tolerance {
-        AtRest::WithinRoundOff
+        AtRest::AtRoundOffFloor
     } else {
         AtRest::WithinTolerance
     };

@@ -96,7 +96,7 @@ fn reason(outcome: &DrapeOutcome) -> String {
         Ok(AtRest::WithinDistance) => {
             format!("at rest: within the distance asked for, at r = {residual:.1e}")
         }
-        Ok(AtRest::WithinRoundOff) => format!(
+        Ok(AtRest::AtRoundOffFloor) => format!(
             "at rest: stopped by the round-off floor of {:.1e}, at r = {residual:.1e}",
             outcome.balance.residual_floor
         ),
