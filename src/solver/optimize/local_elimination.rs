@@ -301,8 +301,8 @@ mod tests {
     use crate::solver::model::system::TimedTerm;
     use crate::solver::optimize::newton_workspace::NewtonWorkspace;
 
-    const COUNT: usize = 21;
-    const MIDDLE: usize = 10;
+    const COUNT: usize = 61;
+    const MIDDLE: usize = 30;
     const CEILING: f64 = 0.001;
 
     /// A stiff ceiling above one particle, and contact of one.
@@ -423,8 +423,10 @@ mod tests {
         // The springs of 1 N/m against the ceiling's 1e6 N/m: it gives way by parts in a million.
         assert!(trial[MIDDLE].y < 1.001 * CEILING, "{}", trial[MIDDLE].y);
         let moved: Vec<usize> = (0..COUNT).filter(|&i| trial[i] != step[i]).collect();
-        // Each round reaches one particle further than the one before.
-        let reach = MIDDLE - ROUNDS..=MIDDLE + ROUNDS;
+        // A round changes the forces one particle beyond those that move, and lets those move in the
+        // next that are one further.
+        let most = 2 * ROUNDS - 1;
+        let reach = MIDDLE - most..=MIDDLE + most;
         assert!(moved.contains(&MIDDLE) && moved.iter().all(|i| reach.contains(i)));
     }
 
