@@ -15,7 +15,7 @@ fn curtains(degrees: f64, self_contact: &str) -> FitOutcome {
     ]);
     let pin = |panel: &str, corner: usize| json!({"panel": panel, "corner": corner});
     let at = |degrees: f64, z: f64| -> Value {
-        json!({"placement": {"offset_m": [0.0, 0.0, z], "rotate_deg": [0.0, degrees, 0.0]}})
+        json!({"placement": {"at": "origin", "offset_m": [0.0, 0.0, z], "rotate_deg": [0.0, degrees, 0.0]}})
     };
     let garment = json!({
         "seams": [], "avatar": null, "self_contact": self_contact,
