@@ -19,9 +19,9 @@ use seamster_cholesky::Cholesky;
 /// Share of the squared errors of the forces that the particles which move account for.
 const COVERED: f64 = 0.99;
 /// Largest share of the particles whose forces may be wrong: where more are, the whole step is.
-const MOST_WRONG: f64 = 0.4;
+const MOST_WRONG: f64 = 0.25;
 /// Largest share of the particles that may move, those around the wrong ones among them.
-const MOST_MOVING: f64 = 0.7;
+const MOST_MOVING: f64 = 0.5;
 /// Smallest share of the indefinite part that is projected out, where there is no factor.
 const LEAST_MODIFICATION: f64 = 0.1;
 /// Rounds at one trial.

@@ -127,7 +127,8 @@ fn a_raised_flag_stops_it_with_the_shape_so_far() {
     })
     .unwrap();
     assert!(outcome.canceled && !outcome.report.converged);
-    assert_eq!(told, 5);
+    // Where the flag was raised in the last iterate of a stage, the first of the next tells as well.
+    assert!((5..=6).contains(&told), "{told}");
 }
 
 #[test]
