@@ -9,13 +9,13 @@ use clap::{Args, ValueEnum};
 pub(crate) struct SweepOptions {
     /// Garments to sew; a name may end in `*`. All of them if none is named.
     pub(super) garments: Vec<String>,
-    /// Length of mesh edges [m].
+    /// Length of mesh edges, in meters.
     #[arg(long, default_value_t = 0.015)]
     pub(super) edge_length: f64,
     /// Body that they are sewn on.
     #[arg(long, value_enum, default_value_t = Form::Own)]
     pub(super) form: Form,
-    /// CPU time allowed to each [s].
+    /// CPU time allowed to each, in seconds.
     #[arg(long, default_value_t = 60.0)]
     pub(super) time_limit: f64,
     /// Sews the one garment named in this process, and prints its line as JSON.
