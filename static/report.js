@@ -14,8 +14,15 @@ function reason(report) {
   return why.includes("r = ") ? why : `${why} Residual ${scientific(report.residual)}.`;
 }
 
+/** The sentence of the verdict on a fault, if it has that. */
+const fault = (report, kind) => report.good?.because[report.good.failed.indexOf(kind)];
+
 function closing(report) {
   const gap = report.seam_gap_max_m;
+  if (report.good) {
+    const why = fault(report, "gap");
+    return why ? finding("bad", sentence(why)) : finding("good", `All seams are closed: the widest gap is ${distance(gap)}.`);
+  }
   return Number.isFinite(gap) && gap < CLOSED_M
     ? finding("good", `All seams are closed: the widest gap is ${distance(gap)}.`)
     : finding("bad", `Seams stay open: the widest gap is ${distance(gap)}.`);
@@ -37,16 +44,15 @@ function precision(report) {
 
 /** Crossings of cloth with cloth and with the body, where they were counted; faults with the sentence of the verdict. */
 function crossings(report) {
-  const { self_intersections: pairs, body_intersections: onBody, good } = report;
-  if (pairs == null) return [];
-  const fault = (kind) => good?.because[good.failed.indexOf(kind)];
+  const { self_intersections: pairs, body_intersections: onBody } = report;
   const items = [];
-  if (fault("crossings")) items.push(finding("bad", sentence(fault("crossings"))));
-  else if (pairs > 0) items.push(finding("plain", `${plural(pairs, "pair")} of triangles cross, as self-contact is off.`));
-  else items.push(finding("good", "No cloth passes through cloth."));
-  if (fault("body")) items.push(finding("bad", sentence(fault("body"))));
-  else if (onBody != null) items.push(finding("good", "No cloth passes through the body."));
-  if (fault("strain")) items.push(finding("bad", sentence(fault("strain"))));
+  for (const kind of ["crossings", "body", "strain"]) {
+    const why = fault(report, kind);
+    if (why) items.push(finding("bad", sentence(why)));
+    else if (kind === "crossings" && pairs > 0) items.push(finding("plain", `${plural(pairs, "pair")} of triangles cross, as self-contact is off.`));
+    else if (kind === "crossings" && pairs === 0) items.push(finding("good", "No cloth passes through cloth."));
+    else if (kind === "body" && onBody != null) items.push(finding("good", "No cloth passes through the body."));
+  }
   return items;
 }
 
@@ -54,8 +60,8 @@ function verdictLine(report, status) {
   if (!report.converged) {
     return el("p", { class: "verdict bad" }, status === "canceled" ? "Stopped before it came to rest." : "The garment did not come to rest.");
   }
-  const good = report.good?.ok ?? true;
-  return good
+  if (!report.good) return el("p", { class: "verdict good" }, "The garment came to rest.");
+  return report.good.ok
     ? el("p", { class: "verdict good" }, "The garment came to rest, and nothing is wrong with it.")
     : el("p", { class: "verdict bad" }, "The garment came to rest, but it is not right.");
 }
@@ -69,7 +75,7 @@ export function reportSummary(report, status) {
     closing(report),
     ...crossings(report),
     inside(report),
-    finding(worn.ok ? "good" : "bad", `${worn.ok ? "Worn" : "Not worn"}: ${worn.because}`.replace(/[^.]$/, "$&.")),
+    finding(worn.ok ? "good" : report.good?.ok ? "plain" : "bad", `${worn.ok ? "Worn" : "Not worn"}: ${worn.because}`.replace(/[^.]$/, "$&.")),
     precision(report),
     finding("plain", `Largest strain ${percent(report.strain_max)}.`),
     finding("plain", `${seconds(report.cpu_s.total)} of computing, ${plural(report.vertices, "vertex", "vertices")}, ${plural(report.stitches, "stitch", "stitches")}, method ${report.method}.`),

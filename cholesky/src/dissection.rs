@@ -41,8 +41,8 @@ pub(crate) fn restrict(parts: &[Part], place: &[Option<usize>]) -> Vec<Part> {
             parent: None,
         })
         .collect();
-    let mut kept = restricted.iter().filter(|part| !part.vertices.is_empty());
-    let mut number = kept.by_ref().count();
+    let kept = restricted.iter().filter(|part| !part.vertices.is_empty());
+    let mut number = kept.count();
     // For each part itself, or the next above it that is not empty.
     let mut target: Vec<Option<usize>> = vec![None; parts.len()];
     for (i, part) in parts.iter().enumerate().rev() {

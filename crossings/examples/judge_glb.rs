@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
     let file = arguments
         .next()
-        .ok_or("usage: judge_glb GARMENT.glb [STITCHES]")?;
+        .ok_or("usage: judge_glb GARMENT.glb [SCENE.json]")?;
     let (cloth, mut avatar) = read_glb(&file)?;
     let stitches = match arguments.next() {
         Some(scene) => read_scene(&scene, &mut avatar)?,

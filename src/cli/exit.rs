@@ -1,9 +1,10 @@
-//! Exit codes and what is printed with them: 0 done, 1 did not converge or failed, 2 bad input.
+//! Exit codes and what is printed with them: 0 done, 1 did not converge, is not good or
+//! failed, 2 bad input.
 
 use std::io::Write;
 use std::process::ExitCode;
 
-/// Exit code of a command that failed, or did not converge.
+/// Exit code of a command that failed, did not converge or is not good.
 pub(super) const FAILED: u8 = 1;
 /// Exit code of a command whose input cannot be used.
 pub(super) const BAD_INPUT: u8 = 2;

@@ -10,8 +10,8 @@ use std::collections::BTreeMap;
 
 /// Crossings of each kind whose places are looked at.
 const KEPT: usize = 10_000;
-/// Places that a report names at most.
-const PLACES: usize = 100;
+/// Places of each kind that a report names at most.
+const PLACES: usize = 25;
 /// Width of a place \[m\]: about that of a fold.
 const PLACE: f64 = 0.03;
 
@@ -139,7 +139,12 @@ impl Places {
         let mut places: Vec<_> = self.0.into_iter().collect();
         // Stable: places with as many crossings stay in the order of their keys.
         places.sort_by_key(|(_, (count, _))| std::cmp::Reverse(*count));
-        places.truncate(PLACES);
+        let mut named = BTreeMap::new();
+        places.retain(|((kind, ..), _)| {
+            let named: &mut usize = named.entry(*kind).or_default();
+            *named += 1;
+            *named <= PLACES
+        });
         let place = |((kind, panels, _), (count, at)): (PlaceKey, _)| Intersection {
             kind,
             panels: panels.into_iter().map(|p| names[p].to_owned()).collect(),

@@ -39,7 +39,9 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
     let solved = (context.cpu_s)();
     let mesh = garment_mesh(garment, &scene, &drape.positions);
     let mut report = drape.report;
-    judge(garment, &scene, &drape.positions, &mut report);
+    if !drape.canceled {
+        judge(garment, &scene, &drape.positions, &mut report);
+    }
     report.cpu_s.mesh = meshed - began;
     report.cpu_s.assemble = assembled - meshed;
     report.cpu_s.export = (context.cpu_s)() - solved;

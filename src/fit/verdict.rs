@@ -20,7 +20,7 @@ pub(super) struct Demands {
 pub(super) fn verdict(report: &DrapeReport, demands: Demands) -> Verdict {
     let checks = [
         (Shortcoming::Crossings, crossings(report, demands)),
-        (Shortcoming::Body, through_body(report)),
+        (Shortcoming::Body, through_body(report, demands)),
         (Shortcoming::Gap, open_seams(report, demands)),
         (Shortcoming::Strain, torn(report)),
         (Shortcoming::Worn, not_worn(report, demands)),
@@ -58,7 +58,10 @@ fn crossings(report: &DrapeReport, demands: Demands) -> Option<String> {
     })
 }
 
-fn through_body(report: &DrapeReport) -> Option<String> {
+fn through_body(report: &DrapeReport, demands: Demands) -> Option<String> {
+    if demands.has_avatar && report.body_intersections.is_none() {
+        return Some("whether cloth passes through the body could not be told".to_owned());
+    }
     let pairs = report.body_intersections.unwrap_or(0);
     let inside = report.vertices_inside_body.unwrap_or(0);
     if pairs == 0 && inside == 0 {
@@ -110,7 +113,7 @@ fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
 
-/// Returns where most faults of a kind are, in words.
+/// Returns the place with most faults of a kind, in words.
 fn place(places: &[Intersection], kind: IntersectionKind) -> String {
     let Some(place) = places.iter().find(|place| place.kind == kind) else {
         return "at places that are not listed".to_owned();
@@ -121,7 +124,10 @@ fn place(places: &[Intersection], kind: IntersectionKind) -> String {
         [a, b] => format!("panel {a} through panel {b}"),
         panels => format!("panel {}", panels.join(", ")),
     };
-    format!("most of them {panels} at ({x:.0}, {y:.0}, {z:.0}) mm")
+    format!(
+        "{} of them {panels} at ({x:.0}, {y:.0}, {z:.0}) mm",
+        place.count
+    )
 }
 
 #[cfg(test)]
@@ -199,6 +205,9 @@ mod tests {
         let mut report = flawless();
         report.self_intersections = None;
         assert_eq!(failed(&report), [Shortcoming::Crossings]);
+        report = flawless();
+        report.body_intersections = None;
+        assert_eq!(failed(&report), [Shortcoming::Body]);
         report = flawless();
         (report.seam_gap_max_m, report.strain_max) = (f64::NAN, f64::NAN);
         assert_eq!(failed(&report), [Shortcoming::Gap, Shortcoming::Strain]);

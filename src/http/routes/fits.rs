@@ -37,7 +37,8 @@ pub(super) struct Fit {
     pub attempts: u32,
     /// Its progress.
     pub progress: Progress,
-    /// Reason why it failed. A fit that did not converge has its best mesh and report all the same.
+    /// Reason why it failed. A fit that did not converge or is not good has its mesh and
+    /// report all the same.
     pub error: Option<Problem>,
     /// Links to its parts.
     pub links: FitLinks,

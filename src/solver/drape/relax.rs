@@ -180,8 +180,10 @@ impl Relaxation<'_, '_, '_> {
 }
 
 /// Returns true if an iterate is within `most` \[m, RMS\] of the rest shape: the one before was, in
-/// a minimum of the energy and so near to rest that the Hessian tells, and this one is nearer.
+/// a minimum of the energy, in contact that does not change and so near to rest that the Hessian
+/// tells, and this one is nearer.
 fn is_within(iterate: &Iterate<'_>, most: f64) -> bool {
-    let before = iterate.estimate_before.filter(|_| iterate.convex);
+    let is_told = iterate.convex && iterate.contact_settled;
+    let before = iterate.estimate_before.filter(|_| is_told);
     before.is_some_and(|distance| distance <= most) && iterate.residual <= ESTIMATE_RESIDUAL_LIMIT
 }

@@ -131,6 +131,7 @@ fn steps(
             residual,
             positions: x,
             convex: true,
+            contact_settled: true,
             estimate_before: None,
         });
         if let ControlFlow::Break(termination) = flow {

@@ -32,6 +32,8 @@ pub(crate) struct Iterate<'a> {
     pub(crate) positions: &'a [Vector3<f64>],
     /// False if the second derivative at the iterate before had no Cholesky factor.
     pub(crate) convex: bool,
+    /// False if particles slipped, or came into contact or lost it, in the step to the iterate.
+    pub(crate) contact_settled: bool,
     /// Estimate of the distance from the iterate before to the solution \[m, RMS\], where its step
     /// told.
     pub(crate) estimate_before: Option<f64>,

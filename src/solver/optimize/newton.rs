@@ -119,6 +119,7 @@ impl Newton {
                 residual,
                 positions: x,
                 convex: self.is_convex(),
+                contact_settled: self.contact_settled,
                 estimate_before: self.estimate.take(),
             });
             if let ControlFlow::Break(termination) = flow {

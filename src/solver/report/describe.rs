@@ -60,7 +60,7 @@ fn drape_report(scene: &Scene, outcome: &DrapeOutcome) -> DrapeReport {
         error_estimate_valid: estimate.is_some_and(|e| e.validity == Validity::Valid),
         error_estimate_because: estimate.map_or(String::new(), estimate_basis),
         mesh_error_m: outcome.mesh_error_m,
-        to_halve_the_error: error_halving(outcome).map(advice),
+        to_halve_the_error: error_halving(outcome).map(|halving| advice(halving, &outcome.end)),
         energy_j: balance.energy,
         seam_gap_max_m: measures.seam_gap_m,
         strain_max: measures.strain,
@@ -271,8 +271,12 @@ fn plan(outcome: &DrapeOutcome) -> Plan {
 }
 
 /// Returns the option to change, by which factor, and why.
-fn advice(halving: ErrorHalving) -> Advice {
+fn advice(halving: ErrorHalving, end: &Result<AtRest, Unfinished>) -> Advice {
     let (field, because) = match halving {
+        ErrorHalving::Tolerance { .. } if *end == Ok(AtRest::WithinDistance) => (
+            "tolerance_m",
+            "most of the error is the solver's, and goes down with the distance asked for",
+        ),
         ErrorHalving::Tolerance { .. } => (
             "tolerance",
             "most of the error is the solver's, and goes down with the residual",

@@ -39,7 +39,7 @@ pub struct DrapeReport {
     pub strain_max: f64,
     /// Deepest that a vertex or the middle of a triangle lies inside the body \[m\].
     pub penetration_max_m: f64,
-    /// Whether the garment is good, where it was judged: a fit always is.
+    /// Whether the garment is good, where it was judged: a fit that was not canceled is.
     #[serde(default)]
     pub good: Option<Verdict>,
     /// Pairs of triangles of cloth that meet without being neighbors, or lie on each other.
@@ -53,7 +53,7 @@ pub struct DrapeReport {
     /// Vertices of cloth inside the body.
     #[serde(default)]
     pub vertices_inside_body: Option<usize>,
-    /// Places of all these, those with most first, at most 100.
+    /// Places of these, those with most first: of the first 10 000 of each kind, at most 25 places.
     #[serde(default)]
     pub intersections: Vec<Intersection>,
     /// True if the body carries the garment, and why.
@@ -97,7 +97,7 @@ pub struct DrapeReport {
     pub warnings: Vec<Warning>,
 }
 
-/// Verdict on a garment at rest or not.
+/// Verdict on a garment, at rest or not; whether it is worn is judged only at rest.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Good)]
 pub struct Verdict {
