@@ -106,7 +106,8 @@ fn a_distance_asked_for_is_reached_and_not_gone_far_beyond() {
     let why = &drape.report.why;
     assert!(why.starts_with("at rest: within the distance"), "{why}");
     let (more, ..) = iterations(json!({"edge_length_m": 0.03, "tolerance_m": 1e-9}));
-    assert!(few < more, "{few} against {more} iterations");
+    // The last iterations come nearer by orders of magnitude each, so that both may end at one.
+    assert!(few <= more, "{few} against {more} iterations");
 }
 
 fn fitted(name: &str, simulate: Value) -> DrapeReport {
