@@ -127,7 +127,7 @@ fn a_raised_flag_stops_it_with_the_shape_so_far() {
     })
     .unwrap();
     assert!(outcome.canceled && !outcome.report.converged);
-    // Where the flag was raised in the last iterate of a stage, the first of the next tells as well.
+    // Where it was raised in the last iterate of a stage, the first of the next tells as well.
     assert!((5..=6).contains(&told), "{told}");
 }
 
