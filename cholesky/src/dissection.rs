@@ -27,8 +27,8 @@ pub(crate) struct Part {
     pub(crate) parent: Option<usize>,
 }
 
-/// Returns the parts that are left of `parts` where only some vertices are: `place` is the number of
-/// each vertex among them. A dissection of a graph is one of each part of it.
+/// Returns the parts that are left of `parts` where only some vertices are: `place` is the number
+/// of each vertex among them. A dissection of a graph is one of each part of it.
 pub(crate) fn restrict(parts: &[Part], place: &[Option<usize>]) -> Vec<Part> {
     let left = |part: &Part| -> Vec<usize> {
         let places = part.vertices.iter().map(|&v| place[v]);

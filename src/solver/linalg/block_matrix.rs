@@ -48,8 +48,8 @@ impl Sparsity {
         Cholesky::new(&self.column_start, &self.rows)
     }
 
-    /// Returns memory for the factor of a matrix of this sparsity, whose particles are some of those
-    /// that `whole` factors, in the order of that.
+    /// Returns memory for the factor of a matrix of this sparsity, whose particles are some of
+    /// those that `whole` factors, in the order of that.
     ///
     /// # Errors
     /// [`OutOfMemory`] if there is none.

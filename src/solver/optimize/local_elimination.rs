@@ -423,8 +423,8 @@ mod tests {
         // The springs of 1 N/m against the ceiling's 1e6 N/m: it gives way by parts in a million.
         assert!(trial[MIDDLE].y < 1.001 * CEILING, "{}", trial[MIDDLE].y);
         let moved: Vec<usize> = (0..COUNT).filter(|&i| trial[i] != step[i]).collect();
-        // A round changes the forces one particle beyond those that move, and lets those move in the
-        // next that are one further.
+        // A round changes the forces one particle beyond those that move, and lets those move in
+        // the next that are one further.
         let most = 2 * ROUNDS - 1;
         let reach = MIDDLE - most..=MIDDLE + most;
         assert!(moved.contains(&MIDDLE) && moved.iter().all(|i| reach.contains(i)));
