@@ -77,8 +77,6 @@ fn sew_tells_the_seams_that_it_suggests() {
     let mut asked = garment();
     asked["seams"] = json!("suggest");
     asked["panels"] = json!({});
-    // Its hips are tight and curved: longer edges would cut into the body.
-    asked["simulate"]["edge_length_m"] = json!(0.015);
     let asked = written(folder.path(), "suggest.json", &asked);
     let mesh = folder.path().join("out.glb");
     let output = run(&[
@@ -127,6 +125,8 @@ fn sew_takes_a_specification_and_finds_its_seams() {
     let mut asked = garment();
     asked["seams"] = json!("suggest");
     asked["panels"] = json!({});
+    // Its hips are tight and curved: longer edges would cut into the body.
+    asked["simulate"]["edge_length_m"] = json!(0.015);
     let asked = written(folder.path(), "suggest.json", &asked);
     let mesh = folder.path().join("out.glb");
     let output = run(&["sew", &pattern, &asked, "-o", mesh.to_str().unwrap()]);
