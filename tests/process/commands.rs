@@ -126,7 +126,7 @@ fn sew_takes_a_specification_and_finds_its_seams() {
     asked["seams"] = json!("suggest");
     asked["panels"] = json!({});
     // Its hips are tight and curved: longer edges would cut into the body.
-    asked["simulate"]["edge_length_m"] = json!(0.015);
+    asked["simulate"]["edge_length_m"] = json!(0.02);
     let asked = written(folder.path(), "suggest.json", &asked);
     let mesh = folder.path().join("out.glb");
     let output = run(&["sew", &pattern, &asked, "-o", mesh.to_str().unwrap()]);
