@@ -4,12 +4,17 @@
 //! are those of the scene (`seamster sew … --scene SCENE.json`), as the file does not tell
 //! stitches. Without a scene, vertices at exactly one place count as stitched.
 
-use seamster_crossings::{CrossingList, Surface, find_crossings};
+use seamster_crossings::{CrossingList, SearchLimits, Surface, find_crossings};
 use serde_json::Value;
 use std::collections::HashMap;
 use std::error::Error;
 use std::fs::File;
 use std::io::BufReader;
+
+const LIMITS: SearchLimits = SearchLimits {
+    kept: usize::MAX,
+    pairs: usize::MAX,
+};
 
 #[derive(Default)]
 struct Mesh {
@@ -29,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let surface = Surface::new(&cloth.positions, &cloth.triangles, &stitches)?;
     let body = Surface::new(&avatar.positions, &avatar.triangles, &[])?;
-    let report = find_crossings(&surface, Some(&body), usize::MAX);
+    let report = find_crossings(&surface, Some(&body), LIMITS)?;
     print("cloth", &report.cloth);
     print("body", &report.body);
     for triangle in report.degenerate {

@@ -1,5 +1,6 @@
 //! Cloth against a body.
 
+use crate::limits::{PairsLeft, TooManyPairs};
 use crate::predicates::{self, EDGES, Point};
 use crate::report::{Crossing, CrossingList};
 use crate::surface::Surface;
@@ -7,6 +8,7 @@ use crate::tree::{Bounds, BoxTree};
 use crate::weld::Classes;
 use crate::winding::{is_closed, winding_number};
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 /// Faults of cloth on a body.
 #[derive(Default)]
@@ -16,21 +18,29 @@ pub(crate) struct BodyFaults {
 }
 
 /// Finds where cloth and body meet, and the vertices of cloth inside the body.
-pub(crate) fn find(cloth: &Surface<'_>, body: &Surface<'_>, limit: usize) -> BodyFaults {
-    let contact = BodyContact::new(cloth, body);
-    let is_inside = contact.find_inside();
+///
+/// # Errors
+/// [`TooManyPairs`] if more pairs have to be looked at than are left.
+pub(crate) fn find(
+    cloth: &Surface<'_>,
+    body: &Surface<'_>,
+    kept: usize,
+    left: &mut PairsLeft,
+) -> Result<BodyFaults, TooManyPairs> {
+    let contact = BodyContact::new(cloth, body, left)?;
+    let is_inside = contact.find_inside(left)?;
     let mut crossings = CrossingList::default();
     for &t in &contact.touching {
         let corners = cloth.triangles()[t as usize];
         if !corners.iter().all(|v| is_inside[*v as usize]) {
-            contact.list_crossings(t, &mut crossings, limit);
+            contact.list_crossings(t, &mut crossings, kept);
         }
     }
     let inside = (0..).zip(&is_inside).filter(|(_, inside)| **inside);
-    BodyFaults {
+    Ok(BodyFaults {
         crossings,
         inside: inside.map(|(v, _)| v).collect(),
-    }
+    })
 }
 
 /// The parts of cloth that meet the body.
@@ -47,7 +57,11 @@ struct BodyContact<'a> {
 }
 
 impl<'a> BodyContact<'a> {
-    fn new(cloth: &'a Surface<'a>, body: &'a Surface<'a>) -> Self {
+    fn new(
+        cloth: &'a Surface<'a>,
+        body: &'a Surface<'a>,
+        left: &mut PairsLeft,
+    ) -> Result<Self, TooManyPairs> {
         let mut contact = Self {
             cloth,
             body,
@@ -58,7 +72,9 @@ impl<'a> BodyContact<'a> {
             is_on_wall: vec![false; cloth.positions().len()],
         };
         for t in 0..cloth.triangle_count() {
-            let walls = contact.walls(t);
+            let near = contact.near(t);
+            left.take(near.len())?;
+            let walls = contact.walls(t, &near);
             if !walls.is_empty() {
                 contact.touching.push(t);
                 contact.mark(t, &walls);
@@ -66,19 +82,26 @@ impl<'a> BodyContact<'a> {
         }
         contact.cut_edges.sort_unstable();
         contact.cut_edges.dedup();
-        contact
+        Ok(contact)
     }
 
-    /// Returns the body triangles that a cloth triangle meets, ascending, each with a place.
-    fn walls(&self, triangle: u32) -> Vec<(u32, Point)> {
+    /// Returns the body triangles whose boxes overlap that of a cloth triangle, ascending.
+    fn near(&self, triangle: u32) -> Vec<u32> {
+        let mut near = vec![];
+        self.tree
+            .visit(&self.bounds[triangle as usize], |wall| near.push(wall));
+        near.sort_unstable();
+        near
+    }
+
+    /// Returns those of the body triangles `near` that a cloth triangle meets, each with a place.
+    fn walls(&self, triangle: u32, near: &[u32]) -> Vec<(u32, Point)> {
         let corners = self.cloth.corners(triangle);
-        let mut walls = vec![];
-        self.tree.visit(&self.bounds[triangle as usize], |wall| {
+        let meeting = |&wall: &u32| {
             let point = predicates::common_point(&corners, &self.body.corners(wall));
-            walls.extend(point.map(|p| (wall, p)));
-        });
-        walls.sort_unstable_by_key(|(wall, _)| *wall);
-        walls
+            point.map(|point| (wall, point))
+        };
+        near.iter().filter_map(meeting).collect()
     }
 
     /// Marks the edges and corners of a cloth triangle that meet one of the walls.
@@ -105,15 +128,21 @@ impl<'a> BodyContact<'a> {
     ///
     /// Winding numbers about a closed body change at its surface only, so one vertex decides for
     /// all that it reaches along edges that do not meet the body.
-    fn find_inside(&self) -> Vec<bool> {
+    fn find_inside(&self, left: &mut PairsLeft) -> Result<Vec<bool>, TooManyPairs> {
         let mut is_inside = vec![false; self.cloth.positions().len()];
         let parts = self.parts();
         let mut decided = BTreeMap::new();
         for v in self.cloth.triangles().iter().flatten() {
             let part = parts[*v as usize];
-            is_inside[*v as usize] = *decided.entry(part).or_insert_with(|| self.is_inside(part));
+            is_inside[*v as usize] = match decided.entry(part) {
+                Entry::Occupied(entry) => *entry.get(),
+                Entry::Vacant(entry) => {
+                    left.take(self.body.triangles().len())?;
+                    *entry.insert(self.is_inside(part))
+                }
+            };
         }
-        is_inside
+        Ok(is_inside)
     }
 
     /// Returns for each vertex the lowest one that it reaches without meeting the body.
@@ -148,10 +177,11 @@ impl<'a> BodyContact<'a> {
         winding_number >= least
     }
 
-    fn list_crossings(&self, triangle: u32, list: &mut CrossingList, limit: usize) {
-        for (wall, point) in self.walls(triangle) {
+    /// Finds the walls a second time: to keep them would take memory for every crossing.
+    fn list_crossings(&self, triangle: u32, list: &mut CrossingList, kept: usize) {
+        for (wall, point) in self.walls(triangle, &self.near(triangle)) {
             let triangles = [triangle, wall];
-            list.push(Crossing { triangles, point }, limit);
+            list.push(Crossing { triangles, point }, kept);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Cloth against itself.
 
+use crate::limits::{PairsLeft, TooManyPairs};
 use crate::predicates::{self, Point, Triangle};
 use crate::report::{Crossing, CrossingList};
 use crate::surface::Surface;
@@ -7,7 +8,15 @@ use crate::tree::BoxTree;
 
 /// Finds the pairs of triangles that meet; `is_degenerate` tells of each triangle if it has no
 /// area.
-pub(crate) fn find(cloth: &Surface<'_>, is_degenerate: &[bool], limit: usize) -> CrossingList {
+///
+/// # Errors
+/// [`TooManyPairs`] if more pairs have to be looked at than are left.
+pub(crate) fn find(
+    cloth: &Surface<'_>,
+    is_degenerate: &[bool],
+    kept: usize,
+    left: &mut PairsLeft,
+) -> Result<CrossingList, TooManyPairs> {
     let bounds = cloth.bounds();
     let tree = BoxTree::new(&bounds);
     let mut list = CrossingList::default();
@@ -24,15 +33,16 @@ pub(crate) fn find(cloth: &Surface<'_>, is_degenerate: &[bool], limit: usize) ->
                 others.push(j);
             }
         });
+        left.take(others.len())?;
         others.sort_unstable();
         for &j in &others {
             if let Some(point) = meeting_point(cloth, [i, j], is_degenerate[j as usize]) {
                 let triangles = [i.min(j), i.max(j)];
-                list.push(Crossing { triangles, point }, limit);
+                list.push(Crossing { triangles, point }, kept);
             }
         }
     }
-    list
+    Ok(list)
 }
 
 /// Returns a place to mark if two triangles count as crossing; the second may have no area.

@@ -10,10 +10,11 @@
 //!   from all that they can be.
 //! - **Same input, same output**, on one thread.
 //! - **Memory** grows with the triangles, not with the crossings. **Time** grows with `n log n` and
-//!   the pairs of triangles whose boxes overlap.
+//!   the pairs of triangles whose boxes overlap, which [`SearchLimits`] bound.
 
 mod body;
 mod cloth;
+mod limits;
 mod predicates;
 mod report;
 mod surface;
@@ -23,12 +24,14 @@ mod tree;
 mod weld;
 mod winding;
 
+pub use limits::{SearchLimits, TooManyPairs};
 pub use report::{Crossing, CrossingList, CrossingReport};
 pub use surface::{Surface, SurfaceError};
-pub use weld::weld;
 
-/// Finds all that is wrong with the surface of a garment, alone or on a body, and keeps at most
-/// `limit` crossings of each kind.
+use body::BodyFaults;
+use limits::PairsLeft;
+
+/// Finds all that is wrong with the surface of a garment, alone or on a body.
 ///
 /// # Cloth against cloth
 /// By the welded vertices that two triangles share:
@@ -58,21 +61,27 @@ pub use weld::weld;
 /// The body's triangles appear counterclockwise from outside. If its surface is closed, one winding
 /// number is summed for each part of the cloth that the body cuts off; if it has holes, one for
 /// each vertex, which takes the product of the sizes of both.
+///
+/// # Errors
+/// [`TooManyPairs`] if the limit of pairs does not do.
 pub fn find_crossings(
     cloth: &Surface<'_>,
     body: Option<&Surface<'_>>,
-    limit: usize,
-) -> CrossingReport {
+    limits: SearchLimits,
+) -> Result<CrossingReport, TooManyPairs> {
+    let mut left = PairsLeft(limits.pairs);
     let is_degenerate: Vec<bool> = (0..cloth.triangle_count())
         .map(|t| cloth.is_degenerate(t))
         .collect();
-    let faults = body.map(|body| body::find(cloth, body, limit));
-    let faults = faults.unwrap_or_default();
+    let faults = match body {
+        Some(body) => body::find(cloth, body, limits.kept, &mut left)?,
+        None => BodyFaults::default(),
+    };
     let degenerate = (0..).zip(&is_degenerate).filter(|(_, flat)| **flat);
-    CrossingReport {
-        cloth: cloth::find(cloth, &is_degenerate, limit),
+    Ok(CrossingReport {
+        cloth: cloth::find(cloth, &is_degenerate, limits.kept, &mut left)?,
         degenerate: degenerate.map(|(t, _)| t).collect(),
         body: faults.crossings,
         inside: faults.inside,
-    }
+    })
 }

@@ -20,9 +20,9 @@ pub struct CrossingList {
 }
 
 impl CrossingList {
-    pub(crate) fn push(&mut self, crossing: Crossing, limit: usize) {
+    pub(crate) fn push(&mut self, crossing: Crossing, most: usize) {
         self.count += 1;
-        if self.kept.len() < limit {
+        if self.kept.len() < most {
             self.kept.push(crossing);
         }
     }
@@ -39,14 +39,4 @@ pub struct CrossingReport {
     pub body: CrossingList,
     /// Cloth vertices inside the body, ascending.
     pub inside: Vec<u32>,
-}
-
-impl CrossingReport {
-    /// Returns true if there is no fault of any kind.
-    pub fn is_clear(&self) -> bool {
-        self.cloth.count == 0
-            && self.degenerate.is_empty()
-            && self.body.count == 0
-            && self.inside.is_empty()
-    }
 }

@@ -5,7 +5,7 @@
 ///
 /// # Panics
 /// If a stitch names a vertex that is not there.
-pub fn weld(count: usize, stitches: &[[u32; 2]]) -> Vec<u32> {
+pub(crate) fn weld(count: usize, stitches: &[[u32; 2]]) -> Vec<u32> {
     let mut classes = Classes::new(count);
     for &[a, b] in stitches {
         classes.unite(a, b);

@@ -4,7 +4,7 @@ use super::input::parse_word;
 use super::output::write;
 use clap::Args;
 use seamster::config::Limits;
-use seamster::export::{self, PictureSubject, View};
+use seamster::export::View;
 use seamster::fault::Faults;
 use seamster::fit::{self, FitOutcome, ResolvedGarment};
 use std::path::PathBuf;
@@ -41,17 +41,12 @@ impl PictureOptions {
         if self.picture.is_none() {
             return Ok(None);
         }
-        let avatar = fit::avatar(garment)?;
-        let crossings = outcome.report.intersections.iter();
-        let subject = PictureSubject {
-            mesh: &outcome.mesh,
-            body: avatar.as_ref().map(|avatar| &avatar.surface),
-            marks: &crossings.map(|crossing| crossing.at).collect::<Vec<_>>(),
+        let width = if self.view.is_some() {
+            WIDTH
+        } else {
+            SHEET_WIDTH
         };
-        let picture = match self.view {
-            Some(view) => export::picture(&subject, view, WIDTH, limits)?,
-            None => export::picture_sheet(&subject, SHEET_WIDTH, limits)?,
-        };
+        let picture = fit::picture(garment, outcome, (self.view, width), limits)?;
         Ok(Some(picture.png()))
     }
 

@@ -31,6 +31,8 @@ pub struct Limits {
     pub mesh_vertices: usize,
     /// Smallest and largest mesh edge that may be asked for \[m\].
     pub edge_length_m: [f64; 2],
+    /// Pairs of triangles that are looked at for crossings of one garment.
+    pub crossing_pairs: usize,
     /// Greatest speed of wind \[m/s\].
     pub wind_m_s: f64,
     /// Newton iterations of one stage.
@@ -74,6 +76,7 @@ impl Default for Limits {
             name_chars: 256,
             mesh_vertices: 300_000,
             edge_length_m: [0.002, 0.1],
+            crossing_pairs: 100_000_000,
             wind_m_s: 40.0,
             iterations: 2_000,
             steps: 20_000_000,

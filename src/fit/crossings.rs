@@ -5,7 +5,7 @@ use crate::mesh::ClothMesh;
 use crate::scene::{Avatar, Body, Scene};
 use crate::solver::{Intersection, IntersectionKind};
 use nalgebra::Vector3;
-use seamster_crossings::{Crossing, CrossingReport, Surface, SurfaceError, find_crossings};
+use seamster_crossings::{Crossing, CrossingReport, SearchLimits, Surface, find_crossings};
 use std::collections::BTreeMap;
 
 /// Crossings of each kind whose places are looked at.
@@ -31,26 +31,26 @@ pub(super) struct FoundCrossings {
 }
 
 /// Finds the crossings of a garment whose panels have the names `panels`, at `positions` \[m\] in
-/// the single precision in which meshes are written.
-///
-/// # Errors
-/// A position that single precision cannot hold.
+/// the single precision in which meshes are written, looking at `pairs` of triangles at most; none
+/// if that does not do, or if single precision does not hold a position.
 pub(super) fn find(
     scene: &Scene,
     panels: &[&str],
     positions: &[Vector3<f64>],
-) -> Result<FoundCrossings, SurfaceError> {
+    pairs: usize,
+) -> Option<FoundCrossings> {
     let mesh = &scene.mesh;
     let points = single(positions);
     let triangles = indices(&mesh.triangles);
     let stitches: Vec<[usize; 2]> = mesh.stitches.iter().map(|s| [s.a, s.b]).collect();
-    let cloth = Surface::new(&points, &triangles, &indices(&stitches))?;
+    let cloth = Surface::new(&points, &triangles, &indices(&stitches)).ok()?;
+    let limits = SearchLimits { kept: KEPT, pairs };
     let avatar = scene.body.as_ref().and_then(Body::avatar);
     let report = match avatar {
-        Some(avatar) => with_body(&cloth, avatar)?,
-        None => find_crossings(&cloth, None, KEPT),
+        Some(avatar) => with_body(&cloth, avatar, limits)?,
+        None => find_crossings(&cloth, None, limits).ok()?,
     };
-    Ok(FoundCrossings {
+    Some(FoundCrossings {
         cloth: report.cloth.count,
         degenerate: report.degenerate.len(),
         body: avatar.map(|_| report.body.count),
@@ -59,11 +59,11 @@ pub(super) fn find(
     })
 }
 
-fn with_body(cloth: &Surface<'_>, avatar: &Avatar) -> Result<CrossingReport, SurfaceError> {
+fn with_body(cloth: &Surface<'_>, avatar: &Avatar, limits: SearchLimits) -> Option<CrossingReport> {
     let points = single(&avatar.surface.vertices);
     let triangles = indices(&avatar.surface.triangles);
-    let body = Surface::new(&points, &triangles, &[])?;
-    Ok(find_crossings(cloth, Some(&body), KEPT))
+    let body = Surface::new(&points, &triangles, &[]).ok()?;
+    find_crossings(cloth, Some(&body), limits).ok()
 }
 
 #[expect(

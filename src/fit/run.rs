@@ -1,6 +1,6 @@
 //! Sews and drapes a resolved garment.
 
-use super::crossings;
+use super::crossings::{self, FoundCrossings};
 use super::garment::SelfContact;
 use super::resolve::ResolvedGarment;
 use super::verdict::{Demands, verdict};
@@ -40,7 +40,11 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
     let mesh = garment_mesh(garment, &scene, &drape.positions);
     let mut report = drape.report;
     if !drape.canceled {
-        judge(garment, &scene, &drape.positions, &mut report);
+        let pairs = context.limits.crossing_pairs;
+        let names = garment.pattern.panels.iter().map(|panel| &*panel.id);
+        let names: Vec<_> = names.collect();
+        let found = crossings::find(&scene, &names, &drape.positions, pairs);
+        judge(garment, found, &mut report);
     }
     report.cpu_s.mesh = meshed - began;
     report.cpu_s.assemble = assembled - meshed;
@@ -56,16 +60,9 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
     })
 }
 
-/// Counts the crossings of a shape, and says in the report whether it is good.
-fn judge(
-    garment: &ResolvedGarment,
-    scene: &Scene,
-    positions: &[Vector3<f64>],
-    report: &mut DrapeReport,
-) {
-    let panels = garment.pattern.panels.iter().map(|panel| &*panel.id);
-    // A shape that cannot be judged is not good.
-    if let Ok(found) = crossings::find(scene, &panels.collect::<Vec<_>>(), positions) {
+/// Says in the report which crossings a shape has, where they could be counted, and if it is good.
+fn judge(garment: &ResolvedGarment, found: Option<FoundCrossings>, report: &mut DrapeReport) {
+    if let Some(found) = found {
         report.self_intersections = Some(found.cloth);
         report.degenerate_triangles = Some(found.degenerate);
         report.body_intersections = found.body;
@@ -74,7 +71,7 @@ fn judge(
     }
     let demands = Demands {
         no_crossings: garment.garment().self_contact != SelfContact::Off,
-        has_avatar: scene.body.is_some(),
+        has_avatar: garment.avatar.is_some(),
         seam_gap_m: garment.garment().simulate.seam_eps_m,
     };
     report.good = Some(verdict(report, demands));
@@ -101,7 +98,7 @@ pub fn scene(garment: &ResolvedGarment, context: &Context<'_>) -> Result<Scene, 
 ///
 /// # Errors
 /// Measurements outside what a person has.
-pub fn avatar(garment: &ResolvedGarment) -> Result<Option<Arc<Avatar>>, Faults> {
+pub(super) fn avatar(garment: &ResolvedGarment) -> Result<Option<Arc<Avatar>>, Faults> {
     let make = |form| garment.dress_forms.build(form);
     let avatar = garment.avatar.as_ref().map(make).transpose();
     avatar.map_err(|faults| faults.under("/avatar/form"))

@@ -4,8 +4,9 @@ use super::exact;
 use super::meshes::sheet;
 use super::pairs::whole;
 use super::random::Random;
+use crate::tests::{ALL, is_clear};
 use crate::winding::{is_closed, winding_number};
-use crate::{CrossingReport, Surface, find_crossings};
+use crate::{CrossingReport, SearchLimits, Surface, TooManyPairs, find_crossings};
 
 type Mesh = (Vec<[f32; 3]>, Vec<[u32; 3]>);
 type Cuboid = [[f32; 3]; 2];
@@ -34,7 +35,7 @@ fn boxes(cuboids: &[Cuboid]) -> Mesh {
 fn judge(cloth: &Mesh, body: &Mesh) -> CrossingReport {
     let cloth = Surface::new(&cloth.0, &cloth.1, &[]).expect("a sound mesh");
     let body = Surface::new(&body.0, &body.1, &[]).expect("a sound mesh");
-    find_crossings(&cloth, Some(&body), usize::MAX)
+    find_crossings(&cloth, Some(&body), ALL).expect("no limit")
 }
 
 /// Two boxes that overlap, one that touches a face of the first, and one apart.
@@ -191,7 +192,7 @@ fn a_sheet_that_rests_on_a_box_touches_it_and_is_not_inside() {
     };
     let touching = resting(&mut positions, 2.0);
     assert!(touching.body.count > 0 && touching.inside.is_empty());
-    assert!(resting(&mut positions, 2.0 + f32::EPSILON * 2.0).is_clear());
+    assert!(is_clear(&resting(&mut positions, 2.0 + f32::EPSILON * 2.0)));
     // Wholly inside, it meets nothing; the part of it beyond the box crosses its side.
     let sunk = resting(&mut positions, 2.0 - f32::EPSILON);
     assert_eq!(sunk.inside, [0, 1, 4, 5]);
@@ -221,5 +222,24 @@ fn ends_of_an_open_stitch_are_decided_apart() {
     let cloth = Surface::new(&positions, &triangles, &stitches).expect("a sound mesh");
     let body = boxes(&CUBOIDS[..1]);
     let body = Surface::new(&body.0, &body.1, &[]).expect("a sound mesh");
-    assert_eq!(find_crossings(&cloth, Some(&body), 0).inside, [0, 1, 2]);
+    assert_eq!(
+        find_crossings(&cloth, Some(&body), ALL)
+            .expect("no limit")
+            .inside,
+        [0, 1, 2]
+    );
+}
+
+#[test]
+fn angles_that_are_summed_up_count_as_pairs() {
+    let positions = [[9.0, 0.0, 0.0], [9.0, 1.0, 0.0], [9.0, 0.0, 1.0]];
+    let cloth = Surface::new(&positions, &[[0, 1, 2]], &[]).expect("a sound mesh");
+    let body = boxes(&CUBOIDS[..1]);
+    let surface = Surface::new(&body.0, &body.1, &[]).expect("a sound mesh");
+    // Far off, one winding number decides for all of the triangle.
+    for (pairs, is_enough) in [(body.1.len() - 1, false), (body.1.len(), true)] {
+        let limits = SearchLimits { pairs, ..ALL };
+        let found = find_crossings(&cloth, Some(&surface), limits);
+        assert_eq!(found == Err(TooManyPairs), !is_enough);
+    }
 }

@@ -3,11 +3,13 @@
 use super::exact;
 use super::pairs::whole;
 use super::random::Random;
-use crate::{CrossingReport, Surface, find_crossings, weld};
+use crate::tests::{ALL, is_clear};
+use crate::weld::weld;
+use crate::{CrossingReport, SearchLimits, Surface, TooManyPairs, find_crossings};
 
 fn judge(positions: &[[f32; 3]], triangles: &[[u32; 3]], stitches: &[[u32; 2]]) -> CrossingReport {
     let surface = Surface::new(positions, triangles, stitches).expect("a sound mesh");
-    find_crossings(&surface, None, usize::MAX)
+    find_crossings(&surface, None, ALL).expect("no limit")
 }
 
 /// Returns the pairs of triangles that cross, by trying all.
@@ -72,7 +74,7 @@ pub(crate) fn sheet(count: u32, side: f32) -> (Vec<[f32; 3]>, Vec<[u32; 3]>) {
 #[test]
 fn a_sheet_is_clear_and_a_sheet_folded_flat_is_not() {
     let (mut positions, triangles) = sheet(8, 0.1);
-    assert!(judge(&positions, &triangles, &[]).is_clear());
+    assert!(is_clear(&judge(&positions, &triangles, &[])));
     // Over a diagonal of the squares, so that every triangle lies on another one.
     for p in &mut positions {
         if p[1] > p[0] {
@@ -88,7 +90,7 @@ fn a_sheet_is_clear_and_a_sheet_folded_flat_is_not() {
             p[2] = 1e-6;
         }
     }
-    assert!(judge(&positions, &triangles, &[]).is_clear());
+    assert!(is_clear(&judge(&positions, &triangles, &[])));
 }
 
 /// Two triangles on both sides of a seam that springs hold open by `gap`, or overlapping by it.
@@ -107,7 +109,7 @@ const SEAM: [[u32; 2]; 2] = [[0, 3], [1, 4]];
 fn a_seam_held_by_springs_may_overlap_by_its_gap() {
     for gap in [-1e-3, 0.0, 1e-3] {
         let (positions, triangles) = seam(gap, [1.0, 0.5, 0.0]);
-        assert!(judge(&positions, &triangles, &SEAM).is_clear(), "{gap}");
+        assert!(is_clear(&judge(&positions, &triangles, &SEAM)), "{gap}");
         let unstitched = judge(&positions, &triangles, &[]);
         assert_eq!(unstitched.cloth.count, usize::from(gap <= 0.0), "{gap}");
     }
@@ -119,7 +121,7 @@ fn a_seam_folded_flat_crosses() {
         let (positions, triangles) = seam(gap, [-1.5, 0.5, 0.0]);
         assert_eq!(judge(&positions, &triangles, &SEAM).cloth.count, 1, "{gap}");
         let (positions, triangles) = seam(gap, [-1.5, 0.5, 1e-6]);
-        assert!(judge(&positions, &triangles, &SEAM).is_clear(), "{gap}");
+        assert!(is_clear(&judge(&positions, &triangles, &SEAM)), "{gap}");
     }
 }
 
@@ -127,7 +129,7 @@ fn a_seam_folded_flat_crosses() {
 fn equal_places_without_a_stitch_are_not_one_vertex() {
     let (positions, triangles) = seam(0.0, [1.0, 0.5, 0.0]);
     assert_eq!(judge(&positions, &triangles, &SEAM[..1]).cloth.count, 1);
-    assert!(judge(&positions, &triangles, &SEAM).is_clear());
+    assert!(is_clear(&judge(&positions, &triangles, &SEAM)));
 }
 
 #[test]
@@ -177,9 +179,11 @@ fn all_are_counted_and_few_kept() {
     let (positions, mut triangles) = sheet(4, 1.0);
     triangles.extend_from_within(..);
     let surface = Surface::new(&positions, &triangles, &[]).expect("a sound mesh");
-    let all = find_crossings(&surface, None, usize::MAX).cloth;
+    let all = find_crossings(&surface, None, ALL).expect("no limit").cloth;
     for limit in [0, 1, 7] {
-        let some = find_crossings(&surface, None, limit).cloth;
+        let some = find_crossings(&surface, None, SearchLimits { kept: limit, ..ALL })
+            .expect("no limit of pairs")
+            .cloth;
         assert_eq!(some.count, all.count);
         assert_eq!(some.kept, all.kept[..limit]);
     }
@@ -188,5 +192,24 @@ fn all_are_counted_and_few_kept() {
 
 #[test]
 fn nothing_is_clear() {
-    assert!(judge(&[], &[], &[]).is_clear());
+    assert!(is_clear(&judge(&[], &[], &[])));
+}
+
+#[test]
+fn crumpled_cloth_ends_at_the_limit_of_pairs() {
+    // Every triangle reaches from one end of the heap to the other, so that all boxes overlap.
+    let (mut positions, triangles) = sheet(30, 1.0);
+    for (i, position) in positions.iter_mut().enumerate() {
+        *position = [(i % 2) as f32, (i / 2 % 2) as f32, (i % 3) as f32];
+    }
+    let surface = Surface::new(&positions, &triangles, &[]).expect("a sound mesh");
+    let limits = SearchLimits {
+        kept: 0,
+        pairs: 20 * triangles.len(),
+    };
+    assert_eq!(find_crossings(&surface, None, limits), Err(TooManyPairs));
+    // A flat sheet of as many needs no more than some neighbors of each.
+    let (positions, triangles) = sheet(30, 1.0);
+    let surface = Surface::new(&positions, &triangles, &[]).expect("a sound mesh");
+    assert!(find_crossings(&surface, None, limits).is_ok());
 }

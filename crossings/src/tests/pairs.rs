@@ -2,6 +2,7 @@
 
 use super::exact::{self, Whole};
 use super::random::Random;
+use crate::tests::ALL;
 use crate::{Surface, find_crossings};
 
 /// Two triangles among up to six vertices.
@@ -43,7 +44,11 @@ impl Pair {
 
     fn crosses(&self) -> bool {
         let surface = Surface::new(&self.positions, &self.triangles, &[]).expect("finite");
-        find_crossings(&surface, None, 0).cloth.count == 1
+        find_crossings(&surface, None, ALL)
+            .expect("no limit")
+            .cloth
+            .count
+            == 1
     }
 }
 
@@ -138,7 +143,11 @@ fn marked_points_are_on_both_triangles() {
     for _ in 0..5000 {
         let pair = Pair::new(&mut random, 0, |random| random.point(1_000_000));
         let surface = Surface::new(&pair.positions, &pair.triangles, &[]).expect("finite");
-        for crossing in find_crossings(&surface, None, 1).cloth.kept {
+        for crossing in find_crossings(&surface, None, ALL)
+            .expect("no limit")
+            .cloth
+            .kept
+        {
             count += 1;
             assert_eq!(crossing.triangles, [0, 1]);
             for corners in pair.corners(1.0) {

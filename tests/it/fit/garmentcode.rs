@@ -1,13 +1,12 @@
 //! Specifications sewn by their own stitches from their own placements, on a body of the size that
 //! they were drafted for.
 
+use super::sewn;
 use seamster::config::Limits;
-use seamster::fit::{self, AvatarRef, FitOutcome, Garment, PatternRef, ShippedAssets};
-use seamster::job::thread_cpu_s;
+use seamster::fit::{AvatarRef, FitOutcome, Garment, PatternRef};
 use seamster::pattern::{ImportOptions, Pattern, import};
-use seamster::progress::CancelToken;
 use seamster::scene::DressForm;
-use seamster::solver::{Context, SolverOptions};
+use seamster::solver::SolverOptions;
 use std::path::{Path, PathBuf};
 
 /// The body that `GarmentCode` drafts for where nothing else is said: its mean female.
@@ -30,10 +29,9 @@ fn specification(folder: &Path, name: &str) -> Pattern {
 }
 
 /// Sews a pattern by its own seams, nothing else said but the body and the length of mesh edges.
-fn sewn(pattern: Pattern) -> FitOutcome {
-    let limits = Limits::default();
+fn sewn_by_its_own_seams(pattern: Pattern) -> FitOutcome {
     let seams = serde_json::json!({ "seams": pattern.seams });
-    let garment = Garment {
+    sewn(Garment {
         pattern: Some(PatternRef::Whole(Box::new(pattern))),
         avatar: Some(AvatarRef::form(MEAN_FEMALE)),
         simulate: SolverOptions {
@@ -41,16 +39,7 @@ fn sewn(pattern: Pattern) -> FitOutcome {
             ..SolverOptions::default()
         },
         ..serde_json::from_value(seams).expect("a garment needs its seams alone")
-    };
-    let prepared =
-        fit::resolve(garment, &ShippedAssets, &limits).expect("its own seams can be sewn");
-    let mut context = Context {
-        cpu_s: &thread_cpu_s,
-        cancel: &CancelToken::new(),
-        progress: &mut |_| {},
-        limits: &limits,
-    };
-    fit::run(&prepared, &mut context).expect("the mesh is within the limits")
+    })
 }
 
 fn data(left_out: &str) -> Option<PathBuf> {
@@ -74,7 +63,7 @@ fn shirt_is_sewn_as_its_specification_states() {
     let Some(folder) = data("a shirt from its specification") else {
         return;
     };
-    let outcome = sewn(specification(&folder, "gc_tshirt"));
+    let outcome = sewn_by_its_own_seams(specification(&folder, "gc_tshirt"));
     assert_worn(&outcome);
     // Left is the wearer's own, which is +x where the body looks along +z; fronts lie before backs.
     let middle = |name: &str, axis: usize| {
@@ -98,5 +87,8 @@ fn circle_skirt_is_sewn_as_its_specification_states() {
     let Some(folder) = data("a circle skirt from its specification") else {
         return;
     };
-    assert_worn(&sewn(specification(&folder, "gc_circle_skirt")));
+    assert_worn(&sewn_by_its_own_seams(specification(
+        &folder,
+        "gc_circle_skirt",
+    )));
 }

@@ -1,11 +1,10 @@
 //! Seams of whole garments: as JSON, as a fit prepares them, sewn.
 
+use super::sewn;
 use seamster::config::Limits;
 use seamster::fault::Faults;
-use seamster::fit::{self, FitOutcome, Garment, PatternRef, ShippedAssets};
+use seamster::fit::{self, Garment, PatternRef, ShippedAssets};
 use seamster::pattern::{OutlineRun, Pattern, Place, SeamPair};
-use seamster::progress::CancelToken;
-use seamster::solver::Context;
 use seamster_fixtures::panels::{
     many, pattern, polygon, rectangle, run, seam, with_hole, with_line,
 };
@@ -29,18 +28,6 @@ fn warnings(garment: Garment) -> Vec<(String, String)> {
     warnings
         .map(|w| (w.code.to_string(), w.pointer.clone()))
         .collect()
-}
-
-fn sewn(garment: Garment) -> FitOutcome {
-    let limits = Limits::default();
-    let prepared = fit::resolve(garment, &ShippedAssets, &limits).expect("it can be sewn");
-    let mut context = Context {
-        cpu_s: &|| 0.0,
-        cancel: &CancelToken::new(),
-        progress: &mut |_| {},
-        limits: &limits,
-    };
-    fit::run(&prepared, &mut context).expect("the mesh is within the limits")
 }
 
 fn front_and_back() -> Pattern {

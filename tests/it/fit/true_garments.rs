@@ -1,14 +1,12 @@
 //! Garments that others drafted, sewn by their own seams on a body of the size that they were
 //! drafted for.
 
-use seamster::config::Limits;
+use super::sewn;
 use seamster::export::DrapedPanel;
-use seamster::fit::{self, AvatarRef, FitOutcome, Garment, PatternRef, ShippedAssets};
-use seamster::job::thread_cpu_s;
+use seamster::fit::{AvatarRef, FitOutcome, Garment, PatternRef};
 use seamster::pattern::{Pattern, SeamPair};
-use seamster::progress::CancelToken;
 use seamster::scene::DressForm;
-use seamster::solver::{Context, SolverOptions};
+use seamster::solver::SolverOptions;
 use seamster_fixtures::drafts::{data, garment};
 use std::collections::BTreeMap;
 
@@ -41,19 +39,6 @@ fn asked(pattern: Pattern, pairs: Vec<SeamPair>) -> Garment {
         ..serde_json::from_value(serde_json::json!({ "seams": pairs }))
             .expect("a garment needs its seams alone")
     }
-}
-
-fn sewn(garment: Garment) -> FitOutcome {
-    let limits = Limits::default();
-    let prepared =
-        fit::resolve(garment, &ShippedAssets, &limits).expect("the true seams can be sewn");
-    let mut context = Context {
-        cpu_s: &thread_cpu_s,
-        cancel: &CancelToken::new(),
-        progress: &mut |_| {},
-        limits: &limits,
-    };
-    fit::run(&prepared, &mut context).expect("the mesh is within the limits")
 }
 
 /// The panels of a shape by id, none of whose coordinates is other than a number.

@@ -1,9 +1,8 @@
 //! The verdict on whole garments: crossings counted at the end of a fit.
 
-use seamster::config::Limits;
-use seamster::fit::{self, FitOutcome, Garment, PatternRef, ShippedAssets};
-use seamster::progress::CancelToken;
-use seamster::solver::{Context, IntersectionKind, Shortcoming};
+use super::sewn;
+use seamster::fit::{FitOutcome, Garment, PatternRef};
+use seamster::solver::{IntersectionKind, Shortcoming};
 use seamster_fixtures::panels::{pattern, rectangle};
 use serde_json::{Value, json};
 
@@ -23,19 +22,10 @@ fn curtains(degrees: f64, self_contact: &str) -> FitOutcome {
         "panels": {"one": at(0.0, 0.0), "other": at(degrees, if degrees == 0.0 { 0.1 } else { 0.0 })},
         "simulate": {"edge_length_m": 0.05},
     });
-    let garment = Garment {
+    sewn(Garment {
         pattern: Some(PatternRef::Whole(Box::new(panels))),
         ..serde_json::from_value(garment).expect("a garment")
-    };
-    let limits = Limits::default();
-    let prepared = fit::resolve(garment, &ShippedAssets, &limits).expect("it can be sewn");
-    let mut context = Context {
-        cpu_s: &|| 0.0,
-        cancel: &CancelToken::new(),
-        progress: &mut |_| {},
-        limits: &limits,
-    };
-    fit::run(&prepared, &mut context).expect("the mesh is within the limits")
+    })
 }
 
 #[test]

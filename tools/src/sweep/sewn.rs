@@ -4,7 +4,6 @@ use super::garment::SweepGarment;
 use super::line::SweepLine;
 use super::options::{Form, SweepOptions};
 use seamster::config::Limits;
-use seamster::export::{self, PictureSubject};
 use seamster::fit::{self, FitOutcome, ResolvedGarment, ShippedAssets};
 use seamster::job::thread_cpu_s;
 use seamster::progress::CancelToken;
@@ -68,15 +67,7 @@ fn draw(
     outcome: &FitOutcome,
     file: &Path,
 ) -> Result<(), Box<dyn Error>> {
-    let avatar = fit::avatar(garment)?;
-    let crossings = outcome.report.intersections.iter();
-    let subject = PictureSubject {
-        mesh: &outcome.mesh,
-        body: avatar.as_ref().map(|avatar| &avatar.surface),
-        marks: &crossings.map(|crossing| crossing.at).collect::<Vec<_>>(),
-    };
-    let sheet = export::picture_sheet(&subject, WIDTH, &Limits::default());
-    let sheet = sheet.map_err(|fault| fault.detail)?;
+    let sheet = fit::picture(garment, outcome, (None, WIDTH), &Limits::default())?;
     Ok(fs::write(file, sheet.png())?)
 }
 
