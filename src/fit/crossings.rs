@@ -1,4 +1,4 @@
-//! Where the shape of a garment passes through itself and through the body, by an exact test that
+//! Places where a garment passes through itself and through the body, by an exact test that
 //! knows nothing of the solver.
 
 use crate::mesh::ClothMesh;
@@ -116,7 +116,7 @@ fn panel_of(mesh: &ClothMesh, triangle: usize) -> usize {
         .partition_point(|panel| panel.triangles.end <= triangle)
 }
 
-/// What crosses, in which panels, and the cell of space where.
+/// Kind, panels and cell of space of a crossing.
 type PlaceKey = (IntersectionKind, Vec<usize>, [i64; 3]);
 
 /// Crossings gathered by place: how many, and a point of the first.

@@ -1,11 +1,11 @@
-//! Whether a garment is good: which figures of its report are faults, in words.
+//! Verdict on a garment: the figures of its report that are faults, in words.
 
 use crate::solver::{DrapeReport, Intersection, IntersectionKind, Shortcoming, Verdict};
 
 /// Strain that no cloth bears \[-\]: twice its length.
 const TORN: f64 = 1.0;
 
-/// What a garment may be judged by.
+/// Demands that a garment is judged by.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Demands {
     /// True if cloth may not pass through cloth.

@@ -1,6 +1,6 @@
 //! Colors of a picture: red, green and blue.
 
-/// What is behind everything.
+/// Background.
 pub(super) const BACKGROUND: [u8; 3] = [250, 249, 247];
 /// The body: a warm grey.
 pub(super) const BODY: [u8; 3] = [196, 188, 179];
@@ -24,7 +24,7 @@ const PANELS: [[u8; 3]; 12] = [
     [156, 142, 178],
     [228, 190, 144],
 ];
-/// What the inner side of cloth is mixed with, half and half.
+/// Color that the inner side of cloth is mixed with, half and half.
 const SHADE: [u8; 3] = [66, 70, 84];
 
 /// Returns the color of the outer side of the panel of this number.

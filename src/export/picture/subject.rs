@@ -1,4 +1,4 @@
-//! What a picture shows.
+//! Subject of a picture.
 
 use crate::export::garment_mesh::GarmentMesh;
 use crate::scene::TriangleMesh;

@@ -39,7 +39,7 @@ pub struct DrapeReport {
     pub strain_max: f64,
     /// Deepest that a vertex or the middle of a triangle lies inside the body \[m\].
     pub penetration_max_m: f64,
-    /// Whether the garment is good, where it was judged: a fit that was not canceled is.
+    /// Verdict on the garment, where it was judged: a fit that was not canceled is.
     #[serde(default)]
     pub good: Option<Verdict>,
     /// Pairs of triangles of cloth that meet without being neighbors, or lie on each other.
@@ -129,7 +129,7 @@ pub enum Shortcoming {
 /// Place where a garment passes through itself or the body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Intersection {
-    /// What meets there.
+    /// Kinds that meet there.
     pub kind: IntersectionKind,
     /// Panels of the cloth that does: two where cloth meets cloth, the same twice where a panel
     /// meets itself.
@@ -140,7 +140,7 @@ pub struct Intersection {
     pub count: usize,
 }
 
-/// What meets at an [`Intersection`].
+/// Kinds that meet at an [`Intersection`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum IntersectionKind {

@@ -24,7 +24,7 @@ pub(super) struct SweepGarment {
     seams: SeamSource,
 }
 
-/// Where the seams of a garment are known from.
+/// Source of the seams of a garment.
 enum SeamSource {
     /// The pattern's file states them.
     Pattern,

@@ -1,4 +1,4 @@
-//! What came of a garment.
+//! Outcome of a garment of the sweep.
 
 use serde::{Deserialize, Serialize};
 

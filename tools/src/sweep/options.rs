@@ -1,4 +1,4 @@
-//! What to sew, and how.
+//! Options of the sweep.
 
 use super::garment::SweepGarment;
 use super::line::SweepLine;
