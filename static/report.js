@@ -31,7 +31,8 @@ function closing(report) {
 function inside(report) {
   const depth = report.penetration_max_m;
   if (!Number.isFinite(depth)) return finding("bad", "How deep cloth is inside the body is not known.");
-  if (depth <= 0) return finding("good", "No cloth is inside the body.");
+  // Where crossings are counted, that says it.
+  if (depth <= 0) return report.body_intersections == null ? finding("good", "No cloth is inside the body.") : null;
   return finding(depth < INSIDE_M ? "good" : "bad", `The deepest cloth is ${distance(depth)} inside the body.`);
 }
 
