@@ -6,8 +6,8 @@ use crate::config::Limits;
 use crate::export::{self, Picture, PictureSubject, View};
 use crate::fault::Faults;
 
-/// Draws the outcome of a fit on its body, places where it passes through itself or the body marked:
-/// from one side, or from four beside each other; `width` in pixels.
+/// Draws the outcome of a fit on its body, from one side or from four beside each other, `width`
+/// pixels wide. Places where it passes through itself or the body are marked.
 ///
 /// # Errors
 /// A body that cannot be made, or a width outside the limits.
