@@ -196,10 +196,10 @@ pub struct WindSpec {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum SelfContact {
-    /// The service chooses whether cloth may pass through cloth.
+    /// Cloth may not pass through cloth, where the method can keep it from that.
     #[default]
     Auto,
-    /// It may not.
+    /// It may not; a method that cannot keep it from that is refused.
     On,
     /// It may.
     Off,

@@ -136,6 +136,7 @@ fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults>
     });
     Ok(Scene {
         wind: garment.wind,
+        self_contact: garment.garment().self_contact != SelfContact::Off,
         ..scene
     })
 }

@@ -35,10 +35,10 @@ fn fault(under: &str, (is_wrong, field, what, fix): StatedSetting) -> Option<Fau
 fn garment_settings(garment: &Garment) -> [StatedSetting; 3] {
     [
         (
-            garment.self_contact == SelfContact::On,
+            garment.self_contact == SelfContact::On && garment.simulate.method.is_time_stepping(),
             "self_contact",
-            "contact of cloth with cloth",
-            "give \"auto\" or \"off\"",
+            "contact of cloth with cloth by a method that steps in time",
+            "give \"auto\" or \"off\", or the method \"newton\"",
         ),
         (
             garment.start_from.is_some(),

@@ -81,5 +81,6 @@ pub fn build(parts: Parts) -> Scene {
         pins,
         fixed_axis: None,
         wind: None,
+        self_contact: true,
     }
 }

@@ -58,6 +58,7 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
         pins: scene.pins.iter().map(|&v| number[v]).collect(),
         fixed_axis: scene.fixed_axis,
         wind: scene.wind,
+        self_contact: scene.self_contact,
         mesh,
     };
     Some(CoarserScene {

@@ -56,6 +56,8 @@ pub struct Scene {
     pub fixed_axis: Option<usize>,
     /// Moving air, if there is any.
     pub wind: Option<Wind>,
+    /// True if cloth must not pass through cloth.
+    pub self_contact: bool,
 }
 
 /// Cut of a panel from its fabric.

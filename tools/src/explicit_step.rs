@@ -181,6 +181,7 @@ fn square(rows: usize) -> Scene {
         pins: vec![0, last],
         fixed_axis: None,
         wind: None,
+        self_contact: false,
     }
 }
 

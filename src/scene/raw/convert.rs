@@ -55,6 +55,7 @@ impl RawScene {
                 velocity: velocity.into(),
                 gust: 0.0,
             }),
+            self_contact: false,
         })
     }
 }

@@ -25,6 +25,8 @@ pub(crate) fn measure_unrelaxed(
         gravity: true,
         friction: None,
         explicit: false,
+        least_thickness: None,
+        chords: false,
     };
     let mut system = build(scene, options, &build_options, clock).system;
     let mut force = vec![Vector3::zeros(); x.len()];

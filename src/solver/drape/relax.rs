@@ -48,6 +48,8 @@ pub(crate) fn relax(
         gravity: true,
         friction: Some(&level.anchors),
         explicit: level.options.method.is_explicit(),
+        least_thickness: level.least_thickness(),
+        chords: level.chords(),
     };
     level.monitor.begin_stage();
     let Model {
@@ -55,6 +57,7 @@ pub(crate) fn relax(
         mut system,
     } = build(level.scene, level.options, &build_options, level.clock);
     let mut shape = dof_map.average(x);
+    system.untangle(&mut shape);
     let gravity = level.scene.gravity;
     let first_height = mean_height(&gravity, &shape);
     let floor = system.residual_floor(&shape);

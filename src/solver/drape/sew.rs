@@ -89,8 +89,11 @@ fn pull(
         gravity: false,
         friction: None,
         explicit: level.options.method.is_explicit(),
+        least_thickness: level.least_thickness(),
+        chords: level.chords(),
     };
     let mut system = build(level.scene, level.options, &build_options, level.clock).system;
+    system.untangle(x);
     let first_gap = seam_gap(stitches, x).max(1e-9);
     let eps = level.options.seam_eps_m;
     let method = level.stage_method(MOTION);

@@ -20,6 +20,8 @@ pub(crate) enum TermKind {
     Seam,
     /// The body, with its friction.
     Contact,
+    /// Contact of cloth with cloth.
+    SelfContact,
 }
 
 impl TermKind {
@@ -32,6 +34,7 @@ impl TermKind {
             Self::Wind => "wind",
             Self::Seam => "seam",
             Self::Contact => "contact",
+            Self::SelfContact => "self_contact",
         }
     }
 }
@@ -87,10 +90,23 @@ pub(crate) trait Potential {
     }
 
     /// Takes `x` as an accepted shape, from which lagged quantities are computed anew; returns true
-    /// if anything slipped on the way there.
+    /// if anything slipped on the way there, or touches that did not.
     fn accept(&mut self, _x: &[Vector3<f64>]) -> bool {
         false
     }
+
+    /// Cuts the moves of particles from `from` to `to` short where cloth would pass through cloth.
+    fn confine(&mut self, _from: &[Vector3<f64>], _to: &mut [Vector3<f64>]) {}
+
+    /// Returns true if particles act on each other in the accepted shape whose blocks the sparsity
+    /// lacks.
+    fn has_outgrown(&self) -> bool {
+        false
+    }
+
+    /// Moves particles of `x` that are not fixed apart where cloth passes through cloth, as far as
+    /// that can be done.
+    fn untangle(&mut self, _x: &mut [Vector3<f64>], _is_fixed: &[bool]) {}
 
     /// Marks the particles that are in contact at `x`.
     fn mark_touching(&mut self, _x: &[Vector3<f64>], _touching: &mut [bool]) {}

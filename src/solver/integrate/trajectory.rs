@@ -45,6 +45,8 @@ pub fn trajectory(
         friction: Some(&FrictionAnchors::default()),
         // Automatic methods may turn out to be explicit.
         explicit: options.method.is_explicit() || options.method == Method::Auto,
+        least_thickness: None,
+        chords: false,
     };
     let Model {
         dof_map,

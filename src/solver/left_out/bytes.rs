@@ -24,6 +24,8 @@ fn assembled(scene: &Scene) -> AllocationInfo {
         gravity: true,
         friction: Some(&anchors),
         explicit: false,
+        least_thickness: None,
+        chords: false,
     };
     allocated(|| build(scene, &SolverOptions::default(), &build_options, &no_clock))
 }

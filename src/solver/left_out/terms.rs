@@ -46,6 +46,8 @@ fn a_system_has_the_terms_that_its_scene_needs_and_no_others() {
             gravity: true,
             friction: Some(&FrictionAnchors::default()),
             explicit: false,
+            least_thickness: None,
+            chords: false,
         };
         let system = build(&scene, &SolverOptions::default(), &build_options, &|| 0.0).system;
         let holds = system.anchors() != FrictionAnchors::default();

@@ -68,16 +68,20 @@ impl Sparsity {
 
     /// Returns the place of the block of particles `a` and `b`.
     pub(crate) fn slot(&self, a: usize, b: usize) -> Slot {
+        self.find(a, b)
+            .expect("every pair that a force couples was declared by it")
+    }
+
+    /// Returns the place of the block of particles `a` and `b`, if there is one.
+    pub(crate) fn find(&self, a: usize, b: usize) -> Option<Slot> {
         let (column, row) = (a.min(b), a.max(b));
         let start = self.column_start[column];
         let rows = &self.rows[start..self.column_start[column + 1]];
-        let offset = rows
-            .binary_search(&row)
-            .expect("every pair that a force couples was declared by it");
-        Slot {
+        let offset = rows.binary_search(&row).ok()?;
+        Some(Slot {
             index: start + offset,
             transposed: a < b,
-        }
+        })
     }
 
     /// Returns the index of the diagonal block of particle `i`.
@@ -108,6 +112,17 @@ impl BlockMatrix {
     pub(crate) fn zeros(sparsity: &Sparsity) -> Self {
         Self {
             blocks: vec![Matrix3::zeros(); sparsity.block_count()],
+        }
+    }
+
+    /// Returns the block of a slot.
+    #[cfg(test)]
+    pub(crate) fn get(&self, slot: Slot) -> Matrix3<f64> {
+        let block = self.blocks[slot.index];
+        if slot.transposed {
+            block.transpose()
+        } else {
+            block
         }
     }
 

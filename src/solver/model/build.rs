@@ -3,17 +3,20 @@
 pub use crate::solver::model::membrane::springs;
 
 use crate::scene::{Fabric, Scene};
-use crate::solver::forces::contact::{BodyContact, Friction};
+use crate::solver::forces::contact::{
+    BodyContact, Chord, ChordContact, ClothContact, ClothSurface, Friction,
+};
 use crate::solver::forces::friction_anchors::FrictionAnchors;
 use crate::solver::forces::{BendForce, Gravity, SewingForce, WindForce};
 use crate::solver::model::bending::bend_patches;
 use crate::solver::model::dof_map::DofMap;
 use crate::solver::model::membrane::membrane_force;
-use crate::solver::model::rest_shape::vertex_areas;
+use crate::solver::model::rest_shape::{cut_triangles, rest_area, vertex_areas};
 use crate::solver::model::seams::Seams;
 use crate::solver::model::system::{System, TimedTerm};
 use crate::solver::options::SolverOptions;
 use nalgebra::Vector3;
+use std::collections::BTreeMap;
 
 /// Distance that cloth is kept from the skin, besides half its thickness \[m\]: what keeps the
 /// middles of triangles, which cut across the body's curves, outside too (an edge of 12 mm sags 0.9
@@ -34,6 +37,11 @@ pub(crate) struct BuildOptions<'a> {
     pub(crate) friction: Option<&'a FrictionAnchors>,
     /// True for explicit steps, which are many and small.
     pub(crate) explicit: bool,
+    /// Thickness that cloth has at least where it touches itself \[m\]; none if cloth may pass
+    /// through cloth.
+    pub(crate) least_thickness: Option<f64>,
+    /// True if the middles of edges are kept off the body too.
+    pub(crate) chords: bool,
 }
 
 /// A system, and the particle of each vertex of the scene that it was built from.
@@ -89,6 +97,15 @@ pub(crate) fn build<'a>(
                 0.0
             });
         forces.push(Box::new(contact));
+        if build_options.chords {
+            let chords = chords(scene, &dof_map);
+            forces.push(Box::new(ChordContact::new(body.clone(), chords)));
+        }
+    }
+    if let Some(least_thickness) = build_options.least_thickness {
+        let area = dof_map.sum(&vertex_areas(scene));
+        let surface = cloth_surface(scene, &dof_map, least_thickness);
+        forces.push(Box::new(ClothContact::new(surface, area)));
     }
     let terms = forces
         .into_iter()
@@ -105,6 +122,58 @@ pub(crate) fn build<'a>(
         clock,
     };
     Model { dof_map, system }
+}
+
+/// Returns the surface of the cloth, at least `least_thickness` thick \[m\].
+fn cloth_surface(scene: &Scene, dof_map: &DofMap, least_thickness: f64) -> ClothSurface {
+    let whole = Seams::Welded.dof_map(scene);
+    let mut welded = vec![0; dof_map.count];
+    for (&particle, &of_whole) in dof_map.of_vertex.iter().zip(&whole.of_vertex) {
+        welded[particle] = of_whole;
+    }
+    let mut thickness = vec![least_thickness; dof_map.count];
+    for (t, fabric, _) in cut_triangles(scene) {
+        for particle in t.map(|v| dof_map.of_vertex[v]) {
+            thickness[particle] = thickness[particle].max(fabric.thickness_m);
+        }
+    }
+    ClothSurface {
+        triangles: particle_triangles(scene, dof_map),
+        welded,
+        rest_edges: rest_edges(scene, dof_map),
+        thickness,
+    }
+}
+
+/// Returns the edges of the mesh between particles, with their rest lengths \[m\].
+fn rest_edges(scene: &Scene, dof_map: &DofMap) -> Vec<(usize, usize, f64)> {
+    let edges = scene
+        .mesh
+        .triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+    let rest = |(a, b): (usize, usize)| {
+        let [p, q] = [a, b].map(|v| scene.mesh.uv[v]);
+        let length = (p[0] - q[0]).hypot(p[1] - q[1]);
+        (dof_map.of_vertex[a], dof_map.of_vertex[b], length)
+    };
+    edges.map(rest).collect()
+}
+
+/// Returns the edges of the mesh, each with a third of the area of the triangles beside it.
+fn chords(scene: &Scene, dof_map: &DofMap) -> Vec<Chord> {
+    let mut areas: BTreeMap<[usize; 2], f64> = BTreeMap::new();
+    for t in &scene.mesh.triangles {
+        let third = rest_area(t.map(|v| scene.mesh.uv[v])).abs() / 3.0;
+        let [a, b, c] = t.map(|v| dof_map.of_vertex[v]);
+        for [i, j] in [[a, b], [b, c], [c, a]] {
+            if i != j {
+                *areas.entry([i.min(j), i.max(j)]).or_default() += third;
+            }
+        }
+    }
+    let chord = |(ends, area)| Chord { ends, area };
+    areas.into_iter().map(chord).collect()
 }
 
 /// Returns true if anything of the scene resists bending.

@@ -68,13 +68,38 @@ impl System<'_> {
         self.zero_fixed(out);
     }
 
-    /// Takes `x` as an accepted shape; returns true if anything slipped on the body.
+    /// Takes `x` as an accepted shape; returns true if anything slipped on the body, or other layers
+    /// of cloth touch than before.
     pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
         let mut slipped = false;
         for term in &mut self.terms {
             slipped |= term.potential.accept(x);
         }
         slipped
+    }
+
+    /// Returns true if moves may have to be cut short.
+    pub(crate) fn is_confined(&self) -> bool {
+        self.has(TermKind::SelfContact)
+    }
+
+    /// Cuts the moves of particles from `from` to `to` short where cloth would pass through cloth.
+    pub(crate) fn confine(&mut self, from: &[Vector3<f64>], to: &mut [Vector3<f64>]) {
+        if self.is_confined() {
+            self.for_each(|term| term.confine(from, to));
+        }
+    }
+
+    /// Moves particles of `x` apart where cloth passes through cloth, as far as that can be done.
+    pub(crate) fn untangle(&mut self, x: &mut [Vector3<f64>]) {
+        for term in &mut self.terms {
+            term.potential.untangle(x, &self.is_fixed);
+        }
+    }
+
+    /// Returns true if the matrices have to be laid out anew for the accepted shape.
+    pub(crate) fn has_outgrown(&self) -> bool {
+        self.terms.iter().any(|term| term.potential.has_outgrown())
     }
 
     /// Returns true if a term of this kind acts.

@@ -27,6 +27,10 @@ impl Objective for EliminatedEnergy<'_, '_> {
         self.system.energy(x)
     }
 
+    fn confine(&mut self, x: &[Vector3<f64>], trial: &mut [Vector3<f64>]) {
+        self.system.confine(x, trial);
+    }
+
     fn improve(&mut self, trial: &mut [Vector3<f64>], share: f64, decrease: f64) -> f64 {
         let predicted = self.search.predicted(share);
         // Rounding is nothing that could be put right.

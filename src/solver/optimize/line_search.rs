@@ -15,6 +15,9 @@ pub(crate) trait Objective {
     /// Returns its value at `x` \[J\].
     fn value(&mut self, x: &[Vector3<f64>]) -> f64;
 
+    /// Takes a trial from `x` back to where it may be.
+    fn confine(&mut self, _x: &[Vector3<f64>], _trial: &mut [Vector3<f64>]) {}
+
     /// Improves a trial that takes `share` of the step and decreases the objective by `decrease`;
     /// returns the decrease then \[J\].
     fn improve(&mut self, _trial: &mut [Vector3<f64>], _share: f64, decrease: f64) -> f64 {
@@ -92,6 +95,7 @@ impl LineSearch {
             for ((t, x), d) in trial.iter_mut().zip(x.iter()).zip(step) {
                 *t = x + d * share;
             }
+            objective.confine(x, trial);
             let decrease = self.value - objective.value(trial);
             let decrease = objective.improve(trial, share, decrease);
             let predicted = self.predicted(share);

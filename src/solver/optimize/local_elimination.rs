@@ -276,11 +276,15 @@ fn move_along(
 ) -> Option<f64> {
     let before = system.energy(trial);
     let start: Vec<_> = particles.iter().map(|&i| trial[i]).collect();
+    let whole = system.is_confined().then(|| trial.to_vec());
     let longest = step.iter().map(Vector3::norm).fold(0.0, f64::max);
     let mut share = (MAX_DISPLACEMENT / longest).min(1.0);
     for _ in 0..TRIALS {
         for ((&i, start), d) in particles.iter().zip(&start).zip(step) {
             trial[i] = start + d * share;
+        }
+        if let Some(whole) = &whole {
+            system.confine(whole, trial);
         }
         let decrease = before - system.energy(trial);
         if decrease > 0.0 {

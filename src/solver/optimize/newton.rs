@@ -93,6 +93,14 @@ impl Newton {
         })
     }
 
+    /// Lays out the matrices anew, for couplings that have come.
+    fn lay_out(&mut self, system: &mut System<'_>) -> Result<(), OutOfMemory> {
+        self.work = NewtonWorkspace::new(system)?;
+        self.shifted = BlockMatrix::zeros(&self.work.sparsity);
+        self.elimination = LocalElimination::new(&self.work.sparsity);
+        Ok(())
+    }
+
     /// Iterates from `x` until `callback` breaks, at most `limit` times. `x` is always the last
     /// accepted shape.
     pub(crate) fn run(
@@ -104,9 +112,13 @@ impl Newton {
     ) -> Termination {
         for number in 0..limit {
             let slipped = system.accept(x);
+            if system.has_outgrown() && self.lay_out(system).is_err() {
+                return Termination::OutOfMemory;
+            }
+            self.contact_settled = !slipped;
             if system.has(TermKind::Contact) {
                 let touching = system.touching(x);
-                self.contact_settled = !slipped && touching == self.touching;
+                self.contact_settled &= touching == self.touching;
                 self.touching = touching;
             }
             system.net_force(x, &mut self.work.force);

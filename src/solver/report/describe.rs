@@ -22,10 +22,8 @@ const FALLEN: f64 = 0.15;
 /// Depth inside the body at which cloth may still be supported by it \[m\]: more than any layer
 /// gives way or any triangle cuts off.
 const INSIDE: f64 = 0.01;
-/// Names of what is no term of its own: friction is a part of contact, and cloth passes through
-/// cloth.
+/// Name of what is no term of its own, but a part of contact.
 const FRICTION: &str = "friction";
-const SELF_CONTACT: &str = "self_contact";
 
 /// Puts the outcome of a drape of `scene` into words.
 #[inline(never)] // so that a profile tells what it takes
@@ -212,7 +210,12 @@ fn skipped_terms(scene: &Scene, ran: &[TermTime]) -> Vec<SkippedTerm> {
     if scene.wind.is_none() {
         skip(TermKind::Wind.name(), "the scene has none");
     }
-    skip(SELF_CONTACT, "this version has none: crossings are counted");
+    let because = if scene.self_contact {
+        "motion passes cloth through cloth in this version: crossings are counted"
+    } else {
+        "cloth may pass through cloth in this scene"
+    };
+    skip(TermKind::SelfContact.name(), because);
     if scene.body.is_none() {
         skip(TermKind::Contact.name(), "the scene has no avatar");
         skip(FRICTION, "the scene has no avatar");

@@ -113,7 +113,8 @@ pub(crate) fn energies(system: &mut System<'_>, x: &[Vector3<f64>]) -> Energy {
         bend: system.energy_of(TermKind::Bend, x),
         gravity: system.energy_of(TermKind::Gravity, x),
         seam: system.energy_of(TermKind::Seam, x),
-        contact: system.energy_of(TermKind::Contact, x),
+        contact: system.energy_of(TermKind::Contact, x)
+            + system.energy_of(TermKind::SelfContact, x),
     }
 }
 

@@ -8,9 +8,10 @@
 //! (|u| - s/2) beyond. N and the anchors are those of the last accepted step (lagged), so that
 //! within a step friction has an energy.
 
-use crate::scene::{Body, BodySample};
+use crate::scene::Body;
 use crate::solver::forces::active_elements::ActiveElements;
 use crate::solver::forces::contact::layer;
+use crate::solver::forces::contact::skin::Skin;
 use crate::solver::forces::friction_anchors::{FrictionAnchor, FrictionAnchors};
 use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
@@ -44,27 +45,11 @@ impl Friction {
     }
 }
 
-/// A sample of the body that is used again: good for positions within `reuse` of where it was
-/// taken.
-#[derive(Clone, Copy, Debug)]
-struct CachedSample {
-    at: Vector3<f64>,
-    sample: Option<BodySample>,
-    /// Distance that a particle may move before the sample is of no use any more \[m\].
-    reach: f64,
-}
-
 /// Contact of all particles with the body.
 pub(crate) struct BodyContact {
-    body: Body,
-    /// Distance that is kept from the body \[m\].
-    offset: f64,
+    skin: Skin,
     /// Cloth area of each particle \[m²\].
     area: Vec<f64>,
-    cache: Vec<CachedSample>,
-    /// Distance for which a sample is carried on by its second-order expansion \[m\]; 0 takes a new
-    /// one each time.
-    reuse: f64,
     friction: Option<Friction>,
     diagonals: Vec<usize>,
     active: ActiveElements,
@@ -74,17 +59,9 @@ impl BodyContact {
     /// Returns contact that keeps particles of cloth area `area` \[m²\] at `offset` \[m\] from the
     /// body.
     pub(crate) fn new(body: Body, offset: f64, area: &[f64]) -> Self {
-        let never = CachedSample {
-            at: Vector3::repeat(f64::INFINITY),
-            sample: None,
-            reach: 0.0,
-        };
         Self {
-            body,
-            offset,
+            skin: Skin::new(body, offset, area.len()),
             area: area.to_vec(),
-            cache: vec![never; area.len()],
-            reuse: 0.0,
             friction: None,
             diagonals: Vec::new(),
             active: ActiveElements::default(),
@@ -100,37 +77,8 @@ impl BodyContact {
     /// Returns the same contact that carries each sample on for `reuse` \[m\]: for explicit steps,
     /// which are many and small.
     pub(crate) fn with_reuse(mut self, reuse: f64) -> Self {
-        self.reuse = reuse;
+        self.skin.reuse = reuse;
         self
-    }
-
-    /// Returns the sample of particle `i` if it is in the layer, its distance being that at `x`.
-    fn touch(&mut self, i: usize, x: &Vector3<f64>) -> Option<BodySample> {
-        let cached = &mut self.cache[i];
-        let moved = x - cached.at;
-        // A particle that was never looked at is infinitely far from where it was.
-        if moved.norm() > cached.reach {
-            let sample = self.body.sample(x);
-            // Outside the layer nothing is felt until the particle has come nearer by the distance
-            // that is left.
-            let free = sample.map_or(self.offset, |s| s.distance - self.offset);
-            let touching = sample.filter(|s| s.distance < self.offset + self.reuse);
-            *cached = CachedSample {
-                at: *x,
-                sample: touching,
-                reach: if touching.is_some() {
-                    self.reuse
-                } else {
-                    0.5 * free.max(0.0)
-                },
-            };
-            return touching.filter(|s| s.distance < self.offset);
-        }
-        let mut sample = cached.sample?;
-        let bent = sample.curvature * moved;
-        sample.distance += sample.normal.dot(&moved) + 0.5 * moved.dot(&bent);
-        sample.normal += bent;
-        (sample.distance < self.offset).then_some(sample)
     }
 
     fn anchor(&self, i: usize) -> Option<FrictionAnchor> {
@@ -161,8 +109,8 @@ impl Potential for BodyContact {
         active.for_each(x.len(), |i| {
             let position = &x[i];
             let k = self.area[i] * layer::TANGENTIAL;
-            if let Some(sample) = self.touch(i, position) {
-                sum += self.area[i] * layer::energy(self.offset - sample.distance);
+            if let Some(sample) = self.skin.touch(i, position) {
+                sum += self.area[i] * layer::energy(self.skin.offset - sample.distance);
             }
             if let Some(anchor) = self.anchor(i) {
                 let u = tangential(&(position - anchor.point), &anchor.normal).norm();
@@ -182,9 +130,9 @@ impl Potential for BodyContact {
         active.for_each(x.len(), |i| {
             let position = &x[i];
             let k = self.area[i] * layer::TANGENTIAL;
-            if let Some(sample) = self.touch(i, position) {
-                force[i] +=
-                    sample.normal * (self.area[i] * layer::pressure(self.offset - sample.distance));
+            if let Some(sample) = self.skin.touch(i, position) {
+                force[i] += sample.normal
+                    * (self.area[i] * layer::pressure(self.skin.offset - sample.distance));
             }
             if let Some(anchor) = self.anchor(i) {
                 let u = tangential(&(position - anchor.point), &anchor.normal);
@@ -208,8 +156,8 @@ impl Potential for BodyContact {
         active.for_each(x.len(), |i| {
             let position = &x[i];
             let k = self.area[i] * layer::TANGENTIAL;
-            if let Some(sample) = self.touch(i, position) {
-                let depth = self.offset - sample.distance;
+            if let Some(sample) = self.skin.touch(i, position) {
+                let depth = self.skin.offset - sample.distance;
                 let mut block = sample.normal * sample.normal.transpose() * layer::slope(depth);
                 block -= sample.curvature * ((1.0 - hessian_modification) * layer::pressure(depth));
                 block *= self.area[i];
@@ -253,7 +201,7 @@ impl Potential for BodyContact {
             return slipped;
         };
         for (i, position) in x.iter().enumerate() {
-            let Some(sample) = self.touch(i, position) else {
+            let Some(sample) = self.skin.touch(i, position) else {
                 friction.anchors[i] = None;
                 continue;
             };
@@ -261,7 +209,7 @@ impl Potential for BodyContact {
             let normal = sample.normal.normalize();
             let limit = friction.coefficient
                 * self.area[i]
-                * layer::pressure(self.offset - sample.distance);
+                * layer::pressure(self.skin.offset - sample.distance);
             let mut point = friction.anchors[i].map_or(*position, |a| a.point);
             let u = tangential(&(position - point), &normal);
             let slip = limit / stiffness;
@@ -281,7 +229,7 @@ impl Potential for BodyContact {
 
     fn mark_touching(&mut self, x: &[Vector3<f64>], touching: &mut [bool]) {
         for (i, (position, is_touching)) in x.iter().zip(touching).enumerate() {
-            *is_touching |= self.touch(i, position).is_some();
+            *is_touching |= self.skin.touch(i, position).is_some();
         }
     }
 

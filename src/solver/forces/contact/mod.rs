@@ -1,8 +1,13 @@
 //! Contact with the body, with friction.
 
 mod body;
+mod chord;
+mod cloth;
 mod layer;
 mod pressure;
+mod skin;
 
 pub(crate) use crate::solver::forces::contact::body::{BodyContact, Friction};
+pub(crate) use crate::solver::forces::contact::chord::{Chord, ChordContact};
+pub(crate) use crate::solver::forces::contact::cloth::{ClothContact, ClothSurface};
 pub use crate::solver::forces::contact::pressure::{contact_force, contact_pressure};

@@ -70,6 +70,8 @@ fn stable_step(scene: &Scene, options: &SolverOptions, clock: &dyn Fn() -> f64) 
         gravity: false,
         friction: None,
         explicit: false,
+        least_thickness: None,
+        chords: false,
     };
     let mut system = build(scene, options, &build_options, clock).system;
     let flat: Vec<_> = if scene.mesh.triangles.is_empty() {

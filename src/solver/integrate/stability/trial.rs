@@ -316,6 +316,8 @@ impl StabilityTrial<'_, '_, '_> {
             gravity: true,
             friction: Some(self.anchors),
             explicit: self.options.method.is_explicit(),
+            least_thickness: None,
+            chords: false,
         };
         let Model {
             dof_map,

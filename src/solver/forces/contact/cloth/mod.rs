@@ -1,0 +1,303 @@
+//! Contact of cloth with cloth.
+//!
+//! Vertices and triangles, and edges, that come nearer to each other than the cloth is thick press
+//! each other apart as `law.rs` says, over the cloth area of the vertex or of the edges. Distances
+//! have no sign: what was apart must not pass through each other, so every move of the particles is
+//! cut where it would (`confine.rs`), each particle for itself. What passes through each other at
+//! the start is pulled out first (`untangle.rs`).
+//!
+//! # Limitations
+//! Layers slide on each other without friction. Features that meet in the first place, and cannot
+//! be pulled apart, do not press on each other.
+
+mod advance;
+mod boxes;
+mod candidates;
+mod confine;
+mod law;
+mod proximity;
+mod separate;
+mod surface;
+mod untangle;
+
+pub(crate) use self::surface::ClothSurface;
+
+use self::candidates::{Candidates, FeaturePair};
+use self::law::respond;
+use self::proximity::{Features, Proximity, sine_squared};
+use self::surface::ContactSurface;
+use crate::solver::forces::{Potential, TermKind};
+use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
+use nalgebra::Vector3;
+
+/// Sine squared of the angle between edges from which on they act in full. Parallel edges have no
+/// closest points; the vertices at their ends act for them.
+const NOT_PARALLEL: f64 = 1e-2;
+/// Distance beside its way that a particle may move before pairs are sought anew: so many times the
+/// thickness, and at least so much \[m\].
+const SLACK: f64 = 1.0;
+const LEAST_SLACK: f64 = 1e-3;
+/// Distance beyond the thickness within which pairs are coupled in the matrices: so many times the
+/// thickness, and at least so much \[m\].
+const MARGIN: f64 = 1.0;
+const LEAST_MARGIN: f64 = 5e-4;
+
+/// Contact of a garment with itself.
+pub(crate) struct ClothContact {
+    surface: ContactSurface,
+    /// Cloth area of each particle \[m²\].
+    area: Vec<f64>,
+    /// The last accepted shape \[m\], of which the weights are.
+    accepted: Vec<Vector3<f64>>,
+    candidates: Candidates,
+    /// Cloth area over which each candidate presses \[m²\].
+    weights: Vec<f64>,
+    /// The particles that alone move, if not all do.
+    moving: Option<Vec<bool>>,
+    /// Candidates with a particle that moves.
+    active: Vec<usize>,
+    /// Corners of the pairs that touch in the accepted shape.
+    touching: Vec<[usize; 4]>,
+    /// Corners of the pairs that are coupled in the matrices.
+    coupled: Vec<[usize; 4]>,
+    sparsity: Option<Sparsity>,
+    has_outgrown: bool,
+}
+
+impl ClothContact {
+    /// Returns the contact of a surface whose particles stand for `area` each \[m²\].
+    pub(crate) fn new(surface: ClothSurface, area: Vec<f64>) -> Self {
+        Self {
+            surface: ContactSurface::new(surface),
+            area,
+            accepted: vec![],
+            candidates: Candidates::default(),
+            weights: vec![],
+            moving: None,
+            active: vec![],
+            touching: vec![],
+            coupled: vec![],
+            sparsity: None,
+            has_outgrown: false,
+        }
+    }
+
+    /// Sees to it that all pairs are known that may meet between `from` and `to`.
+    fn cover(&mut self, from: &[Vector3<f64>], to: &[Vector3<f64>]) {
+        if self.candidates.cover(from) && self.candidates.cover(to) {
+            return;
+        }
+        let slack = (SLACK * self.surface.most_thickness()).max(LEAST_SLACK);
+        self.candidates.find(&self.surface, (from, to), slack);
+        if self.accepted.is_empty() {
+            self.accepted = from.to_vec();
+        }
+        self.weigh();
+        self.select();
+    }
+
+    /// Computes the weights of all candidates in the accepted shape: like the normal forces of
+    /// friction, they stay as they are within a step.
+    fn weigh(&mut self) {
+        let weight = |pair: &FeaturePair| match pair.features {
+            Features::VertexTriangle => self.area[pair.corners[0]],
+            Features::Edges => {
+                let [a, b, c, d] = pair.corners.map(|i| self.area[i]);
+                let sine = sine_squared(&pair.gather(&self.accepted));
+                let share = (sine / NOT_PARALLEL).min(1.0);
+                0.5 * (a + b).min(c + d) * share * share * (3.0 - 2.0 * share)
+            }
+        };
+        self.weights = self.candidates.pairs.iter().map(weight).collect();
+    }
+
+    /// Selects the candidates with a particle that moves.
+    fn select(&mut self) {
+        let pairs = self.candidates.pairs.iter().enumerate();
+        let moves = |pair: &FeaturePair| match &self.moving {
+            None => true,
+            Some(moving) => pair.corners.iter().any(|&i| moving[i]),
+        };
+        let active = pairs.filter(|(_, pair)| moves(pair));
+        self.active = active.map(|(k, _)| k).collect();
+    }
+
+    /// Calls `run` with every acting pair that touches at `x`, its weight and its closest points.
+    fn for_each_touching(
+        &mut self,
+        x: &[Vector3<f64>],
+        mut run: impl FnMut(&FeaturePair, f64, &Proximity),
+    ) {
+        self.cover(x, x);
+        let moved = self.candidates.moved(x);
+        for &k in &self.active {
+            let pair = &self.candidates.pairs[k];
+            if pair.distance - pair.approach(&moved) >= pair.thickness {
+                continue;
+            }
+            let proximity = pair.proximity(x);
+            if proximity.distance() < pair.thickness {
+                run(pair, self.weights[k], &proximity);
+            }
+        }
+    }
+
+    /// Takes stock of the pairs that touch at `x`, and of those that are to be coupled with them.
+    fn couple(&mut self, x: &[Vector3<f64>]) {
+        self.touching.clear();
+        let margin = (MARGIN * self.surface.most_thickness()).max(LEAST_MARGIN);
+        let moved = self.candidates.moved(x);
+        let mut near = vec![];
+        for pair in &self.candidates.pairs {
+            let reach = pair.thickness + margin;
+            if pair.distance - pair.approach(&moved) >= reach {
+                continue;
+            }
+            let distance = pair.proximity(x).distance();
+            if distance < reach {
+                near.push(pair.corners);
+            }
+            if distance < pair.thickness {
+                self.touching.push(pair.corners);
+            }
+        }
+        let is_coupled = |corners: &[usize; 4]| {
+            let sparsity = self.sparsity.as_ref();
+            sparsity.is_some_and(|sparsity| is_coupled(sparsity, corners))
+        };
+        self.has_outgrown = !self.touching.iter().all(is_coupled);
+        if self.has_outgrown {
+            self.coupled = near;
+        }
+    }
+}
+
+/// Returns true if `sparsity` has all blocks of these particles.
+fn is_coupled(sparsity: &Sparsity, corners: &[usize; 4]) -> bool {
+    (0..4).all(|i| (0..i).all(|j| sparsity.find(corners[i], corners[j]).is_some()))
+}
+
+/// Adds the second derivative of a pair's energy to `hessian`.
+fn add_pair(
+    (pair, weight, proximity): (&FeaturePair, f64, &Proximity),
+    hessian_modification: f64,
+    sparsity: &Sparsity,
+    hessian: &mut BlockMatrix,
+) {
+    let response = respond(proximity.distance(), pair.thickness);
+    let normal = proximity.normal();
+    let across = normal * normal.transpose();
+    let stiff = weight * response.slope;
+    let pushed = weight * response.pressure / proximity.distance();
+    let bent = (1.0 - hessian_modification) * pushed;
+    let c = proximity.coefficients;
+    if !is_coupled(sparsity, &pair.corners) {
+        // A bound that couples nothing: (sum c_i d_i)² <= sum |c_i| sum |c_i| d_i², and the first
+        // sum is 2.
+        for (&i, c) in pair.corners.iter().zip(c) {
+            hessian.add_diagonal(sparsity.diagonal(i), &(across * (2.0 * c.abs() * stiff)));
+        }
+        return;
+    }
+    for i in 0..4 {
+        for j in 0..=i {
+            let of_normal = across * (c[i] * c[j]);
+            let turning = proximity.half_square_block(i, j) - of_normal;
+            let block = of_normal * stiff - turning * bent;
+            let (a, b) = (pair.corners[i], pair.corners[j]);
+            if i == j {
+                hessian.add_diagonal(sparsity.diagonal(a), &block);
+            } else {
+                hessian.add(sparsity.slot(a, b), &block);
+            }
+        }
+    }
+}
+
+impl Potential for ClothContact {
+    fn kind(&self) -> TermKind {
+        TermKind::SelfContact
+    }
+
+    fn add_coupled_pairs(&self, pairs: &mut Vec<(usize, usize)>) {
+        for corners in &self.coupled {
+            for i in 0..4 {
+                pairs.extend((0..i).map(|j| (corners[i], corners[j])));
+            }
+        }
+    }
+
+    fn bind(&mut self, sparsity: &Sparsity) {
+        self.sparsity = Some(sparsity.clone());
+        self.has_outgrown = false;
+    }
+
+    fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
+        let mut sum = 0.0;
+        self.for_each_touching(x, |pair, weight, proximity| {
+            sum += weight * respond(proximity.distance(), pair.thickness).energy;
+        });
+        sum
+    }
+
+    fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
+        self.for_each_touching(x, |pair, weight, proximity| {
+            let pressure = respond(proximity.distance(), pair.thickness).pressure;
+            let push = proximity.normal() * (weight * pressure);
+            for (&i, c) in pair.corners.iter().zip(proximity.coefficients) {
+                force[i] += push * c;
+            }
+        });
+    }
+
+    fn add_hessian(
+        &mut self,
+        x: &[Vector3<f64>],
+        hessian_modification: f64,
+        hessian: &mut BlockMatrix,
+    ) {
+        let Some(sparsity) = self.sparsity.take() else {
+            return;
+        };
+        self.for_each_touching(x, |pair, weight, proximity| {
+            let touching = (pair, weight, proximity);
+            add_pair(touching, hessian_modification, &sparsity, hessian);
+        });
+        self.sparsity = Some(sparsity);
+    }
+
+    fn narrow(&mut self, moving: Option<&[bool]>) {
+        self.moving = moving.map(<[bool]>::to_vec);
+        self.select();
+    }
+
+    fn add_stiffness_bound(&self, _stiffness: &mut [f64]) {}
+
+    /// Takes new weights; returns true if other pairs touch than before.
+    fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
+        self.accepted.clear();
+        self.accepted.extend_from_slice(x);
+        self.cover(x, x);
+        self.weigh();
+        let before = std::mem::take(&mut self.touching);
+        self.couple(x);
+        self.touching != before
+    }
+
+    fn has_outgrown(&self) -> bool {
+        self.has_outgrown
+    }
+
+    fn confine(&mut self, from: &[Vector3<f64>], to: &mut [Vector3<f64>]) {
+        self.cover(from, to);
+        confine::confine(&self.candidates, &self.active, from, to);
+    }
+
+    fn untangle(&mut self, x: &mut [Vector3<f64>], is_fixed: &[bool]) {
+        untangle::untangle(&self.surface, x, is_fixed);
+        separate::separate(&self.surface, x, is_fixed);
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,56 @@
+//! Features that nearly meet moved apart, so that contact does not begin with forces without bound.
+
+use super::candidates::Candidates;
+use super::confine::confine;
+use super::surface::ContactSurface;
+use nalgebra::Vector3;
+use std::collections::BTreeMap;
+
+/// Share of the thickness that features are moved apart to.
+const APART: f64 = 0.2;
+/// Times that they are moved.
+const ROUNDS: usize = 10;
+/// Distance beside its way that a particle may move \[m\].
+const SLACK: f64 = 1e-3;
+
+/// Moves the particles of `x` that are not fixed, where features are much nearer to each other than
+/// the cloth is thick.
+pub(super) fn separate(surface: &ContactSurface, x: &mut [Vector3<f64>], is_fixed: &[bool]) {
+    let mut candidates = Candidates::default();
+    for _ in 0..ROUNDS {
+        candidates.find(surface, (x, x), SLACK);
+        let mut to = x.to_vec();
+        let moves = moves(&candidates, x);
+        if moves.is_empty() {
+            return;
+        }
+        for (i, move_) in moves.into_iter().filter(|(i, _)| !is_fixed[*i]) {
+            to[i] += move_;
+        }
+        candidates.find(surface, (x, &to), SLACK);
+        let all: Vec<usize> = (0..candidates.pairs.len()).collect();
+        confine(&candidates, &all, x, &mut to);
+        x.copy_from_slice(&to);
+    }
+}
+
+/// Returns the moves that part what is too near, each the mean of those that its pairs ask for.
+fn moves(candidates: &Candidates, x: &[Vector3<f64>]) -> BTreeMap<usize, Vector3<f64>> {
+    let mut moves: BTreeMap<usize, (Vector3<f64>, f64)> = BTreeMap::new();
+    for pair in &candidates.pairs {
+        let lacking = APART * pair.thickness - pair.distance;
+        if lacking <= 0.0 {
+            continue;
+        }
+        let proximity = pair.proximity(x);
+        let square: f64 = proximity.coefficients.iter().map(|c| c * c).sum();
+        let by = proximity.normal() * (lacking / square);
+        for (&i, c) in pair.corners.iter().zip(proximity.coefficients) {
+            let (sum, weight) = moves.entry(i).or_default();
+            *sum += by * c;
+            *weight += c.abs();
+        }
+    }
+    let mean = |(i, (sum, weight)): (usize, (Vector3<f64>, f64))| (i, sum / weight.max(1.0));
+    moves.into_iter().map(mean).collect()
+}

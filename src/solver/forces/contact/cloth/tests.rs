@@ -1,0 +1,253 @@
+use super::*;
+use crate::solver::forces::contact::cloth::confine::confine;
+use nalgebra::Matrix3;
+
+const THICKNESS: f64 = 1e-3;
+
+/// A sheet of cells of 1 cm about the origin, as corners and triangles.
+fn sheet(cells: usize) -> (Vec<Vector3<f64>>, Vec<[usize; 3]>) {
+    let side = cells + 1;
+    let place = |k: usize| (k as f64 - 0.5 * cells as f64) * 0.01;
+    let x = (0..side * side).map(|i| Vector3::new(place(i % side), place(i / side), 0.0));
+    let corner = |i: usize, j: usize| j * side + i;
+    let cells = (0..cells).flat_map(|j| (0..cells).map(move |i| (i, j)));
+    let triangles = cells.flat_map(|(i, j)| {
+        let [a, b] = [corner(i, j), corner(i + 1, j)];
+        let [c, d] = [corner(i + 1, j + 1), corner(i, j + 1)];
+        [[a, b, c], [a, c, d]]
+    });
+    (x.collect(), triangles.collect())
+}
+
+/// Two sheets of so many cells, the second moved and turned, that nothing joins.
+fn two_sheets(
+    cells: [usize; 2],
+    place: impl Fn(Vector3<f64>) -> Vector3<f64>,
+) -> (ClothSurface, Vec<Vector3<f64>>) {
+    let (mut x, mut triangles) = sheet(cells[0]);
+    let (other, others) = sheet(cells[1]);
+    let first = x.len();
+    x.extend(other.into_iter().map(place));
+    triangles.extend(others.iter().map(|t| t.map(|i| i + first)));
+    let edges = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
+    let surface = ClothSurface {
+        rest_edges: edges.map(|(a, b)| (a, b, 0.01)).collect(),
+        triangles,
+        welded: (0..x.len()).collect(),
+        thickness: vec![THICKNESS; x.len()],
+    };
+    (surface, x)
+}
+
+/// A slight turn about a slanted axis: no edges are parallel.
+fn turned(p: Vector3<f64>) -> Vector3<f64> {
+    nalgebra::Rotation3::new(Vector3::new(0.004, 0.003, 0.3)) * p
+}
+
+fn contact(surface: ClothSurface) -> ClothContact {
+    let area = vec![1e-4; surface.welded.len()];
+    ClothContact::new(surface, area)
+}
+
+/// Crossings as the judge counts them.
+fn crossings(surface: &ClothSurface, x: &[Vector3<f64>]) -> usize {
+    use seamster_crossings::{SearchLimits, Surface, find_crossings};
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "positions of a few centimeters"
+    )]
+    let points: Vec<_> = x
+        .iter()
+        .map(|p| [p.x as f32, p.y as f32, p.z as f32])
+        .collect();
+    let index = |i: usize| u32::try_from(i).expect("few");
+    let triangles: Vec<_> = surface.triangles.iter().map(|t| t.map(index)).collect();
+    let cloth = Surface::new(&points, &triangles, &[]).expect("finite");
+    let limits = SearchLimits {
+        kept: 0,
+        pairs: usize::MAX,
+    };
+    let report = find_crossings(&cloth, None, limits).expect("few pairs");
+    report.cloth.count
+}
+
+#[test]
+fn forces_are_the_slope_of_the_energy_and_the_hessian_is_that_of_the_forces() {
+    let (surface, x) = two_sheets([3, 2], |p| turned(p) + Vector3::z() * 0.6 * THICKNESS);
+    let count = x.len();
+    let mut contact = contact(surface);
+    contact.accept(&x);
+    let mut pairs = vec![];
+    contact.add_coupled_pairs(&mut pairs);
+    let sparsity = Sparsity::from_pairs(count, pairs);
+    contact.bind(&sparsity);
+    let mut hessian = BlockMatrix::zeros(&sparsity);
+    contact.add_hessian(&x, 0.0, &mut hessian);
+    let step = 1e-8;
+    let mut stiffest: f64 = 0.0;
+    let forces = |contact: &mut ClothContact, x: &[Vector3<f64>]| {
+        let mut force = vec![Vector3::zeros(); count];
+        contact.add_force(x, &mut force);
+        force
+    };
+    let here = forces(&mut contact, &x);
+    let most = here.iter().map(Vector3::norm).fold(0.0, f64::max);
+    assert!(most > 0.0);
+    for i in 0..count {
+        for axis in 0..3 {
+            let mut moved = |by: f64| {
+                let mut y = x.clone();
+                y[i][axis] += by;
+                (contact.energy(&y), forces(&mut contact, &y))
+            };
+            let ((low, before), (high, after)) = (moved(-step), moved(step));
+            let slope = (low - high) / (2.0 * step);
+            // Differences of energies of about 1e-6 J round at 1e-22 J, over 2e-8 m.
+            assert!(
+                (slope - here[i][axis]).abs() < 1e-6 * most + 1e-12,
+                "{slope}"
+            );
+            for j in 0..count {
+                let change = (before[j] - after[j]) / (2.0 * step);
+                let block = sparsity
+                    .find(j, i)
+                    .map_or(Matrix3::zeros(), |slot| hessian.get(slot));
+                stiffest = stiffest.max(change.norm());
+                let off = (block.column(axis) - change).norm();
+                assert!(off < 1e-4 * stiffest, "{j} {i}: {off} of {stiffest}");
+            }
+        }
+    }
+}
+
+/// Pairs that no matrix couples push back as stiffly at least.
+#[test]
+fn what_is_not_coupled_is_bounded_by_its_diagonal() {
+    let (surface, x) = two_sheets([2, 1], |p| turned(p) + Vector3::z() * 0.6 * THICKNESS);
+    let count = x.len();
+    let mut contact = contact(surface);
+    contact.accept(&x);
+    let mut pairs = vec![];
+    contact.add_coupled_pairs(&mut pairs);
+    let mut product = |sparsity: &Sparsity, d: &[Vector3<f64>]| {
+        contact.bind(sparsity);
+        let mut hessian = BlockMatrix::zeros(sparsity);
+        contact.add_hessian(&x, 1.0, &mut hessian);
+        hessian.quadratic_form(sparsity, d)
+    };
+    let coupled = Sparsity::from_pairs(count, pairs);
+    let bare = Sparsity::from_pairs(count, vec![]);
+    for number in 0..count {
+        let d: Vec<_> = (0..count)
+            .map(|i| Vector3::new(0.1, -0.2, ((i * 7 + number * 5) % 11) as f64 - 5.0))
+            .collect();
+        let (exact, bound) = (product(&coupled, &d), product(&bare, &d));
+        assert!(exact > 0.0 && exact <= bound, "{exact} {bound}");
+    }
+}
+
+#[test]
+fn a_sheet_that_is_moved_through_another_stops_before_it() {
+    let (surface, x) = two_sheets([6, 3], |p| turned(p) + Vector3::z() * 0.01);
+    let count = x.len();
+    let first_moving = 49;
+    let mut contact = contact(two_sheets([6, 3], |p| turned(p) + Vector3::z() * 0.01).0);
+    let mut to = x.clone();
+    for p in &mut to[first_moving..] {
+        *p -= Vector3::z() * 0.03;
+    }
+    let straight = to.clone();
+    contact.confine(&x, &mut to);
+    assert_eq!(crossings(&surface, &x), 0);
+    assert_eq!(crossings(&surface, &to), 0);
+    for i in 0..count {
+        let (moved, asked) = (to[i] - x[i], straight[i] - x[i]);
+        // Along its way, by no more than it was to.
+        assert!(moved.cross(&asked).norm() < 1e-15 && moved.norm() <= asked.norm());
+    }
+    // From above by a centimeter to the least distance that it keeps.
+    let lowest = to[first_moving..].iter().map(|p| p.z).fold(1.0, f64::min);
+    assert!(lowest > 0.0 && lowest < 0.005, "{lowest}");
+}
+
+#[test]
+fn sheets_that_move_together_are_not_held_up() {
+    let (surface, x) = two_sheets([4, 4], |p| turned(p) + Vector3::z() * 0.2 * THICKNESS);
+    let mut contact = contact(surface);
+    let mut to: Vec<_> = x
+        .iter()
+        .map(|p| p + Vector3::new(0.02, 0.01, 0.03))
+        .collect();
+    let straight = to.clone();
+    contact.confine(&x, &mut to);
+    assert_eq!(to, straight);
+}
+
+#[test]
+fn candidates_do_not_depend_on_what_was_looked_at_before() {
+    let (surface, x) = two_sheets([4, 3], |p| turned(p) + Vector3::z() * 0.3 * THICKNESS);
+    let mut fresh = ContactSurface::new(surface);
+    let mut far = x.clone();
+    far.iter_mut().for_each(|p| *p *= 3.0);
+    let mut candidates = Candidates::default();
+    candidates.find(&fresh, (&far, &x), 1e-3);
+    candidates.find(&fresh, (&x, &x), 1e-3);
+    let mut again = Candidates::default();
+    again.find(&fresh, (&x, &x), 1e-3);
+    let mut corners = [&candidates, &again].map(|found| {
+        let corners = found.pairs.iter().map(|pair| pair.corners);
+        corners.collect::<Vec<_>>()
+    });
+    corners.iter_mut().for_each(|pairs| pairs.sort_unstable());
+    assert_eq!(corners[0], corners[1]);
+    // Nothing is left to the cutting of moves where no move is asked for.
+    let mut to = x.clone();
+    confine(
+        &again,
+        &(0..again.pairs.len()).collect::<Vec<_>>(),
+        &x,
+        &mut to,
+    );
+    assert_eq!(to, x);
+    fresh.thickness.fill(0.0);
+}
+
+/// A sheet stuck through another up to a third of its length, upright and aslant.
+#[test]
+fn a_sheet_stuck_through_another_is_pulled_out() {
+    for tilt in [0.0, 0.5] {
+        let stuck = |p: Vector3<f64>| {
+            let upright = Vector3::new(p.x, 0.0, p.y + 0.003);
+            let turn = nalgebra::Rotation3::new(Vector3::new(tilt, 0.1, 0.2));
+            turn * upright + Vector3::new(0.001, 0.002, 0.0)
+        };
+        let (surface, mut x) = two_sheets([8, 2], stuck);
+        assert!(crossings(&surface, &x) > 0);
+        let mut contact = contact(two_sheets([8, 2], stuck).0);
+        let is_fixed = vec![false; x.len()];
+        contact.untangle(&mut x, &is_fixed);
+        assert_eq!(crossings(&surface, &x), 0, "tilt {tilt}");
+        // What was apart only just is so by a part of the thickness then.
+        contact.accept(&x);
+        let nearest = contact.candidates.pairs.iter().map(|pair| pair.distance);
+        assert!(nearest.fold(1.0, f64::min) > 0.1 * THICKNESS);
+    }
+}
+
+#[test]
+fn what_is_fixed_is_not_moved_and_what_is_apart_is_left_alone() {
+    let (surface, x) = two_sheets([3, 3], |p| turned(p) + Vector3::z() * 0.5 * THICKNESS);
+    let mut contact = contact(surface);
+    let mut apart = x.clone();
+    contact.untangle(&mut apart, &vec![false; x.len()]);
+    assert_eq!(apart, x);
+    let mut near = x.clone();
+    near.iter_mut()
+        .skip(16)
+        .for_each(|p| p.z -= 0.49 * THICKNESS);
+    let before = near.clone();
+    contact.untangle(&mut near, &vec![true; x.len()]);
+    assert_eq!(near, before);
+}
