@@ -24,7 +24,7 @@ fn assembled(scene: &Scene) -> AllocationInfo {
         gravity: true,
         friction: Some(&anchors),
         explicit: false,
-        least_thickness: None,
+        least_thickness: scene.self_contact.then_some(1e-4),
         chords: false,
     };
     allocated(|| build(scene, &SolverOptions::default(), &build_options, &no_clock))
@@ -81,6 +81,10 @@ fn each_thing_that_a_scene_has_takes_memory() {
         },
         Has {
             seams: true,
+            ..Has::default()
+        },
+        Has {
+            self_contact: true,
             ..Has::default()
         },
         body,

@@ -16,6 +16,7 @@ pub(crate) struct Has {
     pub(crate) bending: bool,
     pub(crate) seams: bool,
     pub(crate) gravity: bool,
+    pub(crate) self_contact: bool,
 }
 
 impl Has {
@@ -27,6 +28,7 @@ impl Has {
         bending: false,
         seams: false,
         gravity: true,
+        self_contact: false,
     };
     /// Everything.
     pub(crate) const ALL: Self = Self {
@@ -36,17 +38,19 @@ impl Has {
         bending: true,
         seams: true,
         gravity: true,
+        self_contact: true,
     };
 
     /// Every combination.
     pub(crate) fn combinations() -> impl Iterator<Item = Self> {
-        (0_u8..64).map(|bits| Self {
+        (0_u8..128).map(|bits| Self {
             body: bits & 1 != 0,
             friction: bits & 2 != 0,
             wind: bits & 4 != 0,
             bending: bits & 8 != 0,
             seams: bits & 16 != 0,
             gravity: bits & 32 != 0,
+            self_contact: bits & 64 != 0,
         })
     }
 }
@@ -88,6 +92,7 @@ pub(crate) fn scene(has: Has, cells: usize) -> Scene {
             velocity: Vector3::z(),
             gust: 0.0,
         }),
+        self_contact: has.self_contact,
     }
 }
 

@@ -20,7 +20,7 @@ fn needed(has: Has) -> (Vec<&'static str>, Vec<&'static str>) {
         ("friction", has.body && has.friction),
         ("gravity", has.gravity),
         ("seam", has.seams),
-        ("self_contact", false),
+        ("self_contact", has.self_contact),
         ("stretch", true),
         ("wind", has.wind),
     ];
@@ -46,7 +46,7 @@ fn a_system_has_the_terms_that_its_scene_needs_and_no_others() {
             gravity: true,
             friction: Some(&FrictionAnchors::default()),
             explicit: false,
-            least_thickness: None,
+            least_thickness: has.self_contact.then_some(1e-4),
             chords: false,
         };
         let system = build(&scene, &SolverOptions::default(), &build_options, &|| 0.0).system;
