@@ -1,7 +1,7 @@
 //! Sews and drapes a resolved garment.
 
 use super::crossings::{self, FoundCrossings};
-use super::garment::SelfContact;
+use super::garment::{Garment, SelfContact};
 use super::resolve::ResolvedGarment;
 use super::verdict::{Demands, verdict};
 use crate::export::{DrapedPanel, GarmentMesh};
@@ -9,7 +9,7 @@ use crate::fault::Faults;
 use crate::memory;
 use crate::mesh::{self, ClothMesh, PanelRange};
 use crate::scene::{self, Avatar, Body, PanelParts, Parts, Scene};
-use crate::solver::{self, Context, DrapeReport, SolverOptions};
+use crate::solver::{self, Analysis, Context, DrapeReport, SolverOptions};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -136,9 +136,15 @@ fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults>
     });
     Ok(Scene {
         wind: garment.wind,
-        self_contact: garment.garment().self_contact != SelfContact::Off,
+        self_contact: keeps_apart(garment.garment()),
         ..scene
     })
+}
+
+/// Returns true if cloth is to be kept from passing through cloth. Motion has no such contact, and
+/// begins with a shape that is at rest without it.
+fn keeps_apart(garment: &Garment) -> bool {
+    garment.self_contact != SelfContact::Off && garment.simulate.analysis == Analysis::Static
 }
 
 /// Returns the shape of each panel, its triangles turned so that they are counter-clockwise seen

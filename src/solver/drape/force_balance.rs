@@ -26,7 +26,7 @@ pub(crate) fn measure_unrelaxed(
         friction: None,
         explicit: false,
         least_thickness: None,
-        chords: false,
+        chords: true,
     };
     let mut system = build(scene, options, &build_options, clock).system;
     let mut force = vec![Vector3::zeros(); x.len()];

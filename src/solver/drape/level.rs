@@ -8,8 +8,8 @@ use crate::solver::integrate::dynamic_relaxation::DynamicRelaxation;
 use crate::solver::optimize::pseudo_transient::{FIRST_GAMMA, NEAR_GAMMA};
 use crate::solver::options::SolverOptions;
 
-/// Thickness of cloth on a coarser mesh, as a share of its mesh edges: about as deep as the chords of
-/// a fold cut into it, so that layers are still apart on the next finer mesh.
+/// Thickness of cloth on a coarser mesh, as a share of its mesh edges: about as deep as the chords
+/// of a fold cut into it, so that layers are still apart on the next finer mesh.
 const COARSE_THICKNESS: f64 = 0.15;
 /// Thickness of the thinnest cloth in contact with itself \[m\].
 const LEAST_THICKNESS: f64 = 1e-4;
@@ -59,8 +59,8 @@ impl Level<'_, '_, '_> {
         }
     }
 
-    /// Returns the thickness that its cloth has at least where it touches itself \[m\]; none if cloth
-    /// may pass through cloth.
+    /// Returns the thickness that its cloth has at least where it touches itself \[m\]; none if
+    /// cloth may pass through cloth.
     pub(crate) fn least_thickness(&self) -> Option<f64> {
         if !self.scene.self_contact || self.options.method.is_time_stepping() {
             None
@@ -69,12 +69,6 @@ impl Level<'_, '_, '_> {
         } else {
             Some(LEAST_THICKNESS.max(COARSE_THICKNESS * self.scene.mesh.mean_edge()))
         }
-    }
-
-    /// Returns true if the middles of edges are kept off the body too: on the mesh asked for. The
-    /// edges of coarser ones cut so far into it that pushing them out would stretch the garment.
-    pub(crate) fn chords(&self) -> bool {
-        self.is_finest && !self.options.method.is_time_stepping()
     }
 
     /// Returns the vertex pairs sewn up to a stage.

@@ -39,8 +39,13 @@ const CONTINUED_FLOOR_MULTIPLE: f64 = 3.0;
 /// Ends within the limits of the context and never with a shape that is not finite; the report says
 /// whether the shape is at rest, and why not where it is not.
 ///
+/// Where the scene has `self_contact` and the method is Newton's, cloth that does not pass through
+/// cloth when it is sewn, or is pulled out of it between two levels, does not at the end.
+///
 /// # Limitations
-/// Rest shapes are not unique: cloth folds one way or another. Cloth passes through cloth.
+/// Rest shapes are not unique: cloth folds one way or another. Panels that pass through each other
+/// by more than a fold at the start may do so at the end; methods that step in time have no contact
+/// of cloth with cloth.
 pub fn drape(scene: &Scene, options: &SolverOptions, context: &mut Context<'_>) -> Drape {
     let hierarchy = if options.method.is_time_stepping() {
         // Motion is that of the mesh asked for.

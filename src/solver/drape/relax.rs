@@ -49,7 +49,7 @@ pub(crate) fn relax(
         friction: Some(&level.anchors),
         explicit: level.options.method.is_explicit(),
         least_thickness: level.least_thickness(),
-        chords: level.chords(),
+        chords: level.is_finest,
     };
     level.monitor.begin_stage();
     let Model {

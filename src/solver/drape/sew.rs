@@ -90,7 +90,7 @@ fn pull(
         friction: None,
         explicit: level.options.method.is_explicit(),
         least_thickness: level.least_thickness(),
-        chords: level.chords(),
+        chords: level.is_finest,
     };
     let mut system = build(level.scene, level.options, &build_options, level.clock).system;
     system.untangle(x);

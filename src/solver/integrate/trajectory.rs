@@ -46,7 +46,7 @@ pub fn trajectory(
         // Automatic methods may turn out to be explicit.
         explicit: options.method.is_explicit() || options.method == Method::Auto,
         least_thickness: None,
-        chords: false,
+        chords: true,
     };
     let Model {
         dof_map,

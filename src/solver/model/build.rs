@@ -40,7 +40,8 @@ pub(crate) struct BuildOptions<'a> {
     /// Thickness that cloth has at least where it touches itself \[m\]; none if cloth may pass
     /// through cloth.
     pub(crate) least_thickness: Option<f64>,
-    /// True if the middles of edges are kept off the body too.
+    /// True if the middles of edges are kept off the body too: on the mesh asked for. The edges of
+    /// coarser ones cut so far into it that pushing them out would stretch the garment.
     pub(crate) chords: bool,
 }
 
@@ -89,17 +90,18 @@ pub(crate) fn build<'a>(
         let area = dof_map.sum(&vertex_areas(scene));
         let anchors = build_options.friction.filter(|_| scene.friction > 0.0);
         let friction = anchors.map(|a| Friction::new(scene.friction, mass.len()).with_anchors(a));
+        let reuse = if build_options.explicit {
+            EXPLICIT_REUSE
+        } else {
+            0.0
+        };
         let contact = BodyContact::new(body.clone(), kept_distance(scene), &area)
             .with_friction(friction)
-            .with_reuse(if build_options.explicit {
-                EXPLICIT_REUSE
-            } else {
-                0.0
-            });
+            .with_reuse(reuse);
         forces.push(Box::new(contact));
         if build_options.chords {
             let chords = chords(scene, &dof_map);
-            forces.push(Box::new(ChordContact::new(body.clone(), chords)));
+            forces.push(Box::new(ChordContact::new(body.clone(), chords, reuse)));
         }
     }
     if let Some(least_thickness) = build_options.least_thickness {

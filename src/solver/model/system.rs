@@ -68,8 +68,8 @@ impl System<'_> {
         self.zero_fixed(out);
     }
 
-    /// Takes `x` as an accepted shape; returns true if anything slipped on the body, or other layers
-    /// of cloth touch than before.
+    /// Takes `x` as an accepted shape; returns true if anything slipped on the body, or other
+    /// layers of cloth touch than before.
     pub(crate) fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
         let mut slipped = false;
         for term in &mut self.terms {

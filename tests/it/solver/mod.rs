@@ -11,6 +11,7 @@ mod motion_closed_forms;
 mod motion_order;
 mod motion_rest;
 mod patch;
+mod self_contact;
 mod stability;
 mod wind;
 mod wind_closed_forms;

@@ -77,7 +77,7 @@ impl BodyContact {
     /// Returns the same contact that carries each sample on for `reuse` \[m\]: for explicit steps,
     /// which are many and small.
     pub(crate) fn with_reuse(mut self, reuse: f64) -> Self {
-        self.skin.reuse = reuse;
+        self.skin = self.skin.with_reuse(reuse);
         self
     }
 

@@ -1,5 +1,5 @@
-//! The middles of mesh edges kept off the body: edges are chords of its curves and cut into it where
-//! their ends do not.
+//! The middles of mesh edges kept off the body: edges are chords of its curves and cut into it
+//! where their ends do not.
 //!
 //! They feel a thinner layer than the ends do (`layer.rs`), so that nothing is added where an edge
 //! sags by less than the difference. Without friction, which the ends have.
@@ -13,7 +13,7 @@ use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
 /// Thickness of the layer that middles of edges feel \[m\].
-const OFFSET: f64 = 1.5e-3;
+pub(super) const OFFSET: f64 = 1.5e-3;
 
 /// An edge between two particles.
 #[derive(Clone, Copy, Debug)]
@@ -33,9 +33,10 @@ pub(crate) struct ChordContact {
 }
 
 impl ChordContact {
-    pub(crate) fn new(body: Body, chords: Vec<Chord>) -> Self {
+    /// Returns contact that carries each sample of the body on for `reuse` \[m\].
+    pub(crate) fn new(body: Body, chords: Vec<Chord>, reuse: f64) -> Self {
         Self {
-            skin: Skin::new(body, OFFSET, chords.len()),
+            skin: Skin::new(body, OFFSET, chords.len()).with_reuse(reuse),
             chords,
             slots: vec![],
             diagonals: vec![],

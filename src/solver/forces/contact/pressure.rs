@@ -1,12 +1,12 @@
 //! Normal force \[N\] and pressure \[Pa\] of the body on each vertex of a drape, without friction.
 //!
 //! Both follow from the shape alone: the layer on the skin (see `body.rs`) presses harder the
-//! deeper a vertex lies in it.
+//! deeper a vertex lies in it, and that on the middles of edges (see `chord.rs`) on their ends.
 
 use crate::scene::Scene;
-use crate::solver::forces::contact::layer;
+use crate::solver::forces::contact::{chord, layer};
 use crate::solver::model::build::kept_distance;
-use crate::solver::model::rest_shape::vertex_areas;
+use crate::solver::model::rest_shape::{rest_area, vertex_areas};
 use nalgebra::Vector3;
 
 /// Returns the normal force of the body on each vertex \[N\], zero where they do not touch; `#V`
@@ -18,18 +18,25 @@ pub fn contact_force(scene: &Scene, positions: &[Vector3<f64>]) -> Vec<Vector3<f
     let Some(body) = &scene.body else {
         return vec![Vector3::zeros(); positions.len()];
     };
-    let offset = kept_distance(scene);
-    let press = |(p, area): (&Vector3<f64>, f64)| match body.sample(p) {
+    let press = |p: &Vector3<f64>, offset: f64, area: f64| match body.sample(p) {
         Some(near) if near.distance < offset => {
             near.normal * (area * layer::pressure(offset - near.distance))
         }
         _ => Vector3::zeros(),
     };
-    positions
-        .iter()
-        .zip(vertex_areas(scene))
-        .map(press)
-        .collect()
+    let offset = kept_distance(scene);
+    let vertices = positions.iter().zip(vertex_areas(scene));
+    let mut force: Vec<_> = vertices.map(|(p, area)| press(p, offset, area)).collect();
+    for &[a, b, c] in &scene.mesh.triangles {
+        let area = rest_area([a, b, c].map(|v| scene.mesh.uv[v])) / 3.0;
+        for (i, j) in [(a, b), (b, c), (c, a)] {
+            let middle = (positions[i] + positions[j]) * 0.5;
+            let half = press(&middle, chord::OFFSET, area) * 0.5;
+            force[i] += half;
+            force[j] += half;
+        }
+    }
+    force
 }
 
 /// Returns the pressure of the body on the cloth at each vertex \[Pa\]: the normal force over the

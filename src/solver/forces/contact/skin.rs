@@ -22,7 +22,7 @@ pub(super) struct Skin {
     cache: Vec<CachedSample>,
     /// Distance for which a sample is carried on by its second-order expansion \[m\]; 0 takes a new
     /// one each time.
-    pub(super) reuse: f64,
+    reuse: f64,
 }
 
 impl Skin {
@@ -39,6 +39,12 @@ impl Skin {
             cache: vec![never; point_count],
             reuse: 0.0,
         }
+    }
+
+    /// Returns the same layer that carries each sample on for `reuse` \[m\].
+    pub(super) fn with_reuse(mut self, reuse: f64) -> Self {
+        self.reuse = reuse;
+        self
     }
 
     /// Returns the sample of point `i` if it is in the layer, its distance being that at `x`.

@@ -317,7 +317,7 @@ impl StabilityTrial<'_, '_, '_> {
             friction: Some(self.anchors),
             explicit: self.options.method.is_explicit(),
             least_thickness: None,
-            chords: false,
+            chords: true,
         };
         let Model {
             dof_map,

@@ -1,6 +1,7 @@
 //! Pairs of boxes that overlap, by a balanced tree of boxes whose shape stays while they move.
 
 use nalgebra::Vector3;
+use std::ops::ControlFlow;
 
 /// A closed box with sides along the axes \[m\].
 #[derive(Clone, Copy, Debug)]
@@ -85,37 +86,51 @@ impl BoxTree {
     }
 
     /// Calls `visit` with every pair of different items whose boxes overlap, always in the same
-    /// order.
-    pub(super) fn for_each_pair(&self, visit: &mut impl FnMut(u32, u32)) {
-        if !self.nodes.is_empty() {
-            self.pairs_within(0, visit);
+    /// order, until it breaks.
+    pub(super) fn for_each_pair(
+        &self,
+        visit: &mut impl FnMut(u32, u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        if self.nodes.is_empty() {
+            return ControlFlow::Continue(());
         }
+        self.pairs_within(0, visit)
     }
 
-    fn pairs_within(&self, index: usize, visit: &mut impl FnMut(u32, u32)) {
+    fn pairs_within(
+        &self,
+        index: usize,
+        visit: &mut impl FnMut(u32, u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         let node = &self.nodes[index];
-        if node.item.is_none() {
-            let second = node.second as usize;
-            self.pairs_within(index + 1, visit);
-            self.pairs_within(second, visit);
-            self.pairs_between(index + 1, second, visit);
+        if node.item.is_some() {
+            return ControlFlow::Continue(());
         }
+        let second = node.second as usize;
+        self.pairs_within(index + 1, visit)?;
+        self.pairs_within(second, visit)?;
+        self.pairs_between(index + 1, second, visit)
     }
 
-    fn pairs_between(&self, a: usize, b: usize, visit: &mut impl FnMut(u32, u32)) {
+    fn pairs_between(
+        &self,
+        a: usize,
+        b: usize,
+        visit: &mut impl FnMut(u32, u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
         let (first, second) = (&self.nodes[a], &self.nodes[b]);
         if !first.bounds.overlaps(&second.bounds) {
-            return;
+            return ControlFlow::Continue(());
         }
         match (first.item, second.item) {
             (Some(a), Some(b)) => visit(a, b),
             (None, _) => {
-                self.pairs_between(a + 1, b, visit);
-                self.pairs_between(first.second as usize, b, visit);
+                self.pairs_between(a + 1, b, visit)?;
+                self.pairs_between(first.second as usize, b, visit)
             }
             (Some(_), None) => {
-                self.pairs_between(a, b + 1, visit);
-                self.pairs_between(a, second.second as usize, visit);
+                self.pairs_between(a, b + 1, visit)?;
+                self.pairs_between(a, second.second as usize, visit)
             }
         }
     }
@@ -150,25 +165,29 @@ fn split(items: &mut [(Bounds, u32)], nodes: &mut Vec<Node>) {
 mod tests {
     use super::*;
 
-    /// Boxes on a line at pseudo-random places.
+    /// Boxes at pseudo-random places of a cube.
     fn boxes(seed: u64, count: usize) -> Vec<Bounds> {
         let mut state = seed;
         let mut random = || {
             state = state
                 .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
+                .wrapping_add(1_442_695_040_888_963_407);
             (state >> 40) as f64 / (1_u64 << 24) as f64
         };
-        let at = |mut random: Box<dyn FnMut() -> f64 + '_>| {
+        let mut make = || {
             let low = Vector3::new(random(), random(), random());
-            Bounds::about(&low, &(low + Vector3::repeat(0.2 * random())), 0.01)
+            Bounds::about(&low, &low.add_scalar(0.2 * random()), 0.01)
         };
-        (0..count).map(|_| at(Box::new(&mut random))).collect()
+        (0..count).map(|_| make()).collect()
     }
 
     fn found(tree: &BoxTree) -> Vec<(u32, u32)> {
         let mut pairs = vec![];
-        tree.for_each_pair(&mut |a, b| pairs.push((a.min(b), a.max(b))));
+        let flow = tree.for_each_pair(&mut |a, b| {
+            pairs.push((a.min(b), a.max(b)));
+            ControlFlow::Continue(())
+        });
+        assert!(flow.is_continue());
         pairs.sort_unstable();
         pairs
     }
@@ -191,5 +210,20 @@ mod tests {
             tree.refit(&second);
             assert_eq!(found(&tree), tried(&second));
         }
+    }
+
+    #[test]
+    fn a_walk_ends_where_it_is_broken_off() {
+        let tree = BoxTree::new(&[Bounds::about(&Vector3::x(), &Vector3::y(), 0.0); 9]);
+        let mut visited = 0;
+        let flow = tree.for_each_pair(&mut |_, _| {
+            visited += 1;
+            if visited == 5 {
+                ControlFlow::Break(())
+            } else {
+                ControlFlow::Continue(())
+            }
+        });
+        assert!(flow.is_break() && visited == 5);
     }
 }

@@ -4,10 +4,15 @@ use super::boxes::{Bounds, BoxTree};
 use super::proximity::{Features, Proximity};
 use super::surface::ContactSurface;
 use nalgebra::Vector3;
+use std::ops::ControlFlow;
 
 /// Share of the thickness below which a pair is left out: its features meet, and nothing tells on
 /// which side of each other they were.
 const MET: f64 = 1e-6;
+
+/// Pairs for each particle that are looked at: garments have up to 50. Where cloth is crumpled to a
+/// point, what is beyond is left out, and the judge tells what comes of it.
+const MOST_PAIRS: usize = 400;
 
 /// Two features that may meet.
 #[derive(Clone, Copy, Debug)]
@@ -93,8 +98,15 @@ impl Candidates {
             pairs: &mut self.pairs,
         };
         search.pairs.clear();
-        self.tree
-            .for_each_pair(&mut |s, t| search.add_pairs(s as usize, t as usize));
+        let most = MOST_PAIRS * from.len();
+        let _ = self.tree.for_each_pair(&mut |s, t| {
+            search.add_pairs(s as usize, t as usize);
+            if search.pairs.len() < most {
+                ControlFlow::Continue(())
+            } else {
+                ControlFlow::Break(())
+            }
+        });
     }
 
     /// Returns how far each particle is from its base \[m\].
@@ -118,6 +130,7 @@ struct Search<'a> {
 impl Search<'_> {
     /// Adds the pairs of features of two triangles whose boxes overlap.
     fn add_pairs(&mut self, s: usize, t: usize) {
+        let (s, t) = (s.min(t), s.max(t));
         let surface = self.surface;
         for (s, t) in [(s, t), (t, s)] {
             let corners = surface.triangles[t];

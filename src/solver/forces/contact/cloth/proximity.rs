@@ -149,7 +149,8 @@ fn vertex_triangle(corners: &[Vector3<f64>; 4]) -> Proximity {
     )
 }
 
-/// Returns the closest points of two edges (C. Ericson, Real-Time Collision Detection, 2005, 5.1.9).
+/// Returns the closest points of two edges (C. Ericson, Real-Time Collision Detection, 2005,
+/// 5.1.9).
 fn edges(corners: &[Vector3<f64>; 4]) -> Proximity {
     let [p1, q1, p2, q2] = corners;
     let (d1, d2, r) = (q1 - p1, q2 - p2, p1 - p2);

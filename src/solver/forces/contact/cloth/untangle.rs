@@ -13,6 +13,7 @@ use super::boxes::{Bounds, BoxTree};
 use super::surface::ContactSurface;
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
+use std::ops::ControlFlow;
 
 /// Rounds with the shortest moves, and as many again with each longer one.
 const ROUNDS: usize = 100;
@@ -23,6 +24,9 @@ const MOVES: [f64; 3] = [0.02, 0.04, 0.08];
 const LEAST_SINE: f64 = 1e-3;
 /// Gradient of a line's length below which moves get shorter (dimensionless).
 const SMALL_GRADIENT: f64 = 0.1;
+
+/// Piercings for each particle from which on nothing is tried: cloth is crumpled to a point.
+const MOST_PIERCINGS: usize = 20;
 
 /// An edge that pierces a triangle.
 struct Piercing {
@@ -39,7 +43,7 @@ struct Piercing {
 pub(super) fn untangle(surface: &ContactSurface, x: &mut [Vector3<f64>], is_fixed: &[bool]) {
     let mut tree = BoxTree::new(&bounds(surface, x));
     let mut found = find(&mut tree, surface, x);
-    if found.is_empty() {
+    if found.is_empty() || found.len() >= MOST_PIERCINGS * x.len() {
         return;
     }
     let beside = surface.triangles_of_edges();
@@ -68,7 +72,8 @@ pub(super) fn untangle(surface: &ContactSurface, x: &mut [Vector3<f64>], is_fixe
 fn find(tree: &mut BoxTree, surface: &ContactSurface, x: &[Vector3<f64>]) -> Vec<Piercing> {
     tree.refit(&bounds(surface, x));
     let mut found = vec![];
-    tree.for_each_pair(&mut |s, t| {
+    let most = MOST_PIERCINGS * x.len();
+    let _ = tree.for_each_pair(&mut |s, t| {
         for (s, triangle) in [(s as usize, t as usize), (t as usize, s as usize)] {
             let corners = surface.triangles[triangle];
             for &edge in &surface.own[s].edges {
@@ -83,6 +88,11 @@ fn find(tree: &mut BoxTree, surface: &ContactSurface, x: &[Vector3<f64>]) -> Vec
                     weights,
                 }));
             }
+        }
+        if found.len() < most {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
         }
     });
     found
