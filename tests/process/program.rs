@@ -52,7 +52,7 @@ pub(crate) fn sample(file: &str) -> String {
 pub(crate) fn garment() -> Value {
     let text = std::fs::read_to_string(sample("skirt.garment.json")).unwrap();
     let mut garment: Value = serde_json::from_str(&text).unwrap();
-    garment["simulate"] = json!({"edge_length_m": 0.025, "tolerance": 1e-4});
+    garment["simulate"] = json!({"edge_length_m": 0.04, "tolerance": 1e-4});
     garment["default_fabric"] = json!("own");
     garment["panels"] = without_fabrics(&garment["panels"]);
     garment["fabrics"] = json!({"own": {

@@ -477,7 +477,7 @@ fn sample(name: &str) -> Vec<u8> {
 /// The skirt's garment, coarse enough for a test to sew it in a moment.
 fn skirt() -> Value {
     let mut garment: Value = serde_json::from_slice(&sample("skirt.garment.json")).unwrap();
-    garment["simulate"] = json!({"edge_length_m": 0.025, "tolerance": 1e-3});
+    garment["simulate"] = json!({"edge_length_m": 0.04, "tolerance": 1e-3});
     garment
 }
 
