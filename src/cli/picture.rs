@@ -11,10 +11,6 @@ use std::path::PathBuf;
 
 /// Words of the views, for the help.
 const VIEWS: &str = "front|back|left|right|three_quarter";
-/// Width of a picture of one side \[pixels\].
-const WIDTH: u32 = 1200;
-/// Width of a picture of four sides \[pixels\].
-const SHEET_WIDTH: u32 = 2000;
 
 /// File of a picture, and what it shows.
 #[derive(Args)]
@@ -41,12 +37,8 @@ impl PictureOptions {
         if self.picture.is_none() {
             return Ok(None);
         }
-        let width = if self.view.is_some() {
-            WIDTH
-        } else {
-            SHEET_WIDTH
-        };
-        let picture = fit::picture(garment, outcome, (self.view, width), limits)?;
+        let shape = (&outcome.mesh, &outcome.report);
+        let picture = fit::picture(garment, shape, (self.view, None), limits)?;
         Ok(Some(picture.png()))
     }
 

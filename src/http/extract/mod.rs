@@ -19,5 +19,5 @@ pub(super) use json::{JsonBody, JsonWithDigest, OptionalJson, ValidatedJson};
 pub(super) use last_event_id::last_event_id;
 pub(super) use path::PathId;
 pub(super) use prefer::{preference_applied, preferred_wait};
-pub(super) use query::{JobListQuery, ListQuery, ValidatedQuery};
+pub(super) use query::{JobListQuery, ListQuery, PictureQuery, ValidatedQuery};
 pub(super) use upload::Upload;

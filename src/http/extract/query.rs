@@ -1,6 +1,7 @@
 //! The query of a request; unknown and wrong fields are refused.
 
 use super::invalid::{limit_out_of_range, unreadable_query};
+use crate::export::View;
 use crate::http::respond::Problem;
 use crate::job::{JobStatus, PageRequest};
 use axum::extract::{FromRequestParts, Query};
@@ -50,6 +51,17 @@ pub(in crate::http) struct JobListQuery {
     pub cursor: Option<Uuid>,
     /// Only those of this status.
     pub status: Option<JobStatus>,
+}
+
+/// A picture of a garment.
+#[derive(Clone, Copy, Debug, Default, Deserialize, IntoParams)]
+#[serde(default, deny_unknown_fields)]
+#[into_params(parameter_in = Query)]
+pub(in crate::http) struct PictureQuery {
+    /// Side that it shows; four of them beside each other if not given.
+    pub view: Option<View>,
+    /// Width \[pixels\]; 1200 for one side, 2000 for four if not given.
+    pub width: Option<u32>,
 }
 
 impl ListQuery {

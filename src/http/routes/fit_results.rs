@@ -2,21 +2,23 @@
 
 use super::jobs;
 use crate::export::{self, GarmentMesh};
-use crate::fit;
-use crate::http::extract::{PathId, preferred_type};
+use crate::fit::{self, ResolvedGarment};
+use crate::http::extract::{PathId, PictureQuery, ValidatedQuery, preferred_type};
 use crate::http::respond::{Problem, respond_computed, respond_stored};
 use crate::http::state::{App, AppState};
 use crate::job::{JobKind, ResultFile, StoreError};
 use crate::progress::CancelToken;
-use crate::solver::Context;
+use crate::solver::{Context, DrapeReport};
 use axum::extract::State;
 use axum::http::{HeaderMap, HeaderValue, header};
 use axum::response::Response;
+use serde::de::DeserializeOwned;
 use uuid::Uuid;
 
 const GLB: &str = "model/gltf-binary";
 const OBJ: &str = "model/obj";
 const JSON: &str = "application/json";
+const PNG: &str = "image/png";
 
 /// The shape, in the format that `Accept` names; GLB if none
 #[utoipa::path(get, path = "/v1/fits/{id}/mesh", tag = "results", params(("id" = Uuid, Path)), responses(
@@ -100,6 +102,38 @@ fn convert_mesh(json: Vec<u8>, format: &str) -> Result<Vec<u8>, Problem> {
     })
 }
 
+/// The garment on its body as PNG, places where it passes through itself or the body marked in red
+#[utoipa::path(get, path = "/v1/fits/{id}/picture.png", tag = "results", params(("id" = Uuid, Path), PictureQuery), responses(
+    (status = 200, description = "The picture", content_type = "image/png", body = Vec<u8>),
+    (status = 404, description = "There is no such fit, or it left no shape", body = Problem, content_type = "application/problem+json"),
+    (status = 409, description = "The fit has not ended yet", body = Problem, content_type = "application/problem+json"),
+    (status = 422, description = "A width outside the limits", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn picture(
+    State(state): State<AppState>,
+    PathId(id): PathId,
+    ValidatedQuery(query): ValidatedQuery<PictureQuery>,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let make = move |app: &App| draw(app, id, query);
+    respond_computed(&state, &headers, PNG, make).await
+}
+
+fn draw(app: &App, id: Uuid, query: PictureQuery) -> Result<Vec<u8>, Problem> {
+    let mesh: GarmentMesh = read_result(app, id, ResultFile::Mesh)?;
+    let report: DrapeReport = read_result(app, id, ResultFile::Report)?;
+    let garment = resolved(app, id)?;
+    let asked = (query.view, query.width);
+    let picture = fit::picture(&garment, (&mesh, &report), asked, app.limits())?;
+    Ok(picture.png())
+}
+
+/// Reads a stored result of a fit.
+fn read_result<T: DeserializeOwned>(app: &App, id: Uuid, file: ResultFile) -> Result<T, Problem> {
+    let json = jobs::result_file(app, JobKind::Fit, id, file)?;
+    Ok(serde_json::from_slice(&json)
+        .map_err(|cause| StoreError::new("reading the result of a fit", cause))?)
+}
+
 /// Report of a fit: how far to trust the shape
 #[utoipa::path(get, path = "/v1/fits/{id}/report", tag = "results", params(("id" = Uuid, Path)), responses(
     (status = 200, description = "The report", body = crate::solver::DrapeReport),
@@ -143,10 +177,7 @@ impl Drop for CancelOnDrop {
 
 /// Assembles the scene of a stored garment as the worker does.
 fn assemble_scene(app: &App, id: Uuid, cancel: &CancelToken) -> Result<Vec<u8>, Problem> {
-    let garment = jobs::request(app, JobKind::Fit, id)?;
-    let garment = serde_json::from_slice(&garment)
-        .map_err(|cause| StoreError::new("reading a garment", cause))?;
-    let resolved = fit::resolve(garment, app.catalogue(), app.limits())?;
+    let resolved = resolved(app, id)?;
     let context = Context {
         cpu_s: &|| 0.0,
         cancel,
@@ -154,6 +185,14 @@ fn assemble_scene(app: &App, id: Uuid, cancel: &CancelToken) -> Result<Vec<u8>, 
         limits: app.limits(),
     };
     Ok(fit::scene_json(&resolved, &context)?)
+}
+
+/// Reads the stored garment of a fit and resolves it as the worker does.
+fn resolved(app: &App, id: Uuid) -> Result<ResolvedGarment, Problem> {
+    let garment = jobs::request(app, JobKind::Fit, id)?;
+    let garment = serde_json::from_slice(&garment)
+        .map_err(|cause| StoreError::new("reading a garment", cause))?;
+    Ok(fit::resolve(garment, app.catalogue(), app.limits())?)
 }
 
 /// The saved garment file, complete in itself

@@ -38,6 +38,7 @@ pub(super) fn resources() -> OpenApiRouter<AppState> {
         .routes(routes!(fit_results::mesh_glb))
         .routes(routes!(fit_results::mesh_obj))
         .routes(routes!(fit_results::mesh_json))
+        .routes(routes!(fit_results::picture))
         .routes(routes!(fit_results::report))
         .routes(routes!(fit_results::scene))
         .routes(routes!(fit_results::garment))

@@ -84,6 +84,7 @@ fn what_is_not_there_is_a_problem_that_names_what_is() {
         "mesh.glb",
         "mesh.obj",
         "mesh.json",
+        "picture.png",
         "report",
         "garment",
         "scene",
@@ -1018,6 +1019,18 @@ fn results_are_whole(server: &Server, at: &str) {
     server
         .request("GET", &format!("{at}/mesh"), &[("accept", "text/html")])
         .problem(406);
+
+    let picture = format!("{at}/picture.png");
+    // Width and height follow the signature and the head of the first chunk.
+    for (query, width) in [("", 2000), ("?view=back&width=300", 300)] {
+        let png = server.get(&format!("{picture}{query}"));
+        assert_eq!(png.header("content-type"), "image/png");
+        assert_eq!(&png.bytes[1..4], b"PNG");
+        assert_eq!(png.bytes[16..20], u32::to_be_bytes(width), "{query}");
+    }
+    for query in ["?view=above", "?width=1", "?size=3"] {
+        server.get(&format!("{picture}{query}")).problem(422);
+    }
 
     let path = format!("{at}/mesh.glb");
     let etag = glb.header("etag");

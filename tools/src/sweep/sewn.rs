@@ -13,9 +13,6 @@ use std::error::Error;
 use std::fs;
 use std::path::Path;
 
-/// Width of a picture \[pixels\].
-const WIDTH: u32 = 2000;
-
 /// Sews a garment and draws it into a folder.
 pub(super) fn sew(
     garment: &SweepGarment,
@@ -67,7 +64,8 @@ fn draw(
     outcome: &FitOutcome,
     file: &Path,
 ) -> Result<(), Box<dyn Error>> {
-    let sheet = fit::picture(garment, outcome, (None, WIDTH), &Limits::default())?;
+    let shape = (&outcome.mesh, &outcome.report);
+    let sheet = fit::picture(garment, shape, (None, None), &Limits::default())?;
     Ok(fs::write(file, sheet.png())?)
 }
 
