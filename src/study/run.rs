@@ -13,16 +13,24 @@ use crate::fault::Faults;
 use crate::fit;
 use crate::solver::{Analysis, Context};
 
+const NO_SELF_CONTACT: &str = "Cloth may pass through cloth in all runs of this study: methods that \
+    step in time cannot keep it from that.";
+
 /// Makes all runs of a study, each measured against a reference that the study converges itself.
 ///
 /// # Errors
 /// Faults that show only on the way: a mesh too fine for the limits.
 pub fn run(study: &ResolvedStudy, context: &mut Context<'_>) -> Result<Study, Faults> {
     let request = study.request();
+    // Methods that step in time have none, and are measured by rest shapes.
+    let has_self_contact = request.methods.iter().all(|m| !m.is_time_stepping());
     let mut scenes = Vec::new();
     for garment in study.garments() {
         let scene = match fit::scene(garment, context) {
-            Ok(scene) => scene,
+            Ok(mut scene) => {
+                scene.self_contact &= has_self_contact;
+                scene
+            }
             Err(_) if context.cancel.is_canceled() => break,
             Err(faults) => return Err(faults.under("/garment")),
         };
@@ -38,7 +46,11 @@ pub fn run(study: &ResolvedStudy, context: &mut Context<'_>) -> Result<Study, Fa
         steps_s: request.steps_s.clone(),
         time_limit_s: request.time_limit_s,
     };
-    Ok(run_scenes(&scenes, &plan, context))
+    let mut study = run_scenes(&scenes, &plan, context);
+    if !has_self_contact {
+        study.notes.push(NO_SELF_CONTACT.to_owned());
+    }
+    Ok(study)
 }
 
 /// As [`run`], on scenes that are assembled already, such as raw ones: the same cloth on one mesh
