@@ -183,15 +183,15 @@ fn on_a_taut_garment_the_methods_agree_and_meshes_are_compared() {
     let study = of_sample(
         "top",
         changes,
-        json!({"methods": ["newton", "implicit_euler"], "tolerances": [1e-3], "edge_lengths_m": [0.06, 0.05]}),
+        json!({"methods": ["newton", "implicit_euler"], "tolerances": [1e-3], "edge_lengths_m": [0.04, 0.035]}),
     );
     let [coarse, fine] = &study.meshes[..] else {
         panic!("two meshes");
     };
     assert!(coarse.reference.confirmed, "{:?}", coarse.reference);
     assert!(coarse.vertices < fine.vertices);
-    // Meshes of 60 and 50 mm cannot agree to a tenth of a millimeter round a body, nor differ by
-    // more than an edge.
+    // Meshes of 40 and 35 mm cannot agree to a tenth of a millimeter round a body, nor differ by
+    // more than an edge. (The middles of longer edges catch on the body: there are several shapes.)
     let error = coarse.mesh_error_m.unwrap();
     assert!((1e-4..0.05).contains(&error), "{error}");
     assert_eq!(fine.mesh_error_m, None);
