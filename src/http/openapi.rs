@@ -15,7 +15,7 @@ use utoipa_axum::router::OpenApiRouter;
         description = "Garment sewing without a screen: patterns (DXF, GarmentCode) and seams in, a garment draped on a body out.\n\nLengths are in metres, times in seconds, angles in degrees. Every answer that is no success is a `Problem` (RFC 9457) that lists all faults at once.",
         license(name = "MIT", identifier = "MIT")
     ),
-    components(schemas(crate::progress::Progress)),
+    components(schemas(crate::progress::Progress, crate::export::View)),
     security(("token" = []), ())
 )]
 struct Document;

@@ -10,8 +10,8 @@ use std::ops::ControlFlow;
 /// which side of each other they were.
 const MET: f64 = 1e-6;
 
-/// Pairs for each particle that are looked at: garments have up to 50. Where cloth is crumpled to a
-/// point, what is beyond is left out, and the judge tells what comes of it.
+/// Pairs for each particle that are looked at at most: where cloth is crumpled to a point, what is
+/// beyond is left out, and the judge tells what comes of it.
 const MOST_PAIRS: usize = 400;
 
 /// Two features that may meet.
