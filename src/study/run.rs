@@ -24,10 +24,12 @@ pub fn run(study: &ResolvedStudy, context: &mut Context<'_>) -> Result<Study, Fa
     let request = study.request();
     // Methods that step in time have none, and are measured by rest shapes.
     let has_self_contact = request.methods.iter().all(|m| !m.is_time_stepping());
+    let mut leaves_out = false;
     let mut scenes = Vec::new();
     for garment in study.garments() {
         let scene = match fit::scene(garment, context) {
             Ok(mut scene) => {
+                leaves_out |= scene.self_contact && !has_self_contact;
                 scene.self_contact &= has_self_contact;
                 scene
             }
@@ -47,7 +49,7 @@ pub fn run(study: &ResolvedStudy, context: &mut Context<'_>) -> Result<Study, Fa
         time_limit_s: request.time_limit_s,
     };
     let mut study = run_scenes(&scenes, &plan, context);
-    if !has_self_contact {
+    if leaves_out {
         study.notes.push(NO_SELF_CONTACT.to_owned());
     }
     Ok(study)

@@ -1,4 +1,4 @@
-//! Contact with the body, with friction.
+//! Contact of cloth with the body, with friction, and of cloth with cloth.
 
 mod body;
 mod chord;

@@ -33,13 +33,11 @@ use nalgebra::Vector3;
 /// Sine squared of the angle between edges from which on they act in full. Parallel edges have no
 /// closest points; the vertices at their ends act for them.
 const NOT_PARALLEL: f64 = 1e-2;
-/// Distance beside its way that a particle may move before pairs are sought anew: so many times the
-/// thickness, and at least so much \[m\].
-const SLACK: f64 = 1.0;
+/// Distance beside its way that a particle may move before pairs are sought anew: the thickness, and
+/// at least so much \[m\].
 const LEAST_SLACK: f64 = 1e-3;
-/// Distance beyond the thickness within which pairs are coupled in the matrices: so many times the
-/// thickness, and at least so much \[m\].
-const MARGIN: f64 = 1.0;
+/// Distance beyond the thickness within which pairs are coupled in the matrices: the thickness
+/// again, and at least so much \[m\].
 const LEAST_MARGIN: f64 = 5e-4;
 
 /// Contact of a garment with itself.
@@ -87,7 +85,7 @@ impl ClothContact {
         if self.candidates.cover(from) && self.candidates.cover(to) {
             return;
         }
-        let slack = (SLACK * self.surface.most_thickness()).max(LEAST_SLACK);
+        let slack = self.surface.most_thickness().max(LEAST_SLACK);
         self.candidates.find(&self.surface, (from, to), slack);
         if self.accepted.is_empty() {
             self.accepted = from.to_vec();
@@ -145,7 +143,7 @@ impl ClothContact {
     /// Takes stock of the pairs that touch at `x`, and of those that are to be coupled with them.
     fn couple(&mut self, x: &[Vector3<f64>]) {
         self.touching.clear();
-        let margin = (MARGIN * self.surface.most_thickness()).max(LEAST_MARGIN);
+        let margin = self.surface.most_thickness().max(LEAST_MARGIN);
         let moved = self.candidates.moved(x);
         let mut near = vec![];
         for pair in &self.candidates.pairs {
@@ -271,6 +269,7 @@ impl Potential for ClothContact {
         self.select();
     }
 
+    /// Adds nothing: in the rest shape nothing touches, and explicit steps have no such contact.
     fn add_stiffness_bound(&self, _stiffness: &mut [f64]) {}
 
     /// Takes new weights; returns true if other pairs touch than before.

@@ -13,7 +13,7 @@ const PARALLEL: f64 = 1e-12;
 
 /// Two features of a surface that may meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Features {
+pub(super) enum Features {
     /// A vertex, and the triangle of the other three.
     VertexTriangle,
     /// The edge of the first two and that of the last two.
@@ -31,16 +31,16 @@ struct Parameter {
 
 /// The closest points of two features.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Proximity {
+pub(super) struct Proximity {
     /// Vector from the second feature to the first \[m\].
     separation: Vector3<f64>,
-    pub(crate) coefficients: [f64; 4],
+    pub(super) coefficients: [f64; 4],
     parameters: [Option<Parameter>; 2],
 }
 
 impl Proximity {
     /// Returns the closest points of features with these corners.
-    pub(crate) fn of(features: Features, corners: &[Vector3<f64>; 4]) -> Self {
+    pub(super) fn of(features: Features, corners: &[Vector3<f64>; 4]) -> Self {
         match features {
             Features::VertexTriangle => vertex_triangle(corners),
             Features::Edges => edges(corners),
@@ -63,18 +63,18 @@ impl Proximity {
     }
 
     /// Returns the distance \[m\].
-    pub(crate) fn distance(&self) -> f64 {
+    pub(super) fn distance(&self) -> f64 {
         self.separation.norm()
     }
 
     /// Returns the direction from the second feature to the first.
-    pub(crate) fn normal(&self) -> Vector3<f64> {
+    pub(super) fn normal(&self) -> Vector3<f64> {
         self.separation / self.distance()
     }
 
     /// Returns the block of corners `i` and `j` of the second derivative of half the squared
     /// distance.
-    pub(crate) fn half_square_block(&self, i: usize, j: usize) -> Matrix3<f64> {
+    pub(super) fn half_square_block(&self, i: usize, j: usize) -> Matrix3<f64> {
         let c = &self.coefficients;
         let mut block = Matrix3::identity() * (c[i] * c[j]);
         // d²f / dx_i dw_k.
@@ -181,7 +181,7 @@ fn edges(corners: &[Vector3<f64>; 4]) -> Proximity {
 
 /// Returns the squared sine of the angle between the edges of the first two and of the last two
 /// corners.
-pub(crate) fn sine_squared(corners: &[Vector3<f64>; 4]) -> f64 {
+pub(super) fn sine_squared(corners: &[Vector3<f64>; 4]) -> f64 {
     let (d1, d2) = (corners[1] - corners[0], corners[3] - corners[2]);
     let lengths = d1.norm_squared() * d2.norm_squared();
     d1.cross(&d2).norm_squared() / lengths.max(f64::MIN_POSITIVE)
