@@ -33,8 +33,8 @@ use nalgebra::Vector3;
 /// Sine squared of the angle between edges from which on they act in full. Parallel edges have no
 /// closest points; the vertices at their ends act for them.
 const NOT_PARALLEL: f64 = 1e-2;
-/// Distance beside its way that a particle may move before pairs are sought anew: the thickness, and
-/// at least so much \[m\].
+/// Distance beside its way that a particle may move before pairs are sought anew: the thickness,
+/// and at least so much \[m\].
 const LEAST_SLACK: f64 = 1e-3;
 /// Distance beyond the thickness within which pairs are coupled in the matrices: the thickness
 /// again, and at least so much \[m\].
