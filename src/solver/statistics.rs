@@ -43,6 +43,8 @@ pub(crate) enum Fallback {
     StifferSeams,
     /// Softer cloth first.
     SofterCloth,
+    /// Cloth pulled out of cloth before a stage began.
+    UntangledCloth,
 }
 
 impl Fallback {
@@ -55,6 +57,7 @@ impl Fallback {
             Self::SmallerStep => "smaller_step",
             Self::StifferSeams => "stiffer_seams",
             Self::SofterCloth => "softer_cloth",
+            Self::UntangledCloth => "untangled_cloth",
         }
     }
 }

@@ -18,7 +18,7 @@ use crate::solver::outcome::{
     AtRest, ESTIMATE_RESIDUAL_LIMIT, ForceBalance, RelaxOutcome, Unfinished,
 };
 use crate::solver::report::measure::{energies, mean_height, seam_gap};
-use crate::solver::statistics::{SolveStatistics, TermTimes};
+use crate::solver::statistics::{Fallback, SolveStatistics, TermTimes};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 
@@ -57,7 +57,7 @@ pub(crate) fn relax(
         mut system,
     } = build(level.scene, level.options, &build_options, level.clock);
     let mut shape = dof_map.average(x);
-    system.untangle(&mut shape);
+    let was_tangled = system.untangle(&mut shape);
     let gravity = level.scene.gravity;
     let first_height = mean_height(&gravity, &shape);
     let floor = system.residual_floor(&shape);
@@ -96,7 +96,10 @@ pub(crate) fn relax(
     } else {
         AtRest::WithinTolerance
     };
-    let statistics = stage.statistics(TermTimes::of_system(&system));
+    let mut statistics = stage.statistics(TermTimes::of_system(&system));
+    if was_tangled {
+        statistics.fallbacks.insert(Fallback::UntangledCloth);
+    }
     let outcome = RelaxOutcome {
         end: end(&stage, canceled, reached),
         balance,

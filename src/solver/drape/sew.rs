@@ -93,7 +93,7 @@ fn pull(
         chords: level.is_finest,
     };
     let mut system = build(level.scene, level.options, &build_options, level.clock).system;
-    system.untangle(x);
+    let was_tangled = system.untangle(x);
     let first_gap = seam_gap(stitches, x).max(1e-9);
     let eps = level.options.seam_eps_m;
     let method = level.stage_method(MOTION);
@@ -121,6 +121,9 @@ fn pull(
     };
     let (mut outcome, _) = run_stage(&mut system, x, method, &mut callback);
     outcome.residual = last_residual;
-    let statistics = outcome.statistics(TermTimes::of_system(&system));
+    let mut statistics = outcome.statistics(TermTimes::of_system(&system));
+    if was_tangled {
+        statistics.fallbacks.insert(Fallback::UntangledCloth);
+    }
     (outcome, statistics)
 }

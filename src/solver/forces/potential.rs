@@ -105,8 +105,10 @@ pub(crate) trait Potential {
     }
 
     /// Moves particles of `x` that are not fixed apart where cloth passes through cloth, as far as
-    /// that can be done.
-    fn untangle(&mut self, _x: &mut [Vector3<f64>], _is_fixed: &[bool]) {}
+    /// that can be done; returns true if it did anywhere.
+    fn untangle(&mut self, _x: &mut [Vector3<f64>], _is_fixed: &[bool]) -> bool {
+        false
+    }
 
     /// Marks the particles that are in contact at `x`.
     fn mark_touching(&mut self, _x: &[Vector3<f64>], _touching: &mut [bool]) {}

@@ -90,11 +90,14 @@ impl System<'_> {
         }
     }
 
-    /// Moves particles of `x` apart where cloth passes through cloth, as far as that can be done.
-    pub(crate) fn untangle(&mut self, x: &mut [Vector3<f64>]) {
+    /// Moves particles of `x` apart where cloth passes through cloth, as far as that can be done;
+    /// returns true if it did anywhere.
+    pub(crate) fn untangle(&mut self, x: &mut [Vector3<f64>]) -> bool {
+        let mut was_tangled = false;
         for term in &mut self.terms {
-            term.potential.untangle(x, &self.is_fixed);
+            was_tangled |= term.potential.untangle(x, &self.is_fixed);
         }
+        was_tangled
     }
 
     /// Returns true if the matrices have to be laid out anew for the accepted shape.

@@ -292,9 +292,10 @@ impl Potential for ClothContact {
         confine::confine(&self.candidates, &self.active, from, to);
     }
 
-    fn untangle(&mut self, x: &mut [Vector3<f64>], is_fixed: &[bool]) {
-        untangle::untangle(&self.surface, x, is_fixed);
+    fn untangle(&mut self, x: &mut [Vector3<f64>], is_fixed: &[bool]) -> bool {
+        let was_tangled = untangle::untangle(&self.surface, x, is_fixed);
         separate::separate(&self.surface, x, is_fixed);
+        was_tangled
     }
 }
 

@@ -39,12 +39,16 @@ struct Piercing {
 }
 
 /// Moves the particles of `x` that are not fixed until no edge pierces a triangle; if that cannot
-/// be, as far as it got best.
-pub(super) fn untangle(surface: &ContactSurface, x: &mut [Vector3<f64>], is_fixed: &[bool]) {
+/// be, as far as it got best. Returns true if one did.
+pub(super) fn untangle(
+    surface: &ContactSurface,
+    x: &mut [Vector3<f64>],
+    is_fixed: &[bool],
+) -> bool {
     let mut tree = BoxTree::new(&bounds(surface, x));
     let mut found = find(&mut tree, surface, x);
     if found.is_empty() || found.len() >= MOST_PIERCINGS * x.len() {
-        return;
+        return !found.is_empty();
     }
     let beside = surface.triangles_of_edges();
     let mut least = (found.len(), x.to_vec());
@@ -66,6 +70,7 @@ pub(super) fn untangle(surface: &ContactSurface, x: &mut [Vector3<f64>], is_fixe
         }
     }
     x.copy_from_slice(&least.1);
+    true
 }
 
 /// Returns every edge that pierces a triangle without a common or stitched corner.
