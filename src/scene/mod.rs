@@ -19,7 +19,7 @@ pub use raw::RawScene;
 pub use wind::Wind;
 
 pub use build::{PanelParts, Parts, build};
-pub use placement::{AnchoredPlacement, Placed};
+pub use placement::{AnchoredPlacement, PanelPlacement, Placed, SeamPoint, place_panels};
 
 use crate::mesh::ClothMesh;
 use nalgebra::Vector3;

@@ -1,0 +1,160 @@
+//! A panel put at a key point of the body.
+
+use super::name_hint::guess;
+use super::placed::Placed;
+use super::spot::{BodyKeyPoints, NO_BODY, Spot};
+use crate::fault::{Fault, Faults, PlacementCode, pointer_token};
+use crate::pattern::{Panel, Placement, PlacementAnchor, Wrap};
+use crate::scene::Avatar;
+use crate::seam::Face;
+use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
+use std::f64::consts::TAU;
+
+/// Room left between the body and a panel at the start \[m\].
+const CLEARANCE: f64 = 0.03;
+/// Steps in height at which the width of the body is sampled \[m\].
+const HEIGHT_STEP: f64 = 0.02;
+
+/// A placement whose key point on the body is known: stated, or told by the panel's name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct AnchoredPlacement {
+    anchor: PlacementAnchor,
+    placement: Placement,
+}
+
+impl AnchoredPlacement {
+    /// Anchors `panel` where it is stated to start, or where its name says.
+    ///
+    /// # Errors
+    /// `placement/unknown` at `/panels/<id>/placement` if neither tells a key point of the body.
+    pub fn new(panel: &Panel, stated: Option<&Placement>) -> Result<Self, Faults> {
+        let placement = stated.cloned().unwrap_or_default();
+        let anchor = placement
+            .at
+            .or_else(|| guess(panel))
+            .ok_or_else(|| unknown(panel))?;
+        Ok(Self { anchor, placement })
+    }
+
+    /// Returns true if the panel is rolled all round and may be turned about the axis: where nothing
+    /// says how it is to be turned.
+    pub(super) fn turns(&self) -> bool {
+        let Self { anchor, placement } = self;
+        let wrap = placement.wrap.unwrap_or(Wrap::Cylinder);
+        let goes_round = matches!(
+            anchor,
+            PlacementAnchor::Waist
+                | PlacementAnchor::Neck
+                | PlacementAnchor::ArmLeft
+                | PlacementAnchor::ArmRight
+        );
+        goes_round && wrap == Wrap::Cylinder && placement.rotate_deg == [0.0; 3]
+    }
+
+    /// Returns the placements that it leaves open: in each a quarter turn further, where it does
+    /// not say which way of the drawing is up; else itself.
+    pub(super) fn quarter_turns(&self) -> Vec<Self> {
+        if self.placement.up_deg.is_some() {
+            return vec![self.clone()];
+        }
+        let turned = |up_deg: f64| Self {
+            placement: Placement {
+                up_deg: Some(up_deg),
+                ..self.placement.clone()
+            },
+            ..self.clone()
+        };
+        [90.0, 180.0, 270.0, 0.0].map(turned).to_vec()
+    }
+
+    /// Places `panel`, whose side `face` is out, on `avatar`, or in free space without one.
+    pub fn place(&self, panel: &Panel, face: Face, avatar: Option<&Avatar>) -> Placed {
+        let Self { anchor, placement } = self;
+        let body = avatar.map_or(NO_BODY, BodyKeyPoints::of);
+        let spot = Spot::of(*anchor, &body);
+        let up = Rotation2::new((90.0 - placement.up_deg.unwrap_or(90.0)).to_radians());
+        let [[left, right], [bottom, top]] = bounds(panel, &up);
+        let centre_y = 0.5 * (bottom + top);
+        let wrap = placement.wrap.unwrap_or(match spot.turn {
+            Some(_) => Wrap::Cylinder,
+            None => Wrap::Flat,
+        });
+        let [rx, ry, rz] = placement.rotate_deg.map(f64::to_radians);
+        let turn = |axis: Vector3<f64>, angle: f64| Rotation3::new(axis * angle);
+        let mut placed = Placed {
+            up,
+            key: [0.5 * (left + right), if spot.hangs { top } else { bottom }],
+            centre_y,
+            sense: if face == Face::Up { 1.0 } else { -1.0 },
+            outward: spot.outward,
+            axis: spot.axis,
+            radius: 0.0,
+            wrap,
+            lean: spot.lean,
+            rotation: turn(Vector3::x(), rx) * turn(Vector3::y(), ry) * turn(Vector3::z(), rz),
+            offset: Vector3::from(placement.offset_m),
+        };
+        if *anchor == PlacementAnchor::Origin {
+            placed.key[1] = centre_y;
+            placed.sense = 1.0;
+            return placed;
+        }
+        let height = spot.axis.y;
+        let span = [
+            height + bottom - placed.key[1],
+            height + top - placed.key[1],
+        ];
+        // Rolled, a panel meets itself at most; half a band covers half a turn.
+        let around = (right - left) / (TAU * spot.turn.unwrap_or(1.0));
+        placed.radius = if spot.lean == 0.0 {
+            let reach = radius(avatar, body.centre, span, wrap) + CLEARANCE;
+            if wrap == Wrap::Cylinder {
+                reach.max(around)
+            } else {
+                reach
+            }
+        } else {
+            around.max(CLEARANCE)
+        };
+        placed
+    }
+}
+
+/// Returns the reach of the body from its axis between two heights \[m\]: to the front and back for
+/// flat panels, all round for rolled ones.
+fn radius(avatar: Option<&Avatar>, centre: f64, span: [f64; 2], wrap: Wrap) -> f64 {
+    let Some(avatar) = avatar else {
+        return CLEARANCE;
+    };
+    let mut reach: f64 = 0.0;
+    let mut y = span[0];
+    while y < span[1] + HEIGHT_STEP {
+        if let Some([x, z]) = avatar.section_bounds(y.min(span[1])) {
+            reach = reach.max(z[1] - centre).max(centre - z[0]);
+            if wrap == Wrap::Cylinder {
+                reach = reach.max(x[1]).max(-x[0]);
+            }
+        }
+        y += HEIGHT_STEP;
+    }
+    reach
+}
+
+/// Bounding box of a panel turned by `up`: `[[min x, max x], [min y, max y]]` \[m\].
+fn bounds(panel: &Panel, up: &Rotation2<f64>) -> [[f64; 2]; 2] {
+    let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
+    for point in panel.edges.iter().flat_map(|edge| &edge.points) {
+        let turned = up * Vector2::from(*point);
+        for (bound, value) in bounds.iter_mut().zip(turned.iter()) {
+            *bound = [bound[0].min(*value), bound[1].max(*value)];
+        }
+    }
+    bounds
+}
+
+fn unknown(panel: &Panel) -> Faults {
+    let pointer = format!("/panels/{}/placement", pointer_token(&panel.id));
+    Fault::new(PlacementCode::Unknown, pointer, format!("the name of panel {} does not say where on the body it goes", panel.id))
+        .fix("give \"at\": torso_front, torso_back, skirt_front, skirt_back, waist, waist_front, waist_back, neck, arm_left, arm_right or origin, or take suggested placements")
+        .into()
+}

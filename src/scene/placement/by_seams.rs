@@ -1,0 +1,225 @@
+//! Panels rolled about the body are turned so that their stitches are short: a band that is drawn
+//! upright is laid round, a sleeve has its cap at the shoulder, a collar its ends where the neck
+//! opens.
+
+use super::{AnchoredPlacement, Placed};
+use crate::pattern::Panel;
+use crate::scene::Avatar;
+use crate::seam::Face;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Stitches of a panel that are looked at at most, evenly spread.
+const STITCHES: usize = 100;
+/// Share of the sum of squares that another pose must save to be taken: where a panel fits alike
+/// in several, it stays as it was placed.
+const SAVED: f64 = 0.1;
+
+/// A panel and where it is to start.
+#[derive(Clone, Copy, Debug)]
+pub struct PanelPlacement<'a> {
+    /// The panel.
+    pub panel: &'a Panel,
+    /// The key point of the body that it starts at.
+    pub placement: &'a AnchoredPlacement,
+    /// The side that is out.
+    pub face: Face,
+}
+
+/// A point of a panel's seam.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SeamPoint {
+    /// Index of the panel.
+    pub panel: usize,
+    /// Point on its drawing \[m\].
+    pub uv: [f64; 2],
+}
+
+/// Places `panels` on `avatar`, or in free space without one.
+///
+/// Flat panels are put where they are anchored. Those that are rolled all round follow, each turned
+/// about its axis, and by quarters on the drawing where the placement does not say which way is up,
+/// so that its `stitches` to the panels before it and to itself are short.
+pub fn place_panels(
+    panels: &[PanelPlacement<'_>],
+    stitches: &[[SeamPoint; 2]],
+    avatar: Option<&Avatar>,
+) -> Vec<Placed> {
+    let mut placed: Vec<Placed> = panels
+        .iter()
+        .map(|panel| panel.placement.place(panel.panel, panel.face, avatar))
+        .collect();
+    let mut is_settled: Vec<bool> = panels
+        .iter()
+        .map(|panel| !panel.placement.turns())
+        .collect();
+    let is_next = |is_settled: &[bool], panel: usize| {
+        let joins = |[a, b]: &[SeamPoint; 2]| {
+            (a.panel == panel && is_settled[b.panel]) || (b.panel == panel && is_settled[a.panel])
+        };
+        !is_settled[panel] && stitches.iter().any(joins)
+    };
+    while let Some(panel) = (0..panels.len()).find(|&panel| is_next(&is_settled, panel)) {
+        let own = own_stitches(panel, stitches, &is_settled);
+        placed[panel] = turned(&panels[panel], &own, (&placed, panel), avatar);
+        is_settled[panel] = true;
+    }
+    placed
+}
+
+/// A stitch of a panel: its point, and the point it is sewn to.
+type OwnStitch = [SeamPoint; 2];
+
+/// Returns stitches of `panel` to itself and to panels that are settled, its own point first.
+fn own_stitches(panel: usize, stitches: &[[SeamPoint; 2]], is_settled: &[bool]) -> Vec<OwnStitch> {
+    let is_known = |other: usize| other == panel || is_settled[other];
+    let own = stitches
+        .iter()
+        .filter_map(|&[a, b]| match (a.panel == panel, b.panel == panel) {
+            (true, _) if is_known(b.panel) => Some([a, b]),
+            (false, true) if is_known(a.panel) => Some([b, a]),
+            _ => None,
+        });
+    let own: Vec<_> = own.collect();
+    let step = own.len().div_ceil(STITCHES).max(1);
+    own.into_iter().step_by(step).collect()
+}
+
+/// Returns the pose of `panel` in which its stitches are shortest.
+fn turned(
+    panel: &PanelPlacement<'_>,
+    stitches: &[OwnStitch],
+    (placed, index): (&[Placed], usize),
+    avatar: Option<&Avatar>,
+) -> Placed {
+    let cost = |pose: &Placed| {
+        let length = |[own, other]: &OwnStitch| {
+            let at = if other.panel == index {
+                pose
+            } else {
+                &placed[other.panel]
+            };
+            (pose.position(own.uv) - at.position(other.uv)).norm_squared()
+        };
+        stitches.iter().map(length).sum::<f64>()
+    };
+    let mut best = placed[index].clone();
+    let mut least = (1.0 - SAVED) * cost(&best);
+    for placement in panel.placement.quarter_turns() {
+        let upright = placement.place(panel.panel, panel.face, avatar);
+        let turned = |angle: f64| Placed {
+            outward: upright.outward + angle,
+            ..upright.clone()
+        };
+        // Points run on circles: the sum of squares is a constant and one wave of the angle.
+        let [ahead, aside, behind] = [0.0, FRAC_PI_2, PI].map(|angle| cost(&turned(angle)));
+        let mean = 0.5 * (ahead + behind);
+        let pose = turned((mean - aside).atan2(mean - ahead));
+        let cost = cost(&pose);
+        if cost < least {
+            (best, least) = (pose, cost);
+        }
+    }
+    best
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::{Placement, PlacementAnchor, Wrap};
+    use crate::seam::Face;
+
+    /// A rectangle from the origin, its edges in the order of its corners \[m\].
+    fn rectangle(id: &str, [width, height]: [f64; 2]) -> Panel {
+        let corners = [[0.0, 0.0], [0.0, height], [width, height], [width, 0.0]];
+        let edges = (0..4).map(|k| {
+            serde_json::json!({
+                "index": k, "from": k, "to": (k + 1) % 4, "length_m": 0.0,
+                "points": [corners[k], corners[(k + 1) % 4]],
+            })
+        });
+        let points = corners.iter().enumerate();
+        let points = points.map(|(k, [x, y])| serde_json::json!({"index": k, "x": x, "y": y}));
+        serde_json::from_value(serde_json::json!({
+            "id": id, "name": id, "area_m2": width * height, "perimeter_m": 0.0, "drawn_area_m2": width * height,
+            "corners": points.collect::<Vec<_>>(), "edges": edges.collect::<Vec<_>>(),
+        }))
+        .unwrap()
+    }
+
+    fn anchored(panel: &Panel, at: PlacementAnchor) -> AnchoredPlacement {
+        let placement = Placement {
+            at: Some(at),
+            ..Placement::default()
+        };
+        AnchoredPlacement::new(panel, Some(&placement)).unwrap()
+    }
+
+    /// A band drawn upright, 0.8 m long, is sewn with one long edge to the tops of two skirts.
+    #[test]
+    fn a_band_drawn_upright_is_laid_round_the_waist() {
+        let skirts = [
+            ("front", PlacementAnchor::SkirtFront),
+            ("back", PlacementAnchor::SkirtBack),
+        ];
+        let mut panels = skirts.map(|(id, _)| rectangle(id, [0.4, 0.6])).to_vec();
+        panels.push(rectangle("band", [0.05, 0.8]));
+        let mut placements: Vec<_> = skirts.map(|(_, at)| at).to_vec();
+        placements.push(PlacementAnchor::Waist);
+        let placements: Vec<_> = panels
+            .iter()
+            .zip(placements)
+            .map(|(p, at)| anchored(p, at))
+            .collect();
+        let placed: Vec<_> = panels
+            .iter()
+            .zip(&placements)
+            .map(|(panel, placement)| PanelPlacement {
+                panel,
+                placement,
+                face: Face::Up,
+            })
+            .collect();
+        // Up the band is once round: the front from left to right, then the back.
+        let mut stitches = vec![];
+        for k in 0..=20 {
+            let along = 0.02 * f64::from(k);
+            for (panel, start) in [(0, 0.0), (1, 0.4)] {
+                let skirt = SeamPoint {
+                    panel,
+                    uv: [along, 0.6],
+                };
+                let band = SeamPoint {
+                    panel: 2,
+                    uv: [0.05, start + along],
+                };
+                stitches.push([skirt, band]);
+            }
+        }
+        let start = place_panels(&placed, &stitches, None);
+        let band = &start[2];
+        assert_eq!(band.wrap, Wrap::Cylinder);
+        // Level, with the sewn edge below the other one, and its ends where the back begins: at
+        // the wearer's left, which is where the drawn front ends.
+        let [low, high] = [[0.05, 0.3], [0.0, 0.3]].map(|uv| band.position(uv).y);
+        assert!((high - low - 0.05).abs() < 1e-12, "{low} {high}");
+        let middle_of_front = band.position([0.05, 0.2]);
+        assert!(
+            middle_of_front.z > 0.0 && middle_of_front.x.abs() < 1e-9,
+            "{middle_of_front}"
+        );
+    }
+
+    #[test]
+    fn a_panel_without_stitches_stays_as_it_was_placed() {
+        let panel = rectangle("band", [0.8, 0.05]);
+        let placement = anchored(&panel, PlacementAnchor::Waist);
+        let alone = PanelPlacement {
+            panel: &panel,
+            placement: &placement,
+            face: Face::Up,
+        };
+        let uv = [0.1, 0.02];
+        let before = placement.place(&panel, Face::Up, None).position(uv);
+        assert_eq!(place_panels(&[alone], &[], None)[0].position(uv), before);
+    }
+}

@@ -1,0 +1,13 @@
+//! Start position of each panel (P7): its key point is put at a key point of the body, in front,
+//! behind or round it, and what is rolled about the body is turned to the panels that it is sewn
+//! to.
+
+mod anchored;
+mod by_seams;
+mod name_hint;
+mod placed;
+mod spot;
+
+pub use anchored::AnchoredPlacement;
+pub use by_seams::{PanelPlacement, SeamPoint, place_panels};
+pub use placed::Placed;

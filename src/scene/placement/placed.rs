@@ -1,0 +1,56 @@
+//! The way of a panel from its drawing to its start in space.
+
+use crate::pattern::Wrap;
+use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
+
+/// The way from pattern coordinates to the start position in space.
+#[derive(Clone, Debug)]
+pub struct Placed {
+    /// Turns the drawing so that up on the body is +y.
+    pub(super) up: Rotation2<f64>,
+    /// The key point and the middle of the height, in the turned drawing \[m\].
+    pub(super) key: [f64; 2],
+    pub(super) centre_y: f64,
+    /// +1 where the drawn +x runs along increasing angle, -1 where it runs against it.
+    pub(super) sense: f64,
+    /// Angle of the outward direction from +z towards +x \[rad\].
+    pub(super) outward: f64,
+    /// Point of the axis at the key point's height \[m\].
+    pub(super) axis: Vector3<f64>,
+    /// Distance from the axis \[m\].
+    pub(super) radius: f64,
+    pub(super) wrap: Wrap,
+    /// Lean of the axis about the key point; positive takes its lower end to +x \[rad\].
+    pub(super) lean: f64,
+    pub(super) rotation: Rotation3<f64>,
+    pub(super) offset: Vector3<f64>,
+}
+
+impl Placed {
+    /// Start position of the pattern point `uv` \[m\].
+    pub fn position(&self, uv: [f64; 2]) -> Vector3<f64> {
+        let upright = self.up * Vector2::from(uv);
+        let middle = self.rolled(0.0, self.centre_y - self.key[1]);
+        let p = self.rolled(
+            self.sense * (upright.x - self.key[0]),
+            upright.y - self.key[1],
+        );
+        middle + self.rotation * (p - middle) + self.offset
+    }
+
+    /// The point `along` the panel's width from its key point and `up` from it \[m\].
+    fn rolled(&self, along: f64, up: f64) -> Vector3<f64> {
+        let (angle, flat) = match self.wrap {
+            Wrap::Flat => (self.outward, along),
+            Wrap::Cylinder => (self.outward + along / self.radius, 0.0),
+        };
+        let (sin, cos) = angle.sin_cos();
+        // Outward is (sin, 0, cos); (cos, 0, -sin) runs along increasing angle.
+        let from_key = Vector3::new(
+            self.radius * sin + flat * cos,
+            up,
+            self.radius * cos - flat * sin,
+        );
+        self.axis + Rotation3::new(Vector3::z() * self.lean) * from_key
+    }
+}

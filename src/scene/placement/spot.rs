@@ -1,0 +1,100 @@
+//! Key points of a body, and the pose of panels that are put there.
+
+use crate::pattern::PlacementAnchor;
+use crate::scene::Avatar;
+use nalgebra::Vector3;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Key points of a garment without a body.
+pub(super) const NO_BODY: BodyKeyPoints = BodyKeyPoints {
+    shoulder: 1.4,
+    neck: 1.42,
+    waist: 1.05,
+    centre: 0.0,
+    arm: [0.19, 1.37],
+};
+/// A sleeve starts at this angle from the body \[rad\]: so that it clears the sides.
+const ARM_SPREAD: f64 = 0.7;
+
+/// Key points of a body: heights, the middle in depth, x and y of the left shoulder's tip \[m\].
+#[derive(Clone, Copy, Debug)]
+pub(super) struct BodyKeyPoints {
+    pub(super) shoulder: f64,
+    pub(super) neck: f64,
+    pub(super) waist: f64,
+    pub(super) centre: f64,
+    pub(super) arm: [f64; 2],
+}
+
+impl BodyKeyPoints {
+    pub(super) fn of(avatar: &Avatar) -> Self {
+        let height =
+            |name: &str, otherwise: f64| avatar.landmarks.get(name).map_or(otherwise, |p| p.y);
+        let waist = height("waist_front", NO_BODY.waist);
+        let centre = avatar
+            .section_bounds(waist)
+            .map_or(0.0, |[_, z]| 0.5 * (z[0] + z[1]));
+        let shoulder = height("neck_side_l", NO_BODY.shoulder);
+        let tip = avatar.landmarks.get("shoulder_tip_l");
+        Self {
+            shoulder,
+            neck: height("neck_front", shoulder),
+            waist,
+            centre,
+            arm: tip.map_or(NO_BODY.arm, |tip| [tip.x, tip.y]),
+        }
+    }
+}
+
+/// Position of an anchor, and the pose of panels there.
+pub(super) struct Spot {
+    /// Point of the axis at the key point's height \[m\].
+    pub(super) axis: Vector3<f64>,
+    /// True if the key point is the top of the panel, not its bottom.
+    pub(super) hangs: bool,
+    /// Angle of the outward direction from +z towards +x \[rad\].
+    pub(super) outward: f64,
+    /// The part of a turn that a rolled panel covers at least; nothing where panels lie flat unless
+    /// told.
+    pub(super) turn: Option<f64>,
+    pub(super) lean: f64,
+}
+
+impl Spot {
+    pub(super) fn of(anchor: PlacementAnchor, body: &BodyKeyPoints) -> Self {
+        let spot = |height: f64, hangs: bool, outward: f64, turn: Option<f64>| Self {
+            axis: Vector3::new(0.0, height, body.centre),
+            hangs,
+            outward,
+            turn,
+            lean: 0.0,
+        };
+        let arm = |side: f64, outward: f64, turn: f64| Self {
+            axis: Vector3::new(side * body.arm[0], body.arm[1], body.centre),
+            lean: side * ARM_SPREAD,
+            ..spot(0.0, true, outward, Some(turn))
+        };
+        match anchor {
+            PlacementAnchor::TorsoFront => spot(body.shoulder, true, 0.0, None),
+            PlacementAnchor::TorsoBack => spot(body.shoulder, true, PI, None),
+            PlacementAnchor::SkirtFront => spot(body.waist, true, 0.0, None),
+            PlacementAnchor::SkirtBack => spot(body.waist, true, PI, None),
+            PlacementAnchor::Waist => spot(body.waist, false, 0.0, Some(1.0)),
+            PlacementAnchor::WaistFront => spot(body.waist, false, 0.0, Some(0.5)),
+            PlacementAnchor::WaistBack => spot(body.waist, false, PI, Some(0.5)),
+            PlacementAnchor::Neck => spot(body.neck, false, 0.0, Some(1.0)),
+            PlacementAnchor::NeckFront => spot(body.neck, false, 0.0, Some(0.5)),
+            PlacementAnchor::NeckBack => spot(body.neck, false, PI, Some(0.5)),
+            PlacementAnchor::ArmLeft => arm(1.0, FRAC_PI_2, 1.0),
+            PlacementAnchor::ArmRight => arm(-1.0, -FRAC_PI_2, 1.0),
+            PlacementAnchor::ArmLeftFront => arm(1.0, 0.0, 0.5),
+            PlacementAnchor::ArmRightFront => arm(-1.0, 0.0, 0.5),
+            PlacementAnchor::ArmLeftBack => arm(1.0, PI, 0.5),
+            PlacementAnchor::ArmRightBack => arm(-1.0, PI, 0.5),
+            PlacementAnchor::Origin => Self {
+                axis: Vector3::zeros(),
+                ..spot(0.0, true, 0.0, None)
+            },
+        }
+    }
+}
