@@ -22,6 +22,7 @@ pub(crate) fn measure_unrelaxed(
     let stiffness = options.closed_seam_stiffness(options.sewing_stiffness());
     let build_options = BuildOptions {
         seams: Seams::Stiff { stiffness },
+        hold: false,
         gravity: true,
         friction: None,
         explicit: false,

@@ -45,6 +45,7 @@ pub(crate) fn relax(
     let stitches = level.stitches(u32::MAX);
     let build_options = BuildOptions {
         seams: Seams::closed(level.options, stiffness),
+        hold: false,
         gravity: true,
         friction: Some(&level.anchors),
         explicit: level.options.method.is_explicit(),

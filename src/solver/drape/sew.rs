@@ -86,6 +86,8 @@ fn pull(
             stitches: stitches.to_vec(),
             stiffness,
         },
+        // On a body, and not in steps of motion, which know pair forces alone.
+        hold: level.scene.body.is_some() && !level.options.method.is_time_stepping(),
         gravity: false,
         friction: None,
         explicit: level.options.method.is_explicit(),

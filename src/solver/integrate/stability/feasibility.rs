@@ -67,6 +67,7 @@ fn stable_step(scene: &Scene, options: &SolverOptions, clock: &dyn Fn() -> f64) 
     };
     let build_options = BuildOptions {
         seams,
+        hold: false,
         gravity: false,
         friction: None,
         explicit: false,
