@@ -67,16 +67,23 @@ function verdictLine(report, status) {
     : el("p", { class: "verdict bad" }, "The garment came to rest, but it is not right.");
 }
 
+/** How the body carries the garment, where that is judged. */
+function support(worn) {
+  const sentence = (text) => text.replace(/[^.]$/, "$&.");
+  if (worn.ok === null) return finding("plain", sentence(`Worn: ${worn.because}`));
+  return finding(worn.ok ? "good" : "bad", sentence(`${worn.ok ? "Worn" : "Not worn"}: ${worn.because}`));
+}
+
 /** The summary; `canceled` where the fit was stopped. */
 export function reportSummary(report, status) {
   const verdict = verdictLine(report, status);
-  const worn = report.worn ?? { ok: false, because: "not stated" };
+  const worn = report.worn ?? { ok: null, because: "not stated" };
   const items = [
     finding(report.converged ? "good" : "bad", reason(report)),
     closing(report),
     ...crossings(report),
     inside(report),
-    finding(worn.ok ? "good" : report.good?.ok ? "plain" : "bad", `${worn.ok ? "Worn" : "Not worn"}: ${worn.because}`.replace(/[^.]$/, "$&.")),
+    support(worn),
     precision(report),
     finding("plain", `Largest strain ${percent(report.strain_max)}.`),
     finding("plain", `${seconds(report.cpu_s.total)} of computing, ${plural(report.vertices, "vertex", "vertices")}, ${plural(report.stitches, "stitch", "stitches")}, method ${report.method}.`),

@@ -17,6 +17,7 @@ mod schema_fault;
 mod seam_check;
 mod sewing_pattern;
 mod suggest;
+mod support;
 mod unsupported;
 mod validate;
 mod verdict;

@@ -3,12 +3,15 @@
 use super::crossings::{self, FoundCrossings};
 use super::garment::{Garment, SelfContact};
 use super::resolve::ResolvedGarment;
+use super::support;
 use super::verdict::{Demands, verdict};
 use crate::export::{DrapedPanel, GarmentMesh};
 use crate::fault::Faults;
 use crate::memory;
 use crate::mesh::{self, ClothMesh, PanelRange};
-use crate::scene::{self, Avatar, Body, PanelParts, Parts, Scene};
+use crate::scene::{
+    self, Avatar, Body, PanelParts, PanelPlacement, Parts, Placed, Scene, SeamPoint,
+};
 use crate::solver::{self, Analysis, Context, DrapeReport, SolverOptions};
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -44,6 +47,7 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
         let names = garment.pattern.panels.iter().map(|panel| &*panel.id);
         let names: Vec<_> = names.collect();
         let found = crossings::find(&scene, &names, &drape.positions, pairs);
+        report.support = support::support(&scene, &names, &drape.positions, &report.support);
         judge(garment, found, &mut report);
     }
     report.cpu_s.mesh = meshed - began;
@@ -116,12 +120,11 @@ fn triangulate(garment: &ResolvedGarment, context: &Context<'_>) -> Result<Cloth
 
 fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults> {
     let avatar = avatar(garment)?;
-    let panels = garment.pattern.panels.iter().zip(&garment.panels);
-    let panels = panels.map(|(outline, panel)| PanelParts {
+    let placed = place(garment, &mesh, avatar.as_deref());
+    let panels = garment.panels.iter().zip(placed);
+    let panels = panels.map(|(panel, placed)| PanelParts {
         cut: panel.cut,
-        placed: panel
-            .placement
-            .place(outline, panel.face, avatar.as_deref()),
+        placed,
     });
     let pins = garment.pins.iter();
     let scene = scene::build(Parts {
@@ -139,6 +142,26 @@ fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults>
         self_contact: keeps_apart(garment.garment()),
         ..scene
     })
+}
+
+/// Returns where each panel starts.
+fn place(garment: &ResolvedGarment, mesh: &ClothMesh, avatar: Option<&Avatar>) -> Vec<Placed> {
+    let panels = garment.pattern.panels.iter().zip(&garment.panels);
+    let panels = panels.map(|(outline, panel)| PanelPlacement {
+        panel: outline,
+        placement: &panel.placement,
+        face: panel.face,
+    });
+    let panels: Vec<_> = panels.collect();
+    let point = |vertex: usize| SeamPoint {
+        panel: mesh
+            .panels
+            .partition_point(|range| range.vertices.end <= vertex),
+        uv: mesh.uv[vertex],
+    };
+    let stitches = mesh.stitches.iter();
+    let stitches: Vec<_> = stitches.map(|s| [point(s.a), point(s.b)]).collect();
+    scene::place_panels(&panels, &stitches, avatar)
 }
 
 /// Returns true if cloth is to be kept from passing through cloth. Motion has no such contact, and

@@ -105,7 +105,7 @@ fn torn(report: &DrapeReport) -> Option<String> {
 }
 
 fn not_worn(report: &DrapeReport, demands: Demands) -> Option<String> {
-    let is_fault = demands.has_avatar && report.converged && !report.support.ok;
+    let is_fault = demands.has_avatar && report.converged && report.support.ok == Some(false);
     is_fault.then(|| format!("it is not worn: {}", report.support.because))
 }
 
@@ -149,8 +149,8 @@ mod tests {
             body_intersections: Some(0),
             vertices_inside_body: Some(0),
             support: Support {
-                ok: true,
-                because: String::new(),
+                ok: Some(true),
+                ..Support::default()
             },
             ..DrapeReport::default()
         }
@@ -196,7 +196,7 @@ mod tests {
         report.strain_max = 1.5;
         assert_eq!(failed(&report), [Shortcoming::Strain]);
         report = flawless();
-        report.support.ok = false;
+        report.support.ok = Some(false);
         assert_eq!(failed(&report), [Shortcoming::Worn]);
     }
 
@@ -222,7 +222,7 @@ mod tests {
             ..DEMANDS
         };
         assert!(verdict(&report, lenient).ok);
-        report.support.ok = false;
+        report.support.ok = Some(false);
         let no_body = Demands {
             has_avatar: false,
             ..lenient

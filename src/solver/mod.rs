@@ -37,5 +37,5 @@ pub use crate::solver::outcome::Drape;
 pub use crate::solver::report::measure::rms_distance;
 pub use crate::solver::report::schema::{
     Advice, CpuSeconds, DrapeReport, Energy, ErrorPoint, Intersection, IntersectionKind,
-    LevelReport, Plan, Shortcoming, SkippedTerm, Support, TermTime, Verdict,
+    LevelReport, Plan, Shortcoming, SkippedTerm, Support, SupportOpening, TermTime, Verdict,
 };

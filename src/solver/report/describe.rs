@@ -170,26 +170,30 @@ fn support(scene: &Scene, outcome: &DrapeOutcome) -> Support {
         outcome.sunk_m.abs() * 1e3
     );
     let (ok, because) = if scene.body.is_none() {
-        (false, "there is no avatar".to_owned())
+        (None, "there is no avatar".to_owned())
     } else if outcome.end.is_err() {
         (
-            false,
+            Some(false),
             format!("it did not come to rest; its middle is {moved}"),
         )
     } else if outcome.measures.penetration_m > INSIDE {
         (
-            false,
+            Some(false),
             format!("it came to rest with cloth {inside_mm:.0} mm inside the body"),
         )
     } else if outcome.sunk_m > FALLEN {
         (
-            false,
+            Some(false),
             format!("it sank by {sunk_mm:.0} mm: nothing holds it where it was put"),
         )
     } else {
-        (true, format!("it came to rest on the body, {moved}"))
+        (Some(true), format!("it came to rest on the body, {moved}"))
     };
-    Support { ok, because }
+    Support {
+        ok,
+        because,
+        openings: vec![],
+    }
 }
 
 /// Returns the terms that `scene` has no need of, but for those in `ran`: coarser meshes bend even

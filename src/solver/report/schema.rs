@@ -56,7 +56,7 @@ pub struct DrapeReport {
     /// Places of these, those with most first: of the first 10 000 of each kind, at most 25 places.
     #[serde(default)]
     pub intersections: Vec<Intersection>,
-    /// True if the body carries the garment, and why.
+    /// Verdict on how the body carries the garment.
     #[serde(rename = "worn")]
     pub support: Support,
     /// Vertices of the mesh.
@@ -170,14 +170,35 @@ pub struct Energy {
 }
 
 /// Support of the garment by the body.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(rename = "Worn")]
 #[schema(as = Worn)]
 pub struct Support {
-    /// True if the body carries the garment.
-    pub ok: bool,
+    /// True if the body carries the garment; null where that is not judged: without an avatar,
+    /// with pins that carry the cloth, and for motion.
+    pub ok: Option<bool>,
     /// Reason, in words.
     pub because: String,
+    /// The openings of the garment: neck, armholes, wrists, waist, hem.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub openings: Vec<SupportOpening>,
+}
+
+/// An opening of a garment, and what it goes round.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(rename = "WornOpening")]
+#[schema(as = WornOpening)]
+pub struct SupportOpening {
+    /// Panels along it, by their names.
+    pub panels: String,
+    /// The part of the body that it was placed round, in words.
+    pub placed_round: String,
+    /// The part of the body that it goes round in the end, in words.
+    pub goes_round: String,
+    /// Length along it \[m\].
+    pub length_m: f64,
+    /// Mean height above the floor \[m\].
+    pub height_m: f64,
 }
 
 /// Levels and time as planned and expected, against what came of them.

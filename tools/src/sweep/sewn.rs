@@ -87,7 +87,7 @@ fn measured(line: SweepLine, outcome: &FitOutcome) -> SweepLine {
         body_crossings: report.body_intersections,
         vertices_inside: report.vertices_inside_body,
         strain_max: report.strain_max,
-        worn: report.support.ok,
+        worn: report.support.ok == Some(true),
         worn_because: report.support.because,
         why: report.why,
         cpu_s: report.cpu_s.total,
