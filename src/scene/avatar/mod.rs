@@ -7,9 +7,11 @@ mod field;
 mod figure;
 mod form;
 mod half_mesh;
+mod lattice;
 mod leg;
 mod limb;
 mod measures;
+mod node_distances;
 mod proportions;
 mod rings;
 mod section;
@@ -95,7 +97,7 @@ impl Avatar {
     ) -> Result<Self, Faults> {
         Faults(surface.check()).or(())?;
         let exact = ExactDistance::new(&surface);
-        let field = DistanceField::new(&exact, REACH);
+        let field = DistanceField::new(&surface, &exact, REACH);
         Ok(Self {
             name: name.to_owned(),
             surface,
