@@ -10,7 +10,10 @@ mod placement;
 mod raw;
 mod wind;
 
-pub use avatar::{Avatar, BodySample, DressForm, DressFormCache, LANDMARKS, TriangleMesh};
+pub use avatar::{
+    Avatar, BodySample, DressForm, DressFormCache, LANDMARKS, Limb, LimbAxis, Limbs, Pose, Sex,
+    TriangleMesh,
+};
 pub use body::{Analytic, Body};
 pub use coarser::{CoarserScene, coarser};
 pub use fabric::{Fabric, library};

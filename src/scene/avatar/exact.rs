@@ -11,6 +11,8 @@ use nalgebra::Vector3;
 pub(super) struct ExactDistance {
     tree: Tree,
     normals: Vec<Normals>,
+    /// The triangle beyond each edge of a triangle.
+    neighbors: Vec<[usize; 3]>,
     bounds: [Vector3<f64>; 2],
 }
 
@@ -35,9 +37,11 @@ impl ExactDistance {
         };
         let lower = corners().fold(Vector3::repeat(f64::INFINITY), |l, v| l.inf(&v));
         let upper = corners().fold(Vector3::repeat(f64::NEG_INFINITY), |u, v| u.sup(&v));
+        let (normals, neighbors) = normals(surface);
         Self {
             tree: Tree::new(surface),
-            normals: normals(surface),
+            normals,
+            neighbors,
             bounds: [lower, upper],
         }
     }
@@ -54,16 +58,18 @@ impl ExactDistance {
             .map_or(f64::NAN, |nearest| self.sign(p, &nearest))
     }
 
-    /// The same, sooner, if `near` is a point of the surface near the nearest one; it becomes the
-    /// nearest one.
-    pub(super) fn signed_near(&self, p: &Vector3<f64>, near: &mut Vector3<f64>) -> f64 {
-        // a little more than the distance to `near`, which must itself be found
-        let within = (p - *near).norm() * 1.000_001 + 1e-12;
-        let Some(nearest) = self.tree.nearest(p, within) else {
-            return self.signed(p);
-        };
-        *near = nearest.point;
-        self.sign(p, &nearest)
+    /// The triangles beyond the edges of a triangle.
+    pub(super) fn neighbors(&self, triangle: usize) -> [usize; 3] {
+        self.neighbors[triangle]
+    }
+
+    /// Returns true if `p`, which is nearest to `point` on this feature of a triangle, is inside.
+    pub(super) fn is_inside(
+        &self,
+        p: &Vector3<f64>,
+        (triangle, feature, point): (usize, Feature, Vector3<f64>),
+    ) -> bool {
+        self.normal(triangle, feature).dot(&(p - point)) < 0.0
     }
 
     /// The point of the surface nearest to `p` \[m\]; `p` where it is no point.
@@ -72,25 +78,30 @@ impl ExactDistance {
     }
 
     fn sign(&self, p: &Vector3<f64>, nearest: &Nearest) -> f64 {
-        let normals = &self.normals[nearest.triangle];
-        let normal = match nearest.feature {
-            Feature::Face => normals.face,
-            Feature::Edge(k) => normals.edges[k],
-            Feature::Corner(k) => normals.corners[k],
-        };
+        let normal = self.normal(nearest.triangle, nearest.feature);
         nearest
             .distance_squared
             .sqrt()
             .copysign(normal.dot(&(p - nearest.point)))
     }
+
+    fn normal(&self, triangle: usize, feature: Feature) -> Vector3<f64> {
+        let normals = &self.normals[triangle];
+        match feature {
+            Feature::Face => normals.face,
+            Feature::Edge(k) => normals.edges[k],
+            Feature::Corner(k) => normals.corners[k],
+        }
+    }
 }
 
-fn normals(surface: &TriangleMesh) -> Vec<Normals> {
+fn normals(surface: &TriangleMesh) -> (Vec<Normals>, Vec<[usize; 3]>) {
     let mut at_vertex = vec![Vector3::zeros(); surface.vertices.len()];
     // (lower vertex, higher vertex, triangle, which edge of it): the two users of an edge come to
     // lie side by side
     let mut edges = Vec::with_capacity(3 * surface.triangles.len());
     let mut normals = vec![Normals::default(); surface.triangles.len()];
+    let mut neighbors = vec![[0; 3]; surface.triangles.len()];
     for (t, triangle) in surface.triangles.iter().enumerate() {
         let corners = surface.corners(t);
         let face = (corners[1] - corners[0])
@@ -107,12 +118,13 @@ fn normals(surface: &TriangleMesh) -> Vec<Normals> {
     edges.sort_unstable();
     for pair in edges.chunks_exact(2) {
         let sum = normals[pair[0].2].face + normals[pair[1].2].face;
-        for &(_, _, t, k) in pair {
+        for (&(_, _, t, k), &(_, _, other, _)) in pair.iter().zip(pair.iter().rev()) {
             normals[t].edges[k] = sum;
+            neighbors[t][k] = other;
         }
     }
     for (normals, triangle) in normals.iter_mut().zip(&surface.triangles) {
         normals.corners = triangle.map(|v| at_vertex[v]);
     }
-    normals
+    (normals, neighbors)
 }

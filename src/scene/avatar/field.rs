@@ -1,17 +1,28 @@
 //! A smooth signed distance: the tricubic spline through exact distances on a grid.
 
+use super::TriangleMesh;
 use super::exact::ExactDistance;
+use super::lattice::Lattice;
+use super::node_distances::node_distances;
 use super::spline::{bends, interpolate, pivots, slopes, weights};
 use nalgebra::{Matrix3, Vector3};
 
 /// Spacing of the grid \[m\]: about the mesh edges of a body, so that its facets are not resolved
 /// but smoothed.
 const SPACING: f64 = 0.009;
-/// Most nodes; a body that would need more gets a wider spacing.
-const NODES: f64 = 1.0e6;
+/// Most nodes of the box about a body; one that would need more gets a wider spacing.
+const NODES: f64 = 5.0e6;
 /// Nodes beyond the reach on each side: there the free ends of the spline are felt by less than
 /// 0.268^4 = 0.5 %.
 const MARGIN: f64 = 4.0;
+/// Spacings beyond the reach within which nodes are computed: the coefficients about a point are up
+/// to 2 sqrt(3) away from it, and the ends of the spline two more.
+const COMPUTED: f64 = 5.5;
+/// Cells along an edge of a brick, and coefficients: one more before and two behind.
+const CELLS: usize = 8;
+const SIDE: usize = CELLS + 3;
+/// Brick that is not there.
+const NONE: u32 = u32::MAX;
 
 /// The signed distance of a body at a point, with its derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -24,15 +35,17 @@ pub struct BodySample {
     pub curvature: Matrix3<f64>,
 }
 
-/// Coefficients of the spline. C2, so that a Newton method sees no kinks; exact at the nodes.
+/// Coefficients of the spline. C2, so that a Newton method sees no kinks; exact at the nodes. Kept
+/// in bricks, only where the body or its reach is.
 #[derive(Clone, Debug)]
 pub(super) struct DistanceField {
-    origin: Vector3<f64>,
-    spacing: f64,
+    lattice: Lattice,
     reach: f64,
-    /// Nodes along x, y, z.
-    size: [usize; 3],
-    /// Along z fastest, along x slowest \[m\].
+    /// Bricks along y and z.
+    across: [usize; 2],
+    /// First coefficient of each brick over the size of one, along z fastest, or `NONE`.
+    bricks: Vec<u32>,
+    /// `SIDE` x `SIDE` x `SIDE` of each brick, along z fastest, along x slowest \[m\].
     coefficients: Vec<f64>,
 }
 
@@ -45,79 +58,67 @@ struct Cell {
 
 impl DistanceField {
     /// The field about a surface up to `reach` outside \[m\].
-    pub(super) fn new(exact: &ExactDistance, reach: f64) -> Self {
-        let mut field = Self::layout(exact.bounds(), reach);
-        field.fill(exact);
-        field.prefilter();
+    pub(super) fn new(surface: &TriangleMesh, exact: &ExactDistance, reach: f64) -> Self {
+        let lattice = layout(exact.bounds(), reach);
+        let limit = reach + COMPUTED * lattice.spacing;
+        let mut nodes = node_distances(&lattice, (surface, exact), limit);
+        let offered = lattice.spacing.mul_add(1.8, reach);
+        let near: Vec<bool> = nodes.iter().map(|distance| *distance <= offered).collect();
+        prefilter(&lattice, &mut nodes);
+        let mut field = Self {
+            across: [1, 2].map(|axis| lattice.size[axis].div_ceil(CELLS)),
+            bricks: Vec::new(),
+            coefficients: Vec::new(),
+            lattice,
+            reach,
+        };
+        field.keep(&nodes, &near, limit);
         field
     }
 
-    fn layout([lower, upper]: [Vector3<f64>; 2], reach: f64) -> Self {
-        let nodes = |spacing: f64| {
-            let pad = 2.0 * (reach + MARGIN * spacing);
-            (upper - lower).map(|width| ((width + pad) / spacing).ceil() + 1.0)
-        };
-        let mut spacing = SPACING;
-        while nodes(spacing).product() > NODES {
-            spacing *= 1.05;
-        }
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "whole, positive and below NODES"
-        )]
-        let size: [usize; 3] = nodes(spacing).map(|n| n as usize).into();
-        Self {
-            origin: lower.add_scalar(-reach - MARGIN * spacing),
-            spacing,
-            reach,
-            size,
-            coefficients: vec![0.0; size.iter().product()],
-        }
-    }
-
-    fn index(&self, [i, j, k]: [usize; 3]) -> usize {
-        (i * self.size[1] + j) * self.size[2] + k
-    }
-
-    /// Exact distances at the nodes; each search begins with the nearest point of the node before.
-    fn fill(&mut self, exact: &ExactDistance) {
-        let mut column = exact.nearest(&self.origin);
-        for i in 0..self.size[0] {
-            for j in 0..self.size[1] {
-                let mut near = column;
-                for k in 0..self.size[2] {
-                    let node = Vector3::new(i as f64, j as f64, k as f64) * self.spacing;
-                    let at = self.index([i, j, k]);
-                    self.coefficients[at] = exact.signed_near(&(self.origin + node), &mut near);
-                    if k == 0 {
-                        column = near;
+    /// Keeps the bricks that have a node near the body; nodes that were not computed are beyond
+    /// `limit`.
+    fn keep(&mut self, nodes: &[f64], near: &[bool], limit: f64) {
+        let size = self.lattice.size;
+        let count = size.map(|n| n.div_ceil(CELLS));
+        let mut kept = 0;
+        for brick in 0..count.iter().product() {
+            let first = [
+                brick / (count[1] * count[2]) * CELLS,
+                brick / count[2] % count[1] * CELLS,
+                brick % count[2] * CELLS,
+            ];
+            let is_near = rows(first, CELLS + 1, size).any(|row| near[row].contains(&true));
+            if !is_near {
+                self.bricks.push(NONE);
+                continue;
+            }
+            self.bricks.push(kept);
+            kept += 1;
+            for i in 0..SIDE {
+                for j in 0..SIDE {
+                    for k in 0..SIDE {
+                        let node = [first[0] + i, first[1] + j, first[2] + k];
+                        let is_in = (0..3).all(|a| (1..=size[a]).contains(&node[a]));
+                        let value = if is_in {
+                            nodes[self.lattice.index(node.map(|n| n - 1))].min(limit)
+                        } else {
+                            limit
+                        };
+                        self.coefficients.push(value);
                     }
                 }
             }
         }
     }
 
-    fn prefilter(&mut self) {
-        let strides = [self.size[1] * self.size[2], self.size[2], 1];
-        for axis in 0..3 {
-            let (one, two) = ((axis + 1) % 3, (axis + 2) % 3);
-            let pivots = pivots(self.size[axis]);
-            for i in 0..self.size[one] {
-                for j in 0..self.size[two] {
-                    let start = i * strides[one] + j * strides[two];
-                    interpolate(&mut self.coefficients, (start, strides[axis]), &pivots);
-                }
-            }
-        }
-    }
-
     fn cell(&self, p: &Vector3<f64>) -> Option<Cell> {
+        let mut brick = [0; 3];
         let mut first = [0; 3];
         let mut at = [0.0; 3];
         for axis in 0..3 {
-            let u = (p[axis] - self.origin[axis]) / self.spacing;
-            if !(1.0..(self.size[axis] - 2) as f64).contains(&u) {
+            let u = (p[axis] - self.lattice.origin[axis]) / self.lattice.spacing;
+            if !(1.0..(self.lattice.size[axis] - 2) as f64).contains(&u) {
                 return None;
             }
             #[expect(
@@ -126,19 +127,25 @@ impl DistanceField {
                 reason = "rounds down a number within the size of the grid"
             )]
             let node = u as usize;
-            first[axis] = node - 1;
+            brick[axis] = node / CELLS;
+            first[axis] = node % CELLS;
             at[axis] = u - node as f64;
         }
-        let first = self.index(first);
-        Some(Cell { first, at })
+        let brick = (brick[0] * self.across[0] + brick[1]) * self.across[1] + brick[2];
+        let brick = self.bricks[brick];
+        let first = (first[0] * SIDE + first[1]) * SIDE + first[2];
+        (brick != NONE).then(|| Cell {
+            first: brick as usize * (SIDE * SIDE * SIDE) + first,
+            at,
+        })
     }
 
     /// The four coefficients along z of line (i, j) of a cell.
     fn line(&self, first: usize, i: usize, j: usize) -> &[f64; 4] {
-        let start = first + (i * self.size[1] + j) * self.size[2];
+        let start = first + (i * SIDE + j) * SIDE;
         self.coefficients[start..]
             .first_chunk()
-            .expect("a cell has two nodes beyond it on each axis")
+            .expect("a brick has coefficients beyond its cells")
     }
 
     /// The distance \[m\], or `None` outside the grid or further than the reach.
@@ -174,7 +181,8 @@ impl DistanceField {
         if f[0] > self.reach {
             return None;
         }
-        let (one, two) = (1.0 / self.spacing, 1.0 / (self.spacing * self.spacing));
+        let spacing = self.lattice.spacing;
+        let (one, two) = (1.0 / spacing, 1.0 / (spacing * spacing));
         let [value, fy, fz, fyy, fyz, fzz] = f;
         let [fx, fxy, fxz] = fx;
         Some(BodySample {
@@ -198,6 +206,87 @@ impl DistanceField {
             sums[5] += y0 * bend;
         }
         sums
+    }
+}
+
+fn layout([lower, upper]: [Vector3<f64>; 2], reach: f64) -> Lattice {
+    let nodes = |spacing: f64| {
+        let pad = 2.0 * (reach + MARGIN * spacing);
+        (upper - lower).map(|width| ((width + pad) / spacing).ceil() + 1.0)
+    };
+    let mut spacing = SPACING;
+    while nodes(spacing).product() > NODES {
+        spacing *= 1.05;
+    }
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "whole, positive and below NODES"
+    )]
+    let size: [usize; 3] = nodes(spacing).map(|n| n as usize).into();
+    Lattice {
+        origin: lower.add_scalar(-reach - MARGIN * spacing),
+        spacing,
+        size,
+    }
+}
+
+/// Ranges of the nodes, along z, in the cube of `width` nodes from `first` on.
+fn rows(
+    first: [usize; 3],
+    width: usize,
+    size: [usize; 3],
+) -> impl Iterator<Item = std::ops::Range<usize>> {
+    let last = [0, 1, 2].map(|axis| (first[axis] + width).min(size[axis]));
+    (first[0]..last[0]).flat_map(move |i| {
+        (first[1]..last[1]).map(move |j| {
+            let row = (i * size[1] + j) * size[2];
+            row + first[2]..row + last[2]
+        })
+    })
+}
+
+/// Distances to coefficients, along each axis in turn, on the runs of nodes that were computed.
+fn prefilter(lattice: &Lattice, nodes: &mut [f64]) {
+    let size = lattice.size;
+    let strides = [size[1] * size[2], size[2], 1];
+    let pivots = pivots(size.iter().copied().max().unwrap_or(0));
+    for line in nodes.chunks_exact_mut(size[2]) {
+        interpolate_runs(line, &pivots);
+    }
+    for (axis, other) in [(1, 0), (0, 1)] {
+        let mut lines = vec![0.0; LANES * size[axis]];
+        for i in 0..size[other] {
+            for first in (0..size[2]).step_by(LANES) {
+                // lines that lie side by side in memory are fetched together
+                let lanes = LANES.min(size[2] - first);
+                let start = i * strides[other] + first;
+                for n in 0..size[axis] {
+                    let row = start + n * strides[axis];
+                    for (lane, value) in nodes[row..row + lanes].iter().enumerate() {
+                        lines[lane * size[axis] + n] = *value;
+                    }
+                }
+                for line in lines.chunks_exact_mut(size[axis]).take(lanes) {
+                    interpolate_runs(line, &pivots);
+                }
+                for n in 0..size[axis] {
+                    let row = start + n * strides[axis];
+                    for (lane, value) in nodes[row..row + lanes].iter_mut().enumerate() {
+                        *value = lines[lane * size[axis] + n];
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Lines that are filtered together: as many values as are fetched from memory together.
+const LANES: usize = 8;
+
+fn interpolate_runs(line: &mut [f64], pivots: &[f64]) {
+    for run in line.split_mut(|value| value.is_infinite()) {
+        interpolate(run, pivots);
     }
 }
 

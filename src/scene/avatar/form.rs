@@ -1,8 +1,9 @@
 //! A tailor's dress form from a few measurements.
 
-use super::torso::{BUST_ANGLE, Scale, Torso, share};
-use super::{Avatar, TriangleMesh, rings, slice};
-use crate::fault::{AvatarCode, Fault, Faults};
+use super::figure::Figure;
+use super::torso::{BUST_ANGLE, Scale, Shape, Torso, share};
+use super::{Avatar, TriangleMesh, measures, rings, slice};
+use crate::fault::{Fault, Faults};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -18,13 +19,49 @@ const CLOSE: f64 = 2e-5;
 const SHOULDER_END: f64 = 14.0;
 const SHOULDER_STEPS: usize = 2000;
 
+/// Body that a dress form is shaped after.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Sex {
+    /// A woman's, with a bust.
+    #[default]
+    Women,
+    /// A man's: `bust_m` is the girth of the chest.
+    Men,
+}
+
+/// Angle of the arms from the vertical.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Pose {
+    /// 40 degrees.
+    #[default]
+    A,
+    /// 90 degrees.
+    T,
+    /// 12 degrees, or more where a wide body needs it.
+    I,
+}
+
+/// Parts of the body that a dress form has besides the torso.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Limbs {
+    /// Arms with mittens for hands.
+    #[serde(default)]
+    pub arms: bool,
+    /// Legs with feet on the floor.
+    #[serde(default)]
+    pub legs: bool,
+}
+
 /// Measurements that a dress form is made from \[m\].
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DressForm {
     /// Floor to crown.
     pub height_m: f64,
-    /// Girth of the bust.
+    /// Girth of the bust, of the chest of men.
     pub bust_m: f64,
     /// Girth of the waist.
     pub waist_m: f64,
@@ -36,26 +73,87 @@ pub struct DressForm {
     /// Width between the shoulder tips; from height and bust where not given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub shoulder_m: Option<f64>,
+    /// Body that it is shaped after.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub sex: Sex,
+    /// Angle of the arms.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub pose: Pose,
+    /// Parts besides the torso; the torso alone where not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limbs: Option<Limbs>,
+    /// Height of the waist above the floor; from the height where not given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub waist_height_m: Option<f64>,
+    /// Height of the crotch above the floor; from the height where not given, as all below.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inside_leg_m: Option<f64>,
+    /// Girth of the thigh, 3 cm under the crotch on a body of 1.68 m.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub thigh_m: Option<f64>,
+    /// Girth of the knee.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub knee_m: Option<f64>,
+    /// Largest girth between knee and ankle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub calf_m: Option<f64>,
+    /// Girth above the ankle bones.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ankle_m: Option<f64>,
+    /// Tip of the shoulder to elbow to wrist.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub arm_length_m: Option<f64>,
+    /// Girth of the arm half way from the shoulder joint to the elbow.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub upper_arm_m: Option<f64>,
+    /// Girth of the elbow.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub elbow_m: Option<f64>,
+    /// Girth of the wrist.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wrist_m: Option<f64>,
+}
+
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }
 
 impl Default for DressForm {
     /// A woman of 1.68 m in a size M (EN 13402-3: bust 90-98).
     fn default() -> Self {
-        Self {
-            height_m: 1.68,
-            bust_m: 0.92,
-            waist_m: 0.74,
-            hip_m: 0.98,
-            neck_m: None,
-            shoulder_m: None,
-        }
+        Self::new(1.68, 0.92, 0.74, 0.98)
     }
 }
 
 impl DressForm {
+    /// The torso of a woman of these measures \[m\], the others from them.
+    pub const fn new(height_m: f64, bust_m: f64, waist_m: f64, hip_m: f64) -> Self {
+        Self {
+            height_m,
+            bust_m,
+            waist_m,
+            hip_m,
+            neck_m: None,
+            shoulder_m: None,
+            sex: Sex::Women,
+            pose: Pose::A,
+            limbs: None,
+            waist_height_m: None,
+            inside_leg_m: None,
+            thigh_m: None,
+            knee_m: None,
+            calf_m: None,
+            ankle_m: None,
+            arm_length_m: None,
+            upper_arm_m: None,
+            elbow_m: None,
+            wrist_m: None,
+        }
+    }
+
     /// Makes the avatar: a closed, smooth torso from the top of the neck to below the crotch,
-    /// without arms and legs, whose level girths at bust, waist and hip are those asked for, within
-    /// 1 mm.
+    /// whose level girths at bust, waist and hip are those asked for, within 1 mm, with the limbs
+    /// that are asked for.
     ///
     /// # Errors
     /// `avatar/measurement`: measurements outside what a person has, each with its pointer
@@ -63,106 +161,34 @@ impl DressForm {
     pub fn build(&self) -> Result<Avatar, Faults> {
         Faults(self.check()).or(())?;
         let (torso, surface) = self.fit();
+        let limbs = self.limbs.unwrap_or_default();
+        let figure = (limbs.arms || limbs.legs).then(|| Figure::new(self, &torso));
+        let surface = figure
+            .as_ref()
+            .map_or(surface, |figure| figure.surface.clone());
         let mut avatar = Avatar::from_surface("dress form", surface, BTreeMap::new())?;
-        for (name, point) in side_landmarks(&torso, self.height_m) {
+        for (name, point) in side_landmarks(&torso, self) {
             let on_surface = avatar.nearest_point(&point);
-            let mirrored = Vector3::new(-on_surface.x, on_surface.y, on_surface.z);
-            avatar.landmarks.insert(format!("{name}_l"), on_surface);
-            avatar.landmarks.insert(format!("{name}_r"), mirrored);
+            avatar.add_pair(name, on_surface);
         }
-        let middle = middle_landmarks(&avatar.surface, self.height_m);
+        let middle = middle_landmarks(&avatar.surface, self);
         avatar.landmarks.extend(middle);
+        if let Some(figure) = figure {
+            figure.describe(&mut avatar);
+        }
         Ok(avatar)
     }
 
-    /// Girth of the neck as given, or what height and bust make likely (0.36 m in a size M).
-    fn neck(&self) -> f64 {
-        self.neck_m
-            .unwrap_or(0.14 * self.height_m + 0.13 * self.bust_m)
-    }
-
-    /// Width of the shoulders as given, or what height and bust make likely (0.37 m in a size M).
-    fn shoulder(&self) -> f64 {
-        self.shoulder_m
-            .unwrap_or(0.170 * self.height_m + 0.09 * self.bust_m)
-    }
-
     pub(crate) fn check(&self) -> Vec<Fault> {
-        let mut faults = Vec::new();
-        let mut within = |pointer: &str, value: f64, [least, most]: [f64; 2]| {
-            // so written that a NaN is a fault
-            if !(least..=most).contains(&value) {
-                let detail = format!("{value} m is not the measurement of a person");
-                let fix = format!("give metres, {least} to {most} here");
-                faults.push(Fault::new(AvatarCode::Measurement, pointer, detail).fix(fix));
-            }
-        };
-        within("/height_m", self.height_m, [1.30, 2.10]);
-        within("/bust_m", self.bust_m, [0.68, 1.60]);
-        within("/waist_m", self.waist_m, [0.50, 1.60]);
-        within("/hip_m", self.hip_m, [0.70, 1.70]);
-        within("/neck_m", self.neck(), [0.26, 0.56]);
-        within("/shoulder_m", self.shoulder(), [0.28, 0.56]);
-        if faults.is_empty() {
-            faults = self.check_proportions();
-        }
-        faults
+        measures::check(self)
     }
 
-    fn check_proportions(&self) -> Vec<Fault> {
-        let mut faults = Vec::new();
-        let mut ratio = |pointer: &str,
-                         [name, base]: [&str; 2],
-                         [value, of]: [f64; 2],
-                         [least, most]: [f64; 2]| {
-            if !(least * of..=most * of).contains(&value) {
-                let detail =
-                    format!("a {name} of {value} m does not go with a {base} of {of:.3} m");
-                let fix = format!(
-                    "give {:.3} to {:.3} m, or change the {base}",
-                    least * of,
-                    most * of
-                );
-                faults.push(Fault::new(AvatarCode::Measurement, pointer, detail).fix(fix));
-            }
-        };
-        ratio(
-            "/waist_m",
-            ["waist", "hip"],
-            [self.waist_m, self.hip_m],
-            [0.55, 1.20],
-        );
-        ratio(
-            "/waist_m",
-            ["waist", "bust"],
-            [self.waist_m, self.bust_m],
-            [0.55, 1.15],
-        );
-        ratio(
-            "/hip_m",
-            ["hip", "bust"],
-            [self.hip_m, self.bust_m],
-            [0.75, 1.40],
-        );
-        ratio(
-            "/bust_m",
-            ["bust", "height"],
-            [self.bust_m, self.height_m],
-            [0.42, 0.95],
-        );
-        ratio(
-            "/neck_m",
-            ["neck", "bust"],
-            [self.neck(), self.bust_m],
-            [0.28, 0.52],
-        );
-        ratio(
-            "/shoulder_m",
-            ["shoulder", "bust"],
-            [self.shoulder(), self.bust_m],
-            [0.28, 0.55],
-        );
-        faults
+    fn shape(&self) -> Shape {
+        let limbs = self.limbs.unwrap_or_default();
+        Shape {
+            men: self.sex == Sex::Men,
+            arms: limbs.arms,
+        }
     }
 
     /// The torso that meets the measurements, and its mesh.
@@ -175,18 +201,22 @@ impl DressForm {
             bust: 1.0,
             waist: 1.0,
             hip: 1.0,
+            waist_shift: self.value("waist_height_m") / height - super::torso::WAIST_Y,
         };
-        let mut torso = Torso::new(scale);
+        let shape = self.shape();
+        let waist = self.value("waist_height_m") / self.height_m;
+        let [neck, shoulder] = ["neck_m", "shoulder_m"].map(|field| self.value(field));
+        let mut torso = Torso::new(scale, shape);
         let mut surface = rings::mesh(&torso);
         for _ in 0..ROUNDS {
             let girth =
                 |share: f64| slice::girth(&surface, share * self.height_m).unwrap_or(f64::NAN);
             let [_, tip] = shoulder_line(&torso);
             let pairs = [
-                (&mut scale.neck, self.neck(), girth(share::NECK)),
-                (&mut scale.shoulder, self.shoulder(), 2.0 * tip[0]),
+                (&mut scale.neck, neck, girth(share::NECK)),
+                (&mut scale.shoulder, shoulder, 2.0 * tip[0]),
                 (&mut scale.bust, self.bust_m, girth(share::BUST)),
-                (&mut scale.waist, self.waist_m, girth(share::WAIST)),
+                (&mut scale.waist, self.waist_m, girth(waist)),
                 (&mut scale.hip, self.hip_m, girth(share::HIP)),
             ];
             let mut worst = 0.0_f64;
@@ -197,7 +227,7 @@ impl DressForm {
             if worst < CLOSE {
                 break;
             }
-            torso = Torso::new(scale);
+            torso = Torso::new(scale, shape);
             surface = rings::mesh(&torso);
         }
         (torso, surface)
@@ -206,7 +236,7 @@ impl DressForm {
 
 /// Returns the points at which the outline seen from the front turns from neck to shoulder and from
 /// shoulder to arm, its slope passing 45 degrees: (x, y) and z of the widest line \[m\].
-fn shoulder_line(torso: &Torso) -> [[f64; 3]; 2] {
+pub(super) fn shoulder_line(torso: &Torso) -> [[f64; 3]; 2] {
     let steps = 0..SHOULDER_STEPS;
     let point = |i: usize| {
         let t = SHOULDER_END * (i + 1) as f64 / SHOULDER_STEPS as f64;
@@ -226,7 +256,9 @@ fn shoulder_line(torso: &Torso) -> [[f64; 3]; 2] {
 
 /// The landmarks that come in pairs: names without `_l`, and points on the left, near enough to the
 /// mesh to be put onto it.
-fn side_landmarks(torso: &Torso, height: f64) -> [(&'static str, Vector3<f64>); 7] {
+fn side_landmarks(torso: &Torso, form: &DressForm) -> [(&'static str, Vector3<f64>); 7] {
+    let height = form.height_m;
+    let waist = form.value("waist_height_m") / height;
     let at = |share: f64, angle: f64| {
         let section = torso.section(torso.parameter(share * height));
         let [x, z] = section.point(angle);
@@ -239,18 +271,20 @@ fn side_landmarks(torso: &Torso, height: f64) -> [(&'static str, Vector3<f64>); 
         ("armpit", at(share::ARMPIT, FRAC_PI_2)),
         ("bust_point", at(share::BUST, BUST_ANGLE)),
         ("bust_side", at(share::BUST, FRAC_PI_2)),
-        ("waist_side", at(share::WAIST, FRAC_PI_2)),
+        ("waist_side", at(waist, FRAC_PI_2)),
         ("hip_side", at(share::HIP, FRAC_PI_2)),
     ]
 }
 
 /// The landmarks in the middle; `crotch` is the lowest one.
-fn middle_landmarks(surface: &TriangleMesh, height: f64) -> BTreeMap<String, Vector3<f64>> {
+fn middle_landmarks(surface: &TriangleMesh, form: &DressForm) -> BTreeMap<String, Vector3<f64>> {
+    let height = form.height_m;
+    let waist = form.value("waist_height_m") / height;
     let mut found = BTreeMap::new();
     for (name, front, back) in [
         ("neck", share::NECK_FRONT, share::NECK_BACK),
         ("bust", share::BUST, share::BUST),
-        ("waist", share::WAIST, share::WAIST),
+        ("waist", waist, waist),
         ("hip", share::HIP, share::HIP),
     ] {
         for (end, share, which) in [("back", back, 0), ("front", front, 1)] {
@@ -271,14 +305,7 @@ mod tests {
     use super::*;
 
     const fn form(height_m: f64, bust_m: f64, waist_m: f64, hip_m: f64) -> DressForm {
-        DressForm {
-            height_m,
-            bust_m,
-            waist_m,
-            hip_m,
-            neck_m: None,
-            shoulder_m: None,
-        }
+        DressForm::new(height_m, bust_m, waist_m, hip_m)
     }
 
     /// The smallest to the largest of EN 13402-3 and of people, slim, round, and of uncommon
@@ -298,7 +325,7 @@ mod tests {
         for form in FORMS {
             let (_, surface) = form.fit();
             for (share, asked) in [
-                (share::NECK, form.neck()),
+                (share::NECK, form.value("neck_m")),
                 (share::BUST, form.bust_m),
                 (share::WAIST, form.waist_m),
                 (share::HIP, form.hip_m),

@@ -1,9 +1,18 @@
 //! The body that a garment is draped on: its surface, its landmarks and its signed distance.
 
+mod arm;
 mod dress_form_cache;
 mod exact;
 mod field;
+mod figure;
 mod form;
+mod half_mesh;
+mod lattice;
+mod leg;
+mod limb;
+mod measures;
+mod node_distances;
+mod proportions;
 mod rings;
 mod section;
 mod slice;
@@ -11,10 +20,12 @@ mod spline;
 mod surface;
 mod torso;
 mod tree;
+mod tube;
 
 pub use dress_form_cache::DressFormCache;
 pub use field::BodySample;
-pub use form::DressForm;
+pub use form::{DressForm, Limbs, Pose, Sex};
+pub use limb::{Limb, LimbAxis};
 pub use surface::TriangleMesh;
 
 use crate::fault::Faults;
@@ -40,6 +51,7 @@ pub struct Avatar {
     pub surface: TriangleMesh,
     /// Named points of the body \[m\], named as in [`LANDMARKS`].
     pub landmarks: BTreeMap<String, Vector3<f64>>,
+    limbs: BTreeMap<Limb, LimbAxis>,
     exact: ExactDistance,
     field: DistanceField,
 }
@@ -85,14 +97,27 @@ impl Avatar {
     ) -> Result<Self, Faults> {
         Faults(surface.check()).or(())?;
         let exact = ExactDistance::new(&surface);
-        let field = DistanceField::new(&exact, REACH);
+        let field = DistanceField::new(&surface, &exact, REACH);
         Ok(Self {
             name: name.to_owned(),
             surface,
             landmarks,
+            limbs: BTreeMap::new(),
             exact,
             field,
         })
+    }
+
+    /// Returns the axis of a limb, if the body has it and it is known.
+    pub fn limb(&self, limb: Limb) -> Option<&LimbAxis> {
+        self.limbs.get(&limb)
+    }
+
+    /// Adds the landmarks `name_l` at `left` and `name_r` opposite to it.
+    fn add_pair(&mut self, name: &str, left: Vector3<f64>) {
+        let right = Vector3::new(-left.x, left.y, left.z);
+        self.landmarks.insert(format!("{name}_l"), left);
+        self.landmarks.insert(format!("{name}_r"), right);
     }
 
     /// The smooth signed distance at `p` \[m\] with its first two derivatives, or `None` further
@@ -121,17 +146,32 @@ impl Avatar {
         self.exact.nearest(p)
     }
 
-    /// Length of a tape laid round the body at height `y`: the perimeter of the convex hull of the
-    /// slice \[m\].
+    /// Length of a tape laid round the torso at height `y`, round both legs under the crotch: the
+    /// perimeter of the convex hull of the slice \[m\].
     pub fn girth_at(&self, y: f64) -> Option<f64> {
         slice::girth(&self.surface, y)
     }
 
-    /// Bounds of the slice at height `y` \[m\]: `[[min x, max x], [min z, max z]]`.
+    /// Bounds of the torso at height `y`, of the legs under the crotch \[m\]: `[[min x, max x],
+    /// [min z, max z]]`.
     pub fn section_bounds(&self, y: f64) -> Option<[[f64; 2]; 2]> {
         slice::bounds(&self.surface, y)
     }
+
+    /// Length of a tape laid round a limb normal to its axis, at a length along the axis \[m\].
+    pub fn limb_girth(&self, limb: Limb, along: f64) -> Option<f64> {
+        let (point, direction) = self.limb(limb)?.at(along);
+        let frame = tube::Frame::normal_to(direction, point);
+        let plane = slice::Plane {
+            point,
+            across: frame.outward,
+            along: frame.forward,
+        };
+        slice::girth_around(&self.surface, &plane)
+    }
 }
 
+#[cfg(test)]
+mod figure_tests;
 #[cfg(test)]
 mod tests;

@@ -43,7 +43,7 @@ pub(super) fn mesh(torso: &Torso) -> TriangleMesh {
 }
 
 /// Parameters of the rings, poles left out.
-fn heights(torso: &Torso, size: f64) -> Vec<f64> {
+pub(super) fn heights(torso: &Torso, size: f64) -> Vec<f64> {
     let step = Torso::END / SAMPLES as f64;
     let sections: Vec<_> = (1..SAMPLES)
         .map(|i| torso.section(i as f64 * step))
@@ -68,7 +68,7 @@ fn heights(torso: &Torso, size: f64) -> Vec<f64> {
 
 /// Returns the number of edges that each piece of a polyline is worth on a form `size` times as
 /// large as size M.
-fn densities(points: &[[f64; 2]], size: f64) -> Vec<f64> {
+pub(super) fn densities(points: &[[f64; 2]], size: f64) -> Vec<f64> {
     let pieces: Vec<[f64; 2]> = points
         .windows(2)
         .map(|p| [p[1][0] - p[0][0], p[1][1] - p[0][1]])
@@ -93,7 +93,7 @@ fn densities(points: &[[f64; 2]], size: f64) -> Vec<f64> {
 
 /// Marks along a polyline, in pieces and fractions of them, between which it is worth one edge or a
 /// little less.
-fn spread(density: &[f64]) -> Vec<f64> {
+pub(super) fn spread(density: &[f64]) -> Vec<f64> {
     let total: f64 = density.iter().sum();
     #[expect(
         clippy::cast_possible_truncation,
@@ -114,7 +114,7 @@ fn spread(density: &[f64]) -> Vec<f64> {
     marks
 }
 
-fn between(points: &[[f64; 2]], mark: f64) -> [f64; 2] {
+pub(super) fn between(points: &[[f64; 2]], mark: f64) -> [f64; 2] {
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,

@@ -33,18 +33,15 @@ pub(super) fn bends(t: f64) -> [f64; 4] {
 ///
 /// Solves `(c[i-1] + 4 c[i] + c[i+1]) / 6 = f[i]` with natural ends, `c = f` there (M. Unser,
 /// "Splines: a perfect fit for signal and image processing", IEEE Signal Processing Magazine 16(6),
-/// 1999). `values` is read from `start` in steps of `stride`; `pivots` as made by [`pivots`] for
-/// the length of the line.
-pub(super) fn interpolate(values: &mut [f64], (start, stride): (usize, usize), pivots: &[f64]) {
-    let last = pivots.len() - 1;
-    let at = |i: usize| start + i * stride;
+/// 1999). `pivots` as made by [`pivots`] for
+/// the length of the line, or for more.
+pub(super) fn interpolate(values: &mut [f64], pivots: &[f64]) {
+    let last = values.len().saturating_sub(1);
     for i in 1..last {
-        let before = values[at(i - 1)];
-        values[at(i)] = (6.0 * values[at(i)] - before) * pivots[i];
+        values[i] = (6.0 * values[i] - values[i - 1]) * pivots[i];
     }
     for i in (1..last).rev() {
-        let after = values[at(i + 1)];
-        values[at(i)] -= pivots[i] * after;
+        values[i] -= pivots[i] * values[i + 1];
     }
 }
 

@@ -66,6 +66,31 @@ const ROWS: [[f64; 6]; 35] = [
     [0.672, 0.000, -0.006, -0.006, -0.006, 2.1],
 ];
 
+/// Height of the waist in the rows \[m\].
+pub(super) const WAIST_Y: f64 = share::WAIST * HEIGHT;
+
+/// Half widths of a torso with arms, in place of those of the rows of these heights \[m\]: without
+/// the stumps of arms.
+const WITH_ARMS: [[f64; 2]; 8] = [
+    [1.367, 0.181],
+    [1.344, 0.178],
+    [1.317, 0.170],
+    [1.287, 0.161],
+    [1.255, 0.155],
+    [1.220, 0.152],
+    [1.180, 0.147],
+    [1.140, 0.140],
+];
+
+/// Kinds of torsos.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct Shape {
+    /// No bust.
+    pub(super) men: bool,
+    /// Arms grow from it.
+    pub(super) arms: bool,
+}
+
 /// By how much the sections are wider than the rows say, at the measured places.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scale {
@@ -75,6 +100,8 @@ pub(super) struct Scale {
     pub(super) bust: f64,
     pub(super) waist: f64,
     pub(super) hip: f64,
+    /// By how much the waist is higher, before the height's scale \[m\].
+    pub(super) waist_shift: f64,
 }
 
 /// Sections along a parameter from 0 (top) to [`Torso::END`] (bottom).
@@ -84,21 +111,23 @@ pub(super) struct Torso {
     /// at each end.
     rows: Vec<[f64; 6]>,
     scale: Scale,
+    shape: Shape,
 }
 
 impl Torso {
     /// Largest parameter.
     pub(super) const END: f64 = (ROWS.len() - 1) as f64;
 
-    pub(super) fn new(scale: Scale) -> Self {
-        let mut rows: Vec<_> = ROWS.iter().map(|row| scale.apply(row)).collect();
+    pub(super) fn new(scale: Scale, shape: Shape) -> Self {
+        let rows = ROWS.iter().map(|row| shape.adapt(*row));
+        let mut rows: Vec<_> = rows.map(|row| scale.apply(&row)).collect();
         // the rows go on mirrored beyond each pole, which makes it round and its tangent plane
         // level
         let beyond =
             |[y, half, centre, front, back, n]: [f64; 6]| [y, -half, centre, -front, -back, n];
         rows.insert(0, beyond(rows[1]));
         rows.push(beyond(rows[rows.len() - 2]));
-        Self { rows, scale }
+        Self { rows, scale, shape }
     }
 
     fn row(&self, t: f64) -> [f64; 6] {
@@ -169,13 +198,22 @@ impl Torso {
             let off = (y / self.scale.height - at) / spread;
             (-0.5 * off * off).exp()
         };
-        let bust = Bump {
-            height: 0.030 * self.scale.bust * bell(1.212, 0.046),
-            angle: BUST_ANGLE,
-            spread: 0.35,
+        let bust = if self.shape.men {
+            Bump {
+                height: 0.006 * self.scale.bust * bell(1.245, 0.060),
+                angle: BUST_ANGLE,
+                spread: 0.45,
+            }
+        } else {
+            Bump {
+                height: 0.030 * self.scale.bust * bell(1.212, 0.046),
+                angle: BUST_ANGLE,
+                spread: 0.35,
+            }
         };
+        let seat_height = if self.shape.men { 0.012 } else { 0.018 };
         let seat = Bump {
-            height: 0.018 * self.scale.hip * bell(0.838, 0.055),
+            height: seat_height * self.scale.hip * bell(0.838, 0.055),
             angle: SEAT_ANGLE,
             spread: 0.42,
         };
@@ -183,12 +221,31 @@ impl Torso {
     }
 }
 
+impl Shape {
+    /// The row of such a torso in size M.
+    fn adapt(self, mut row: [f64; 6]) -> [f64; 6] {
+        let with_arms = WITH_ARMS.iter().find(|[y, _]| *y == row[0]);
+        if let (true, Some([_, half])) = (self.arms, with_arms) {
+            row[1] = *half;
+        }
+        row
+    }
+}
+
 impl Scale {
+    /// Height of a row \[m\]; the waist's shift is felt from hip to bust.
+    fn height_of(&self, y: f64) -> f64 {
+        let end = if y > WAIST_Y { 1.220 } else { 0.860 };
+        let share = ((end - y) / (end - WAIST_Y)).clamp(0.0, 1.0);
+        let moved = share * share * (3.0 - 2.0 * share) * self.waist_shift;
+        (y + moved) * self.height
+    }
+
     /// The row of a body of this scale, with depths in place of z.
     fn apply(&self, &[y, half, centre, front, back, exponent]: &[f64; 6]) -> [f64; 6] {
         let depth = self.between(y, 0.5 * (self.neck + self.bust));
         [
-            y * self.height,
+            self.height_of(y),
             half * self.between(y, self.shoulder),
             centre * depth,
             (front - centre) * depth,

@@ -180,7 +180,7 @@ fn grow(
 
 /// The point of a triangle nearest to `p` (C. Ericson, "Real-Time Collision Detection", 2005,
 /// section 5.1.5).
-fn nearest_in_triangle(
+pub(super) fn nearest_in_triangle(
     p: &Vector3<f64>,
     &[a, b, c]: &[Vector3<f64>; 3],
 ) -> (Vector3<f64>, Feature) {

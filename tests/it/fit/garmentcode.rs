@@ -10,14 +10,7 @@ use seamster::solver::SolverOptions;
 use std::path::{Path, PathBuf};
 
 /// The body that `GarmentCode` drafts for where nothing else is said: its mean female.
-const MEAN_FEMALE: DressForm = DressForm {
-    height_m: 1.662,
-    bust_m: 0.974,
-    waist_m: 0.803,
-    hip_m: 1.041,
-    neck_m: None,
-    shoulder_m: None,
-};
+const MEAN_FEMALE: DressForm = DressForm::new(1.662, 0.974, 0.803, 1.041);
 /// Promised bounds of a sewn garment \[m\].
 const SEAM_GAP: f64 = 1e-3;
 const PENETRATION: f64 = 1e-3;

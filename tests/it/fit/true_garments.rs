@@ -12,14 +12,7 @@ use std::collections::BTreeMap;
 
 /// The body that GarmentCode drafts for where nothing else is said: its mean female (`mean_all` of
 /// its data set).
-const MEAN_FEMALE: DressForm = DressForm {
-    height_m: 1.662,
-    bust_m: 0.974,
-    waist_m: 0.803,
-    hip_m: 1.041,
-    neck_m: None,
-    shoulder_m: None,
-};
+const MEAN_FEMALE: DressForm = DressForm::new(1.662, 0.974, 0.803, 1.041);
 const EDGE_LENGTH: f64 = 0.025;
 const X: usize = 0;
 const Y: usize = 1;
