@@ -6,6 +6,7 @@ mod crossings;
 mod garment;
 mod json_schema;
 mod library;
+mod limbs;
 mod panel_spec;
 mod picture;
 mod references;

@@ -2,6 +2,7 @@
 
 use super::garment::{Garment, PanelSpec, PatternRef, SeamsSpec, WindSpec};
 use super::library::AssetLibrary;
+use super::limbs;
 use super::panel_spec::{panel_specs, spell_out_copies};
 use super::references::{self, NamedFabric, PanelFabrics};
 use super::seam_check::{anchored_placements, check_placed};
@@ -123,6 +124,14 @@ pub fn resolve(
         return Err(Faults(faults));
     };
     let panels = resolve_panels(&pattern, &specs, &seams.faces, (&fabrics, placements))?;
+    let avatar = avatar.map(|form| {
+        let panels = pattern.panels.iter().zip(&panels);
+        let near = limbs::near(panels.map(|(outline, panel)| (outline, &panel.placement)));
+        DressForm {
+            limbs: form.limbs.or(Some(near)),
+            ..form
+        }
+    });
     let of_seams = check.seams.into_iter().flat_map(|seam| seam.warnings);
     let warnings = suggest::warnings(&pattern).into_iter();
     let warnings = warnings.chain(check.warnings).chain(of_seams).collect();

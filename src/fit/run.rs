@@ -10,9 +10,9 @@ use crate::fault::Faults;
 use crate::memory;
 use crate::mesh::{self, ClothMesh, PanelRange};
 use crate::scene::{
-    self, Avatar, Body, PanelParts, PanelPlacement, Parts, Placed, Scene, SeamPoint,
+    self, Avatar, Body, Limbs, PanelParts, PanelPlacement, Parts, Placed, Scene, SeamPoint,
 };
-use crate::solver::{self, Analysis, Context, DrapeReport, SolverOptions};
+use crate::solver::{self, Analysis, Context, DrapeReport, SkippedTerm, SolverOptions};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -50,6 +50,7 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
         report.support = support::support(&scene, &names, &drape.positions, &report.support);
         judge(garment, found, &mut report);
     }
+    report.skipped_terms.extend(left_out_limbs(garment));
     report.cpu_s.mesh = meshed - began;
     report.cpu_s.assemble = assembled - meshed;
     report.cpu_s.export = (context.cpu_s)() - solved;
@@ -79,6 +80,21 @@ fn judge(garment: &ResolvedGarment, found: Option<FoundCrossings>, report: &mut 
         seam_gap_m: garment.garment().simulate.seam_eps_m,
     };
     report.good = Some(verdict(report, demands));
+}
+
+/// Returns the limbs that the body does without.
+fn left_out_limbs(garment: &ResolvedGarment) -> Vec<SkippedTerm> {
+    let limbs = garment.avatar.and_then(|form| form.limbs);
+    let Some(Limbs { arms, legs }) = limbs else {
+        return vec![];
+    };
+    let parts = [("arms", arms), ("legs", legs)].into_iter();
+    let left_out = parts.filter(|(_, is_there)| !is_there);
+    let skipped = left_out.map(|(name, _)| SkippedTerm {
+        name: format!("{name} of the body"),
+        because: "no panel starts near them, or `limbs` leaves them out".to_owned(),
+    });
+    skipped.collect()
 }
 
 /// Takes the CPU time `spent` already \[s\] off the time limit.

@@ -79,7 +79,7 @@ pub struct DressForm {
     /// Angle of the arms.
     #[serde(default, skip_serializing_if = "is_default")]
     pub pose: Pose,
-    /// Parts besides the torso; the torso alone where not given.
+    /// Parts besides the torso; where not given, those that panels of the garment start near.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limbs: Option<Limbs>,
     /// Height of the waist above the floor; from the height where not given.

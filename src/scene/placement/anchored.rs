@@ -114,7 +114,7 @@ impl AnchoredPlacement {
                 reach
             }
         } else {
-            around.max(CLEARANCE)
+            around.max(CLEARANCE).max(spot.radius)
         };
         placed
     }

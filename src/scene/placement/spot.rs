@@ -2,6 +2,7 @@
 
 use crate::pattern::PlacementAnchor;
 use crate::scene::Avatar;
+use crate::scene::avatar::Limb;
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -11,19 +12,38 @@ pub(super) const NO_BODY: BodyKeyPoints = BodyKeyPoints {
     neck: 1.42,
     waist: 1.05,
     centre: 0.0,
-    arm: [0.19, 1.37],
+    arm: ArmPose {
+        top: Vector3::new(0.19, 1.37, 0.0),
+        lean: ARM_SPREAD,
+        radius: 0.0,
+    },
 };
-/// A sleeve starts at this angle from the body \[rad\]: so that it clears the sides.
+/// A sleeve starts at this angle from the body where that has no arms \[rad\]: so that it clears the
+/// sides.
 const ARM_SPREAD: f64 = 0.7;
 
-/// Key points of a body: heights, the middle in depth, x and y of the left shoulder's tip \[m\].
+/// Room left between an arm and a sleeve at the start \[m\].
+const ARM_CLEARANCE: f64 = 0.01;
+
+/// The left arm as sleeves see it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ArmPose {
+    /// Point of the axis beside the tip of the shoulder \[m\].
+    pub(super) top: Vector3<f64>,
+    /// Angle from the vertical \[rad\].
+    pub(super) lean: f64,
+    /// Largest radius \[m\].
+    pub(super) radius: f64,
+}
+
+/// Key points of a body: heights, the middle in depth \[m\], and the left arm.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BodyKeyPoints {
     pub(super) shoulder: f64,
     pub(super) neck: f64,
     pub(super) waist: f64,
     pub(super) centre: f64,
-    pub(super) arm: [f64; 2],
+    pub(super) arm: ArmPose,
 }
 
 impl BodyKeyPoints {
@@ -35,13 +55,32 @@ impl BodyKeyPoints {
             .section_bounds(waist)
             .map_or(0.0, |[_, z]| 0.5 * (z[0] + z[1]));
         let shoulder = height("neck_side_l", NO_BODY.shoulder);
-        let tip = avatar.landmarks.get("shoulder_tip_l");
         Self {
             shoulder,
             neck: height("neck_front", shoulder),
             waist,
             centre,
-            arm: tip.map_or(NO_BODY.arm, |tip| [tip.x, tip.y]),
+            arm: ArmPose::of(avatar, centre),
+        }
+    }
+}
+
+impl ArmPose {
+    fn of(avatar: &Avatar, centre: f64) -> Self {
+        let Some(tip) = avatar.landmarks.get("shoulder_tip_l") else {
+            return NO_BODY.arm;
+        };
+        let Some(axis) = avatar.limb(Limb::ArmLeft) else {
+            return Self {
+                top: Vector3::new(tip.x, tip.y, centre),
+                ..NO_BODY.arm
+            };
+        };
+        let (joint, direction) = axis.at(0.0);
+        Self {
+            top: joint + direction * direction.dot(&(tip - joint)),
+            lean: direction.x.atan2(-direction.y),
+            radius: axis.radii.iter().copied().fold(0.0, f64::max),
         }
     }
 }
@@ -58,6 +97,8 @@ pub(super) struct Spot {
     /// told.
     pub(super) turn: Option<f64>,
     pub(super) lean: f64,
+    /// Radius that a rolled panel has at least \[m\].
+    pub(super) radius: f64,
 }
 
 impl Spot {
@@ -68,10 +109,12 @@ impl Spot {
             outward,
             turn,
             lean: 0.0,
+            radius: 0.0,
         };
         let arm = |side: f64, outward: f64, turn: f64| Self {
-            axis: Vector3::new(side * body.arm[0], body.arm[1], body.centre),
-            lean: side * ARM_SPREAD,
+            axis: Vector3::new(side * body.arm.top.x, body.arm.top.y, body.arm.top.z),
+            lean: side * body.arm.lean,
+            radius: body.arm.radius + ARM_CLEARANCE,
             ..spot(0.0, true, outward, Some(turn))
         };
         match anchor {

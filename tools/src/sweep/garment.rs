@@ -3,7 +3,7 @@
 use seamster::config::Limits;
 use seamster::fit::{AvatarRef, Garment, PanelSpec, PatternRef};
 use seamster::pattern::{self, ImportOptions, MIRROR, Pattern, SeamPair};
-use seamster::scene::DressForm;
+use seamster::scene::{DressForm, Sex};
 use seamster::seam::suggest;
 use seamster_fixtures::drafts;
 use seamster_fixtures::truth::suggest_truth;
@@ -45,6 +45,8 @@ struct OwnSizes {
 #[derive(Deserialize)]
 struct OwnSize {
     form: DressForm,
+    #[serde(default)]
+    sex: Sex,
 }
 
 /// Returns the garments of a folder of real patterns whose size is known, in the order of their
@@ -58,7 +60,10 @@ pub(super) fn list(folder: &Path) -> io::Result<Vec<SweepGarment>> {
         let file = find_pattern(folder, &name)?;
         Ok(SweepGarment {
             seams: seam_source(folder, &name, &file)?,
-            form: size.form,
+            form: DressForm {
+                sex: size.sex,
+                ..size.form
+            },
             file,
             name,
         })

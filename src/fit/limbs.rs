@@ -1,0 +1,27 @@
+//! The limbs of a dress form where the garment leaves them to the service: those that its cloth is
+//! near.
+
+use crate::pattern::Panel;
+use crate::scene::{AnchoredPlacement, Limbs};
+use crate::seam::Face;
+
+/// Heights on a body of 1.68 m above which cloth is near the arms, and below which it is near the
+/// legs: armpit and hip \[m\].
+const ARMS_ABOVE: f64 = 1.25;
+const LEGS_BELOW: f64 = 0.85;
+
+/// Returns the limbs near the panels as they start about a body of middle size.
+pub(super) fn near<'a>(panels: impl Iterator<Item = (&'a Panel, &'a AnchoredPlacement)>) -> Limbs {
+    let mut heights = [f64::INFINITY, f64::NEG_INFINITY];
+    for (panel, placement) in panels {
+        let placed = placement.place(panel, Face::Up, None);
+        for point in panel.edges.iter().flat_map(|edge| &edge.points) {
+            let y = placed.position(*point).y;
+            heights = [heights[0].min(y), heights[1].max(y)];
+        }
+    }
+    Limbs {
+        arms: heights[1] > ARMS_ABOVE,
+        legs: heights[0] < LEGS_BELOW,
+    }
+}
