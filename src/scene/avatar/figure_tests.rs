@@ -12,6 +12,13 @@ const LIMBS: Option<Limbs> = Some(Limbs {
 const GIRTH: f64 = 0.003;
 const LENGTH: f64 = 0.005;
 
+fn with_limbs() -> DressForm {
+    DressForm {
+        limbs: LIMBS,
+        ..DressForm::default()
+    }
+}
+
 /// Numbers from 0 to 1 (MMIX's linear congruential generator, D. E. Knuth).
 struct Random(u64);
 
@@ -260,10 +267,7 @@ fn random_bodies_have_their_measures_and_no_flaw() {
 
 #[test]
 fn a_body_stands_on_the_floor_with_its_ankles_apart() {
-    let form = DressForm {
-        limbs: LIMBS,
-        ..DressForm::default()
-    };
+    let form = with_limbs();
     let avatar = form.build().expect("size M");
     let heights = avatar.surface.vertices.iter().map(|v| v.y);
     assert!(heights.fold(f64::INFINITY, f64::min).abs() < 1e-9);
@@ -278,10 +282,7 @@ fn a_body_stands_on_the_floor_with_its_ankles_apart() {
 
 #[test]
 fn both_sides_are_mirror_images() {
-    let form = DressForm {
-        limbs: LIMBS,
-        ..DressForm::default()
-    };
+    let form = with_limbs();
     let avatar = form.build().expect("size M");
     let key = |v: &Vector3<f64>| [v.y, v.z, v.x.abs()].map(f64::to_bits);
     let side = |sign: f64| {
@@ -357,10 +358,7 @@ fn men_have_no_bust() {
 
 #[test]
 fn the_tape_round_the_torso_is_not_round_the_arms() {
-    let form = DressForm {
-        limbs: LIMBS,
-        ..DressForm::default()
-    };
+    let form = with_limbs();
     let avatar = form.build().expect("size M");
     let hip = avatar.landmarks["hip_front"].y;
     assert!(avatar.landmarks["wrist_l"].y < 1.0);
