@@ -1,7 +1,6 @@
 //! Bodies with arms and legs: measured by slices of their own, looked over for holes and crossings.
 
 use super::*;
-use crate::scene::avatar::form::{Limbs, Pose, Sex};
 use std::f64::consts::TAU;
 
 const LIMBS: Option<Limbs> = Some(Limbs {
@@ -372,7 +371,6 @@ fn the_tape_round_the_torso_is_not_round_the_arms() {
     let along = (elbow.points[1] - elbow.points[0]).norm();
     let girth = avatar.limb_girth(Limb::ArmRight, along).expect("an arm");
     close(girth, form.value("elbow_m"), 1e-3, "elbow");
-    // under the crotch it is round both legs
     let [[left, right], _] = avatar.section_bounds(0.5).expect("legs");
     assert!(left < -0.1 && right > 0.1);
 }
