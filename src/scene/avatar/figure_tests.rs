@@ -1,7 +1,6 @@
 //! Bodies with arms and legs: measured by slices of their own, looked over for holes and crossings.
 
 use super::*;
-use crate::scene::avatar::form::{Limbs, Pose, Sex};
 use std::f64::consts::TAU;
 
 const LIMBS: Option<Limbs> = Some(Limbs {
@@ -11,6 +10,13 @@ const LIMBS: Option<Limbs> = Some(Limbs {
 /// Allowed for girths and for lengths \[m\].
 const GIRTH: f64 = 0.003;
 const LENGTH: f64 = 0.005;
+
+fn with_limbs() -> DressForm {
+    DressForm {
+        limbs: LIMBS,
+        ..DressForm::default()
+    }
+}
 
 /// Numbers from 0 to 1 (MMIX's linear congruential generator, D. E. Knuth).
 struct Random(u64);
@@ -260,10 +266,7 @@ fn random_bodies_have_their_measures_and_no_flaw() {
 
 #[test]
 fn a_body_stands_on_the_floor_with_its_ankles_apart() {
-    let form = DressForm {
-        limbs: LIMBS,
-        ..DressForm::default()
-    };
+    let form = with_limbs();
     let avatar = form.build().expect("size M");
     let heights = avatar.surface.vertices.iter().map(|v| v.y);
     assert!(heights.fold(f64::INFINITY, f64::min).abs() < 1e-9);
@@ -278,10 +281,7 @@ fn a_body_stands_on_the_floor_with_its_ankles_apart() {
 
 #[test]
 fn both_sides_are_mirror_images() {
-    let form = DressForm {
-        limbs: LIMBS,
-        ..DressForm::default()
-    };
+    let form = with_limbs();
     let avatar = form.build().expect("size M");
     let key = |v: &Vector3<f64>| [v.y, v.z, v.x.abs()].map(f64::to_bits);
     let side = |sign: f64| {
@@ -357,10 +357,7 @@ fn men_have_no_bust() {
 
 #[test]
 fn the_tape_round_the_torso_is_not_round_the_arms() {
-    let form = DressForm {
-        limbs: LIMBS,
-        ..DressForm::default()
-    };
+    let form = with_limbs();
     let avatar = form.build().expect("size M");
     let hip = avatar.landmarks["hip_front"].y;
     assert!(avatar.landmarks["wrist_l"].y < 1.0);
@@ -374,7 +371,6 @@ fn the_tape_round_the_torso_is_not_round_the_arms() {
     let along = (elbow.points[1] - elbow.points[0]).norm();
     let girth = avatar.limb_girth(Limb::ArmRight, along).expect("an arm");
     close(girth, form.value("elbow_m"), 1e-3, "elbow");
-    // under the crotch it is round both legs
     let [[left, right], _] = avatar.section_bounds(0.5).expect("legs");
     assert!(left < -0.1 && right > 0.1);
 }
