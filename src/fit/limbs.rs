@@ -2,7 +2,7 @@
 //! near.
 
 use crate::pattern::Panel;
-use crate::scene::{AnchoredPlacement, Limbs};
+use crate::scene::{AnchoredPlacement, DressForm, Limbs};
 use crate::seam::Face;
 
 /// Heights on a body of 1.68 m above which cloth is near the arms, and below which it is near the
@@ -10,8 +10,37 @@ use crate::seam::Face;
 const ARMS_ABOVE: f64 = 1.25;
 const LEGS_BELOW: f64 = 0.85;
 
-/// Returns the limbs near the panels as they start about a body of middle size.
-pub(super) fn near<'a>(panels: impl Iterator<Item = (&'a Panel, &'a AnchoredPlacement)>) -> Limbs {
+/// Returns the form with the limbs that it states, or else with those that it has measures of and
+/// those near `panels`, as they start about a body of middle size.
+pub(super) fn with_limbs<'a>(
+    form: DressForm,
+    panels: impl Iterator<Item = (&'a Panel, &'a AnchoredPlacement)>,
+) -> DressForm {
+    let arms = [
+        form.arm_length_m,
+        form.upper_arm_m,
+        form.elbow_m,
+        form.wrist_m,
+    ];
+    let legs = [
+        form.inside_leg_m,
+        form.thigh_m,
+        form.knee_m,
+        form.calf_m,
+        form.ankle_m,
+    ];
+    let near = near(panels);
+    let limbs = form.limbs.unwrap_or(Limbs {
+        arms: near.arms || arms.iter().any(Option::is_some),
+        legs: near.legs || legs.iter().any(Option::is_some),
+    });
+    DressForm {
+        limbs: Some(limbs),
+        ..form
+    }
+}
+
+fn near<'a>(panels: impl Iterator<Item = (&'a Panel, &'a AnchoredPlacement)>) -> Limbs {
     let mut heights = [f64::INFINITY, f64::NEG_INFINITY];
     for (panel, placement) in panels {
         let placed = placement.place(panel, Face::Up, None);

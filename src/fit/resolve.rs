@@ -126,11 +126,10 @@ pub fn resolve(
     let panels = resolve_panels(&pattern, &specs, &seams.faces, (&fabrics, placements))?;
     let avatar = avatar.map(|form| {
         let panels = pattern.panels.iter().zip(&panels);
-        let near = limbs::near(panels.map(|(outline, panel)| (outline, &panel.placement)));
-        DressForm {
-            limbs: form.limbs.or(Some(near)),
-            ..form
-        }
+        limbs::with_limbs(
+            form,
+            panels.map(|(outline, panel)| (outline, &panel.placement)),
+        )
     });
     let of_seams = check.seams.into_iter().flat_map(|seam| seam.warnings);
     let warnings = suggest::warnings(&pattern).into_iter();

@@ -39,7 +39,7 @@ pub enum Pose {
     A,
     /// 90 degrees.
     T,
-    /// 12 degrees, or more where a wide body needs it.
+    /// 12 degrees.
     I,
 }
 

@@ -146,12 +146,12 @@ impl Proportion {
 }
 
 impl BodyPart {
+    /// Returns true if the form has it, or leaves that open.
     fn is_in(self, form: &DressForm) -> bool {
-        let limbs = form.limbs.unwrap_or_default();
-        match self {
+        form.limbs.is_none_or(|limbs| match self {
             Self::Arms => limbs.arms,
             Self::Legs => limbs.legs,
-        }
+        })
     }
 
     fn name(self) -> &'static str {
@@ -165,4 +165,32 @@ impl BodyPart {
 /// The name of a field for a person.
 fn name(field: &str) -> String {
     field.trim_end_matches("_m").replace('_', " ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Girths to 3 mm, lengths and widths to 5 mm; each measure once.
+    #[test]
+    fn the_table_names_every_measure_and_states_its_tolerance() {
+        let mut fields: Vec<_> = TABLE
+            .measures
+            .iter()
+            .map(|measure| &measure.field)
+            .collect();
+        fields.sort_unstable();
+        fields.dedup();
+        assert_eq!(fields.len(), TABLE.measures.len());
+        for measure in &TABLE.measures {
+            let is_girth = matches!(measure.rule, Rule::LevelTape | Rule::LimbTape);
+            let tolerance = if is_girth { 0.003 } else { 0.005 };
+            assert!(
+                (measure.tolerance_m - tolerance).abs() < 1e-12,
+                "{}",
+                measure.field
+            );
+            assert!(!measure.iso.is_empty() && measure.range_m[0] < measure.range_m[1]);
+        }
+    }
 }
