@@ -75,21 +75,14 @@ pub(super) fn begins_at_the_bust(avatar: &Avatar, top: &[Vector3<f64>]) -> bool 
     lowest > 0.5 * (waist + bust)
 }
 
-/// Returns the fault of a crotch seam that hangs too low, in words: `cloth` are the triangles of a
-/// garment with legs.
+/// Returns the fault of a crotch seam that hangs too low, in words: `seam` are the points at which
+/// the panels of one leg are sewn to those of the other.
 pub(super) fn low_crotch(
     avatar: &Avatar,
-    cloth: impl Iterator<Item = [Vector3<f64>; 3]>,
+    seam: impl Iterator<Item = Vector3<f64>>,
 ) -> Option<String> {
     let crotch = avatar.landmarks.get("crotch")?;
-    let crosses = |t: &[Vector3<f64>; 3]| {
-        let x = t.map(|p| p.x - crotch.x);
-        x.iter().any(|x| *x >= 0.0) && x.iter().any(|x| *x < 0.0)
-    };
-    let heights = cloth
-        .filter(crosses)
-        .map(|t| t.map(|p| p.y).into_iter().fold(f64::INFINITY, f64::min));
-    let lowest = heights.fold(f64::INFINITY, f64::min);
+    let lowest = seam.map(|p| p.y).fold(f64::INFINITY, f64::min);
     let below = crotch.y - lowest;
     (lowest.is_finite() && below > BELOW_CROTCH).then(|| {
         format!(

@@ -1,9 +1,9 @@
-//! The turn of an opening about the part of the body that it goes round.
+//! The turn of cloth about a vertical axis.
 
 use nalgebra::Vector3;
 
-/// Returns the mean angle by which points turned about the vertical through the middle of each
-/// curve, positive from front (+z) to left (+x) \[degrees\].
+/// Returns the mean angle by which points turned about the vertical through the middle of
+/// each set, positive from front (+z) to left (+x) \[degrees\].
 ///
 /// It is the direction of the mean of all turns as points of the unit circle.
 pub(super) fn turn_deg(before: &[Vector3<f64>], after: &[Vector3<f64>]) -> f64 {
