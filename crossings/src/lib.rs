@@ -12,6 +12,7 @@
 //! - **Memory** grows with the triangles, not with the crossings. **Time** grows with `n log n` and
 //!   the pairs of triangles whose boxes overlap, which [`SearchLimits`] bound.
 
+mod between;
 mod body;
 mod cloth;
 mod limits;
@@ -24,6 +25,7 @@ mod tree;
 mod weld;
 mod winding;
 
+pub use between::find_crossings_between;
 pub use limits::{SearchLimits, TooManyPairs};
 pub use report::{Crossing, CrossingList, CrossingReport};
 pub use surface::{Surface, SurfaceError};

@@ -2,6 +2,7 @@
 
 use super::garment::{Garment, PanelSpec, PatternRef, SeamsSpec, WindSpec};
 use super::library::AssetLibrary;
+use super::over;
 use super::panel_spec::{panel_specs, spell_out_copies};
 use super::references::{self, NamedFabric, PanelFabrics};
 use super::seam_check::{anchored_placements, check_placed};
@@ -11,7 +12,7 @@ use super::validate::{self, PinnedCorner};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, Warning};
 use crate::pattern::{Panel, Pattern};
-use crate::scene::{AnchoredPlacement, Cut, DressForm, DressFormCache, Wind};
+use crate::scene::{AnchoredPlacement, Cut, DressForm, DressFormCache, FixedCloth, Wind};
 use crate::seam::suggest::SuggestedSeam;
 use crate::seam::{Face, SeamCheckInput, SeamSet};
 use crate::solver::SolverOptions;
@@ -36,6 +37,8 @@ pub struct ResolvedGarment {
     pub(super) fabrics: Vec<NamedFabric>,
     /// The body, if there is one.
     pub(super) avatar: Option<DressForm>,
+    /// The garments that it is worn over, if there are any.
+    pub(super) over: Option<Arc<FixedCloth>>,
     /// Bodies made before.
     pub(super) dress_forms: Arc<DressFormCache>,
     /// The corners that do not move.
@@ -94,6 +97,7 @@ pub fn resolve(
     let mut faults = validate::own_faults(&garment, limits);
     references::inline_fabrics(&mut garment, library, &mut faults);
     let avatar = references::inline_avatar(&mut garment, library, &mut faults);
+    let over = over::inline_over(&mut garment, library, limits, &mut faults);
     let mut pattern = references::find_pattern(garment.pattern.take(), library, limits)
         .map_err(|found| joined(&mut faults, found))?;
     let ListedSeams { pairs, suggested } = suggest::list_seams(&mut garment, &mut pattern, limits)
@@ -134,6 +138,7 @@ pub fn resolve(
         panels,
         fabrics: fabrics.fabrics,
         avatar,
+        over,
         dress_forms: Arc::default(),
         pins,
         wind: garment.wind.map(wind),

@@ -117,11 +117,13 @@ fn triangulate(garment: &ResolvedGarment, context: &Context<'_>) -> Result<Cloth
 fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults> {
     let avatar = avatar(garment)?;
     let panels = garment.pattern.panels.iter().zip(&garment.panels);
+    let beneath = garment.over.as_ref().map(|over| &*over.vertices);
     let panels = panels.map(|(outline, panel)| PanelParts {
         cut: panel.cut,
         placed: panel
             .placement
-            .place(outline, panel.face, avatar.as_deref()),
+            .place(outline, panel.face, avatar.as_deref())
+            .outside(outline, beneath.unwrap_or_default()),
     });
     let pins = garment.pins.iter();
     let scene = scene::build(Parts {
@@ -135,6 +137,7 @@ fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults>
         mesh,
     });
     Ok(Scene {
+        fixed_cloth: garment.over.clone(),
         wind: garment.wind,
         self_contact: keeps_apart(garment.garment()),
         ..scene

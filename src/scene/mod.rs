@@ -5,6 +5,7 @@ mod body;
 mod build;
 mod coarser;
 mod fabric;
+mod fixed_cloth;
 mod membrane;
 mod placement;
 mod raw;
@@ -14,6 +15,7 @@ pub use avatar::{Avatar, BodySample, DressForm, DressFormCache, LANDMARKS, Trian
 pub use body::{Analytic, Body};
 pub use coarser::{CoarserScene, coarser};
 pub use fabric::{Fabric, library};
+pub use fixed_cloth::{FixedCloth, FixedPanel};
 pub use membrane::{FiberSpring, Membrane, NetSpring};
 pub use raw::RawScene;
 pub use wind::Wind;
@@ -23,6 +25,7 @@ pub use placement::{AnchoredPlacement, Placed};
 
 use crate::mesh::ClothMesh;
 use nalgebra::Vector3;
+use std::sync::Arc;
 
 /// Everything a solver needs to know, in SI units.
 #[derive(Clone, Debug)]
@@ -44,6 +47,8 @@ pub struct Scene {
     pub least_bending_n_m: f64,
     /// The body, if there is one.
     pub body: Option<Body>,
+    /// Cloth that does not move, worn beneath: on every level of a hierarchy the same.
+    pub fixed_cloth: Option<Arc<FixedCloth>>,
     /// Coulomb coefficient between cloth and body.
     pub friction: f64,
     /// Acceleration \[m/s²\].

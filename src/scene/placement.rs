@@ -95,6 +95,31 @@ impl Placed {
         middle + self.rotation * (p - middle) + self.offset
     }
 
+    /// The same, further from the axis where `cloth` \[m\] at the panel's height reaches beyond its
+    /// start; as it is at an arm, a free place, or without cloth.
+    #[must_use]
+    pub fn outside(mut self, panel: &Panel, cloth: &[Vector3<f64>]) -> Self {
+        if self.lean != 0.0 || self.radius == 0.0 {
+            return self;
+        }
+        let outline = panel.edges.iter().flat_map(|edge| &edge.points);
+        let heights = outline.map(|uv| self.position(*uv).y);
+        let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| {
+            (low.min(y), high.max(y))
+        });
+        let reach = |p: &Vector3<f64>| {
+            let [x, z] = [p.x - self.axis.x, p.z - self.axis.z];
+            match self.wrap {
+                Wrap::Flat => z.abs(),
+                Wrap::Cylinder => x.hypot(z),
+            }
+        };
+        let beside = cloth.iter().filter(|p| (low..=high).contains(&p.y));
+        let most = beside.map(reach).fold(f64::NEG_INFINITY, f64::max);
+        self.radius = self.radius.max(most + CLEARANCE);
+        self
+    }
+
     /// The point `along` the panel's width from its key point and `up` from it \[m\].
     fn rolled(&self, along: f64, up: f64) -> Vector3<f64> {
         let (angle, flat) = match self.wrap {

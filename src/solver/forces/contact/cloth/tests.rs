@@ -39,6 +39,7 @@ fn two_sheets(
         triangles,
         welded: (0..x.len()).collect(),
         thickness: vec![THICKNESS; x.len()],
+        fixed: vec![],
     };
     (surface, x)
 }

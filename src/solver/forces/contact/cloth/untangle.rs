@@ -45,7 +45,7 @@ pub(super) fn untangle(
     x: &mut [Vector3<f64>],
     is_fixed: &[bool],
 ) -> bool {
-    let mut tree = BoxTree::new(&bounds(surface, x));
+    let mut tree = BoxTree::new(&bounds(surface, x), surface.moving_triangles);
     let mut found = find(&mut tree, surface, x);
     if found.is_empty() || found.len() >= MOST_PIERCINGS * x.len() {
         return !found.is_empty();
@@ -56,10 +56,8 @@ pub(super) fn untangle(
         .iter()
         .flat_map(|by| [by * surface.edge_length; ROUNDS])
     {
-        for (i, by) in moves(surface, &beside, &found, x, length) {
-            if !is_fixed[i] {
-                x[i] += by;
-            }
+        for (i, by) in moves((surface, &beside), &found, (x, is_fixed), length) {
+            x[i] += by;
         }
         found = find(&mut tree, surface, x);
         if found.len() < least.0 {
@@ -128,13 +126,12 @@ fn pierce([p, q]: [Vector3<f64>; 2], [a, b, c]: [Vector3<f64>; 3]) -> Option<(f6
     is_inside.then_some((along, weights))
 }
 
-/// Returns moves of up to `length` \[m\] that shorten the lines in which triangles meet, each the
-/// mean of those that its piercings ask for.
+/// Returns moves of up to `length` \[m\], of particles that are not fixed, that shorten the lines in
+/// which triangles meet, each the mean of those that its piercings ask for.
 fn moves(
-    surface: &ContactSurface,
-    beside: &BTreeMap<[usize; 2], Vec<usize>>,
+    (surface, beside): (&ContactSurface, &BTreeMap<[usize; 2], Vec<usize>>),
     found: &[Piercing],
-    x: &[Vector3<f64>],
+    (x, is_fixed): (&[Vector3<f64>], &[bool]),
     length: f64,
 ) -> BTreeMap<usize, Vector3<f64>> {
     let mut moves: BTreeMap<usize, (Vector3<f64>, f64)> = BTreeMap::new();
@@ -146,8 +143,11 @@ fn moves(
         let [k, l, m] = surface.triangles[piercing.triangle];
         let [wk, wl, wm] = piercing.weights;
         let shares = [1.0 - piercing.along, piercing.along, -wk, -wl, -wm];
-        let square: f64 = shares.iter().map(|share| share * share).sum();
-        for (particle, share) in [i, j, k, l, m].into_iter().zip(shares) {
+        let shares = [i, j, k, l, m].into_iter().zip(shares);
+        // What is fixed takes no part: the others move as far as they would with it.
+        let shares = shares.filter(|(particle, _)| !is_fixed[*particle]);
+        let square: f64 = shares.clone().map(|(_, share)| share * share).sum();
+        for (particle, share) in shares.filter(|_| square > 0.0) {
             let (sum, weight) = moves.entry(particle).or_default();
             *sum += by * (share / square);
             *weight += share.abs();
