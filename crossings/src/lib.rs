@@ -18,6 +18,7 @@ mod cloth;
 mod limits;
 mod predicates;
 mod report;
+mod segments;
 mod surface;
 #[cfg(test)]
 mod tests;
@@ -28,6 +29,7 @@ mod winding;
 pub use between::find_crossings_between;
 pub use limits::{SearchLimits, TooManyPairs};
 pub use report::{Crossing, CrossingList, CrossingReport};
+pub use segments::SegmentSearch;
 pub use surface::{Surface, SurfaceError};
 
 use body::BodyFaults;

@@ -89,12 +89,12 @@ fn with_fixed(
     clippy::cast_possible_truncation,
     reason = "the judged positions are those written out; what does not fit is refused as not finite"
 )]
-fn single(positions: &[Vector3<f64>]) -> Vec<[f32; 3]> {
+pub(super) fn single(positions: &[Vector3<f64>]) -> Vec<[f32; 3]> {
     let single = |p: &Vector3<f64>| [p.x as f32, p.y as f32, p.z as f32];
     positions.iter().map(single).collect()
 }
 
-fn indices<const N: usize>(of: &[[usize; N]]) -> Vec<[u32; N]> {
+pub(super) fn indices<const N: usize>(of: &[[usize; N]]) -> Vec<[u32; N]> {
     let index =
         |v: usize| u32::try_from(v).expect("Limits bound the vertices of a mesh below 2^32");
     of.iter().map(|v| v.map(index)).collect()
@@ -142,7 +142,7 @@ fn places(
     places.most(&names)
 }
 
-fn panel_of(mesh: &ClothMesh, triangle: usize) -> usize {
+pub(super) fn panel_of(mesh: &ClothMesh, triangle: usize) -> usize {
     mesh.panels
         .partition_point(|panel| panel.triangles.end <= triangle)
 }

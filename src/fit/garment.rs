@@ -116,7 +116,8 @@ pub struct PanelSpec {
     pub texture: Option<String>,
     /// Side that is out.
     pub face: FaceRequest,
-    /// Order from the body outwards.
+    /// Layer, counted from the body outwards: where panels lie on each other, that of the higher
+    /// one is further out.
     pub layer: i32,
     /// Direction of the warp, overriding the pattern's \[degrees\].
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -5,6 +5,7 @@
 mod crossings;
 mod garment;
 mod json_schema;
+mod layers;
 mod library;
 mod over;
 mod panel_spec;

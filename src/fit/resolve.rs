@@ -1,6 +1,7 @@
 //! A garment resolved: every id it refers to replaced by its value, and everything checked.
 
 use super::garment::{Garment, PanelSpec, PatternRef, SeamsSpec, WindSpec};
+use super::layers;
 use super::library::AssetLibrary;
 use super::over;
 use super::panel_spec::{panel_specs, spell_out_copies};
@@ -41,6 +42,8 @@ pub struct ResolvedGarment {
     pub(super) over: Option<Arc<FixedCloth>>,
     /// Bodies made before.
     pub(super) dress_forms: Arc<DressFormCache>,
+    /// The layer of each panel, counted from the body outwards; empty where they have no order.
+    pub(super) layers: Vec<usize>,
     /// The corners that do not move.
     pub(super) pins: Vec<PinnedCorner>,
     /// Moving air, if there is any.
@@ -139,6 +142,7 @@ pub fn resolve(
         fabrics: fabrics.fabrics,
         avatar,
         over,
+        layers: layers::ranks(&specs),
         dress_forms: Arc::default(),
         pins,
         wind: garment.wind.map(wind),

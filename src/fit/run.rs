@@ -2,13 +2,15 @@
 
 use super::crossings::{self, FoundCrossings};
 use super::garment::{Garment, SelfContact};
-use super::resolve::ResolvedGarment;
+use super::layers;
+use super::resolve::{ResolvedGarment, ResolvedPanel};
 use super::verdict::{Demands, verdict};
 use crate::export::{DrapedPanel, GarmentMesh};
 use crate::fault::Faults;
 use crate::memory;
 use crate::mesh::{self, ClothMesh, PanelRange};
-use crate::scene::{self, Avatar, Body, PanelParts, Parts, Scene};
+use crate::pattern::Panel;
+use crate::scene::{self, Avatar, Body, PanelParts, Parts, Placed, Scene};
 use crate::solver::{self, Analysis, Context, DrapeReport, SolverOptions};
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -44,6 +46,7 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
         let names = garment.pattern.panels.iter().map(|panel| &*panel.id);
         let names: Vec<_> = names.collect();
         let found = crossings::find(&scene, &names, &drape.positions, pairs);
+        report.layers_wrong_area_m2 = layers::wrong_area(&scene, &drape.positions, pairs);
         judge(garment, found, &mut report);
     }
     report.cpu_s.mesh = meshed - began;
@@ -72,6 +75,7 @@ fn judge(garment: &ResolvedGarment, found: Option<FoundCrossings>, report: &mut 
     let demands = Demands {
         no_crossings: garment.garment().self_contact != SelfContact::Off,
         has_avatar: garment.avatar.is_some(),
+        has_layers: !garment.layers.is_empty(),
         seam_gap_m: garment.garment().simulate.seam_eps_m,
     };
     report.good = Some(verdict(report, demands));
@@ -116,14 +120,11 @@ fn triangulate(garment: &ResolvedGarment, context: &Context<'_>) -> Result<Cloth
 
 fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults> {
     let avatar = avatar(garment)?;
-    let panels = garment.pattern.panels.iter().zip(&garment.panels);
-    let beneath = garment.over.as_ref().map(|over| &*over.vertices);
-    let panels = panels.map(|(outline, panel)| PanelParts {
+    let placed = place_panels(garment, avatar.as_deref());
+    let panels = garment.panels.iter().zip(placed);
+    let panels = panels.map(|(panel, placed)| PanelParts {
         cut: panel.cut,
-        placed: panel
-            .placement
-            .place(outline, panel.face, avatar.as_deref())
-            .outside(outline, beneath.unwrap_or_default()),
+        placed,
     });
     let pins = garment.pins.iter();
     let scene = scene::build(Parts {
@@ -138,10 +139,33 @@ fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults>
     });
     Ok(Scene {
         fixed_cloth: garment.over.clone(),
+        layers: garment.layers.clone(),
         wind: garment.wind,
         self_contact: keeps_apart(garment.garment()),
         ..scene
     })
+}
+
+/// Places the panels on the body, outside of a garment worn beneath, and each layer outside of the
+/// lower ones.
+fn place_panels(garment: &ResolvedGarment, avatar: Option<&Avatar>) -> Vec<Placed> {
+    let outlines = &garment.pattern.panels;
+    let beneath = garment.over.as_ref().map(|over| &*over.vertices);
+    let panels = outlines.iter().zip(&garment.panels);
+    let place = |(outline, panel): (&Panel, &ResolvedPanel)| {
+        let placed = panel.placement.place(outline, panel.face, avatar);
+        placed.outside(outline, beneath.unwrap_or_default())
+    };
+    let mut placed: Vec<Placed> = panels.map(place).collect();
+    let mut upwards: Vec<usize> = (0..garment.layers.len()).collect();
+    upwards.sort_by_key(|&panel| garment.layers[panel]);
+    for (number, &panel) in upwards.iter().enumerate() {
+        let lower = upwards[..number].iter();
+        let lower = lower.filter(|&&other| garment.layers[other] < garment.layers[panel]);
+        let lower = lower.map(|&other| (&outlines[other], &placed[other]));
+        placed[panel] = placed[panel].clone().above(&outlines[panel], lower);
+    }
+    placed
 }
 
 /// Returns true if cloth is to be kept from passing through cloth. Motion has no such contact, and

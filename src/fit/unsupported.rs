@@ -86,19 +86,13 @@ fn options_settings(options: &SolverOptions) -> [StatedSetting; 3] {
     ]
 }
 
-fn panel_settings(panel: &PanelSpec) -> [StatedSetting; 3] {
+fn panel_settings(panel: &PanelSpec) -> [StatedSetting; 2] {
     [
         (
             panel.texture.is_some(),
             "texture",
             "a texture",
             "leave it out",
-        ),
-        (
-            panel.layer != 0,
-            "layer",
-            "ordering panels by layer",
-            "leave it out or give 0",
         ),
         (
             !panel.elastic.is_empty(),

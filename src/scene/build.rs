@@ -82,6 +82,7 @@ pub fn build(parts: Parts) -> Scene {
         pins,
         fixed_axis: None,
         wind: None,
+        layers: vec![],
         self_contact: true,
     }
 }

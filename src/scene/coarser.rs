@@ -59,6 +59,7 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
         pins: scene.pins.iter().map(|&v| number[v]).collect(),
         fixed_axis: scene.fixed_axis,
         wind: scene.wind,
+        layers: scene.layers.clone(),
         self_contact: scene.self_contact,
         mesh,
     };

@@ -61,6 +61,8 @@ pub struct Scene {
     pub fixed_axis: Option<usize>,
     /// Moving air, if there is any.
     pub wind: Option<Wind>,
+    /// Layer of each panel of the mesh, from the body outwards; empty where they have no order.
+    pub layers: Vec<usize>,
     /// True if cloth must not pass through cloth.
     pub self_contact: bool,
 }

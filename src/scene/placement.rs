@@ -10,6 +10,8 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Room left between the body and a panel at the start \[m\].
 const CLEARANCE: f64 = 0.03;
+/// Room left between the layers of a garment at the start \[m\].
+const LAYER_CLEARANCE: f64 = 0.01;
 /// Steps in height at which the width of the body is sampled \[m\].
 const HEIGHT_STEP: f64 = 0.02;
 /// Key points of a garment without a body.
@@ -96,28 +98,58 @@ impl Placed {
     }
 
     /// The same, further from the axis where `cloth` \[m\] at the panel's height reaches beyond its
-    /// start; as it is at an arm, a free place, or without cloth.
+    /// start; as it is at an arm, in a free place, or without cloth.
     #[must_use]
-    pub fn outside(mut self, panel: &Panel, cloth: &[Vector3<f64>]) -> Self {
-        if self.lean != 0.0 || self.radius == 0.0 {
-            return self;
-        }
-        let outline = panel.edges.iter().flat_map(|edge| &edge.points);
-        let heights = outline.map(|uv| self.position(*uv).y);
-        let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| {
-            (low.min(y), high.max(y))
-        });
-        let reach = |p: &Vector3<f64>| {
-            let [x, z] = [p.x - self.axis.x, p.z - self.axis.z];
-            match self.wrap {
-                Wrap::Flat => z.abs(),
-                Wrap::Cylinder => x.hypot(z),
-            }
-        };
+    pub fn outside(self, panel: &Panel, cloth: &[Vector3<f64>]) -> Self {
+        let [low, high] = self.heights(panel);
         let beside = cloth.iter().filter(|p| (low..=high).contains(&p.y));
-        let most = beside.map(reach).fold(f64::NEG_INFINITY, f64::max);
-        self.radius = self.radius.max(most + CLEARANCE);
+        let most = beside.map(|p| self.reach(p)).fold(0.0, f64::max);
+        self.beyond(most, CLEARANCE)
+    }
+
+    /// The same, further from the axis where panels of lower layers start beside it, without the
+    /// offsets that the garment states; as it is at an arm or in a free place.
+    #[must_use]
+    pub fn above<'a>(
+        self,
+        panel: &Panel,
+        lower: impl Iterator<Item = (&'a Panel, &'a Self)>,
+    ) -> Self {
+        let [low, high] = self.heights(panel);
+        let beside = lower.filter(|(panel, placed)| {
+            let [lowest, highest] = placed.heights(panel);
+            lowest <= high && low <= highest
+        });
+        let points = beside.flat_map(|(panel, placed)| {
+            outline(panel).map(|uv| placed.position(uv) - placed.offset)
+        });
+        let most = points.map(|p| self.reach(&p)).fold(0.0, f64::max);
+        self.beyond(most, LAYER_CLEARANCE)
+    }
+
+    /// Puts the panel `clearance` beyond what reaches so far from the axis, if anything does \[m\].
+    fn beyond(mut self, reach: f64, clearance: f64) -> Self {
+        if reach > 0.0 && self.lean == 0.0 && self.radius > 0.0 {
+            self.radius = self.radius.max(reach + clearance);
+        }
         self
+    }
+
+    /// Lowest and highest point of the start of `panel` \[m\].
+    fn heights(&self, panel: &Panel) -> [f64; 2] {
+        let heights = outline(panel).map(|uv| self.position(uv).y);
+        heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], y| {
+            [low.min(y), high.max(y)]
+        })
+    }
+
+    /// Distance of a point from the axis, to the front or back where the panel is flat \[m\].
+    fn reach(&self, p: &Vector3<f64>) -> f64 {
+        let [x, z] = [p.x - self.axis.x, p.z - self.axis.z];
+        match self.wrap {
+            Wrap::Flat => z.abs(),
+            Wrap::Cylinder => x.hypot(z),
+        }
     }
 
     /// The point `along` the panel's width from its key point and `up` from it \[m\].
@@ -277,11 +309,17 @@ fn radius(avatar: Option<&Avatar>, centre: f64, span: [f64; 2], wrap: Wrap) -> f
     reach
 }
 
+/// The points of a panel's outline in pattern coordinates \[m\].
+fn outline(panel: &Panel) -> impl Iterator<Item = [f64; 2]> {
+    let points = panel.edges.iter().flat_map(|edge| &edge.points);
+    points.copied()
+}
+
 /// Bounding box of a panel turned by `up`: `[[min x, max x], [min y, max y]]` \[m\].
 fn bounds(panel: &Panel, up: &Rotation2<f64>) -> [[f64; 2]; 2] {
     let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-    for point in panel.edges.iter().flat_map(|edge| &edge.points) {
-        let turned = up * Vector2::from(*point);
+    for point in outline(panel) {
+        let turned = up * Vector2::from(point);
         for (bound, value) in bounds.iter_mut().zip(turned.iter()) {
             *bound = [bound[0].min(*value), bound[1].max(*value)];
         }

@@ -182,6 +182,7 @@ fn square(rows: usize) -> Scene {
         pins: vec![0, last],
         fixed_axis: None,
         wind: None,
+        layers: vec![],
         self_contact: false,
     }
 }

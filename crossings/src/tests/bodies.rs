@@ -7,7 +7,8 @@ use super::random::Random;
 use crate::tests::{ALL, is_clear};
 use crate::winding::{is_closed, winding_number};
 use crate::{
-    CrossingReport, SearchLimits, Surface, TooManyPairs, find_crossings, find_crossings_between,
+    CrossingReport, SearchLimits, SegmentSearch, Surface, TooManyPairs, find_crossings,
+    find_crossings_between,
 };
 
 type Mesh = (Vec<[f32; 3]>, Vec<[u32; 3]>);
@@ -137,6 +138,27 @@ fn crossings_of_two_surfaces_are_those_of_all_pairs() {
     let limits = SearchLimits { pairs: 3, ..ALL };
     let refused = find_crossings_between(&sheet, &surface, limits);
     assert_eq!(refused, Err(TooManyPairs));
+}
+
+/// A segment is a triangle two corners of which are one.
+#[test]
+fn segments_meet_what_triangles_without_area_meet() {
+    let other = boxes(&CUBOIDS);
+    let surface = Surface::new(&other.0, &other.1, &[]).expect("a sound mesh");
+    let mut search = SegmentSearch::new(&surface, usize::MAX);
+    let mut random = Random::new(29);
+    let mut count = 0;
+    for _ in 0..300 {
+        let ends = [random.point(9), random.point(9)];
+        let met = search.meeting(ends).expect("no limit");
+        let met: Vec<_> = met.into_iter().map(|(t, _)| [0, t]).collect();
+        let flat = (ends.to_vec(), vec![[0, 1, 1]]);
+        assert_eq!(met, meeting_pairs(&flat, &other));
+        count += met.len();
+    }
+    assert!(count > 100);
+    let mut none = SegmentSearch::new(&surface, 0);
+    assert_eq!(none.meeting([[-9.0; 3], [9.0; 3]]), Err(TooManyPairs));
 }
 
 /// Returns pairs of a triangle of each mesh that have a common point, by trying all.

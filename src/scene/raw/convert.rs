@@ -56,6 +56,7 @@ impl RawScene {
                 velocity: velocity.into(),
                 gust: 0.0,
             }),
+            layers: vec![],
             self_contact: false,
         })
     }

@@ -93,6 +93,7 @@ pub(crate) fn scene(has: Has, cells: usize) -> Scene {
             velocity: Vector3::z(),
             gust: 0.0,
         }),
+        layers: vec![],
         self_contact: has.self_contact,
     }
 }

@@ -2,7 +2,7 @@
 //! move.
 
 use crate::scene::{FixedCloth, Scene};
-use crate::solver::forces::contact::ClothSurface;
+use crate::solver::forces::contact::{ClothSurface, LayerOrder};
 use crate::solver::model::build::particle_triangles;
 use crate::solver::model::dof_map::DofMap;
 use crate::solver::model::rest_shape::{cut_triangles, vertex_areas};
@@ -32,6 +32,7 @@ pub(crate) fn cloth_surface(
         rest_edges: rest_edges(scene, dof_map),
         thickness,
         fixed: vec![],
+        order: layer_order(scene),
     };
     let mut area = dof_map.sum(&vertex_areas(scene));
     if let Some(fixed) = &scene.fixed_cloth {
@@ -39,6 +40,25 @@ pub(crate) fn cloth_surface(
         area.extend(fixed.vertex_areas());
     }
     (surface, area)
+}
+
+/// Returns the order of the layers on the body: that of panels, and cloth that does not move
+/// beneath all of them; none if there is neither or no body.
+fn layer_order(scene: &Scene) -> Option<LayerOrder> {
+    let fixed = scene.fixed_cloth.as_ref();
+    if scene.layers.is_empty() && fixed.is_none() {
+        return None;
+    }
+    let panels = scene.mesh.panels.iter().enumerate();
+    let layer = panels.flat_map(|(i, panel)| {
+        let layer = scene.layers.get(i).map_or(0, |layer| *layer);
+        std::iter::repeat_n(layer + 1, panel.triangles.len())
+    });
+    let beneath = fixed.map_or(0, |fixed| fixed.triangles.len());
+    Some(LayerOrder {
+        layer: layer.chain(std::iter::repeat_n(0, beneath)).collect(),
+        body: scene.body.clone()?,
+    })
 }
 
 /// Adds cloth that does not move, its vertices numbered after the particles.

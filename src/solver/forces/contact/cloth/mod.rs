@@ -25,7 +25,7 @@ mod separate;
 mod surface;
 mod untangle;
 
-pub(crate) use self::surface::ClothSurface;
+pub(crate) use self::surface::{ClothSurface, LayerOrder};
 
 use self::candidates::{Candidates, FeaturePair};
 use self::fixed::{edit_with_fixed, with_fixed};

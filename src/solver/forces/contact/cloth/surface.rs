@@ -1,6 +1,7 @@
 //! The surface of a garment as contact sees it: triangles, each with the vertices and edges that
 //! are its own, so that every pair of features is looked at once.
 
+use crate::scene::Body;
 use nalgebra::Vector3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -21,6 +22,30 @@ pub(crate) struct ClothSurface {
     /// Positions of the vertices of fixed cloth \[m\]; `#F`. They are numbered after the
     /// particles.
     pub(crate) fixed: Vec<Vector3<f64>>,
+    /// The order of layers, if there is one.
+    pub(crate) order: Option<LayerOrder>,
+}
+
+/// The order of layers from a body outwards.
+#[derive(Clone, Debug)]
+pub(crate) struct LayerOrder {
+    /// Layer of each triangle; `#T`.
+    pub(crate) layer: Vec<usize>,
+    /// The body.
+    pub(crate) body: Body,
+}
+
+impl LayerOrder {
+    /// Returns the direction in which triangle `s`, which meets triangle `t` at `p` \[m\], is to move
+    /// against it; none if they are in one layer, or no body is near.
+    pub(super) fn way_out(&self, [s, t]: [usize; 2], p: &Vector3<f64>) -> Option<Vector3<f64>> {
+        if self.layer[s] == self.layer[t] {
+            return None;
+        }
+        let normal = self.body.sample(p)?.normal.try_normalize(0.0)?;
+        let is_higher = self.layer[s] > self.layer[t];
+        Some(if is_higher { normal } else { -normal })
+    }
 }
 
 /// The triangles of a garment with what belongs to each.
@@ -40,6 +65,8 @@ pub(super) struct ContactSurface {
     pub(super) edge_length: f64,
     /// Positions of the vertices of fixed cloth \[m\]; `#F`.
     pub(super) fixed: Vec<Vector3<f64>>,
+    /// The order of layers, if there is one.
+    pub(super) order: Option<LayerOrder>,
 }
 
 /// Vertices and edges of one triangle.
@@ -61,12 +88,17 @@ impl ContactSurface {
             rest_edges,
             mut thickness,
             fixed,
+            mut order,
         } = cloth;
         let particles = welded.len() - fixed.len();
         let has_area = |t: &&[usize; 3]| {
             let [a, b, c] = t.map(|i| welded[i]);
             a != b && b != c && c != a
         };
+        if let Some(order) = &mut order {
+            let mut kept = triangles.iter().map(|t| has_area(&t));
+            order.layer.retain(|_| kept.next() == Some(true));
+        }
         let triangles: Vec<_> = triangles.iter().filter(has_area).copied().collect();
         for &(a, b, length) in &rest_edges {
             for i in [a, b] {
@@ -94,6 +126,7 @@ impl ContactSurface {
             welded,
             thickness,
             fixed,
+            order,
         }
     }
 

@@ -4,7 +4,8 @@
 //!
 //! No history is needed and no side: where an edge pierces a triangle, the line in which the edge's
 //! triangles meet that one begins, and the edge is moved against the triangle in the direction that
-//! shortens this line the most. Cloth that is through by less than a fold is pulled back out.
+//! shortens this line the most. Cloth that is through by less than a fold is pulled back out. Layers
+//! that have an order are moved along the body's normal instead, the higher one outwards.
 //!
 //! # Limitations
 //! Nothing keeps the shape of the cloth meanwhile; its particles move by a few edges at most.
@@ -31,6 +32,8 @@ const MOST_PIERCINGS: usize = 20;
 /// An edge that pierces a triangle.
 struct Piercing {
     edge: [usize; 2],
+    /// The triangle that the edge is of.
+    owner: usize,
     triangle: usize,
     /// Place on the edge, 0 to 1.
     along: f64,
@@ -86,6 +89,7 @@ fn find(tree: &mut BoxTree, surface: &ContactSurface, x: &[Vector3<f64>]) -> Vec
                 let pierced = pierce(edge.map(|i| x[i]), corners.map(|i| x[i]));
                 found.extend(pierced.map(|(along, weights)| Piercing {
                     edge,
+                    owner: s,
                     triangle,
                     along,
                     weights,
@@ -138,7 +142,8 @@ fn moves(
     for piercing in found {
         let beside = &beside[&piercing.edge];
         let gradient = gradient(surface, beside, piercing, x);
-        let by = gradient * (length / gradient.norm().hypot(SMALL_GRADIENT));
+        let by = gradient / gradient.norm().hypot(SMALL_GRADIENT);
+        let by = in_order(surface, piercing, x, by) * length;
         let [i, j] = piercing.edge;
         let [k, l, m] = surface.triangles[piercing.triangle];
         let [wk, wl, wm] = piercing.weights;
@@ -155,6 +160,25 @@ fn moves(
     }
     let mean = |(i, (sum, weight)): (usize, (Vector3<f64>, f64))| (i, sum / weight.max(1.0));
     moves.into_iter().map(mean).collect()
+}
+
+/// Returns the way `by` of an edge with the part along the body's normal put right, where the layers
+/// of the edge and of the triangle that it pierces have an order.
+fn in_order(
+    surface: &ContactSurface,
+    piercing: &Piercing,
+    x: &[Vector3<f64>],
+    by: Vector3<f64>,
+) -> Vector3<f64> {
+    let way_out = surface.order.as_ref().and_then(|order| {
+        let [p, q] = piercing.edge.map(|i| x[i]);
+        let point = p + (q - p) * piercing.along;
+        order.way_out([piercing.owner, piercing.triangle], &point)
+    });
+    match way_out {
+        Some(way) => by - way * way.dot(&by) + way,
+        None => by,
+    }
 }
 
 /// Returns the direction in which an edge is to be moved against the triangle that it pierces, so
