@@ -218,18 +218,21 @@ pub struct InnerPanel {
 }
 
 fn positions_schema() -> Array {
-    triples_of(ObjectBuilder::new().schema_type(Type::Number))
+    let length = ObjectBuilder::new().schema_type(Type::Number);
+    triples_of(length, "Positions [m], y up; `#V`.")
 }
 
 fn triangles_schema() -> Array {
     let index = ObjectBuilder::new().schema_type(Type::Integer);
-    triples_of(index.minimum(Some(0)).maximum(Some(u32::MAX)))
+    let index = index.minimum(Some(0)).maximum(Some(u32::MAX));
+    triples_of(index, "Corners of its triangles; `#T`.")
 }
 
-fn triples_of(item: ObjectBuilder) -> Array {
+fn triples_of(item: ObjectBuilder, description: &str) -> Array {
     let triple = ArrayBuilder::new().items(item);
     let triple = triple.min_items(Some(3)).max_items(Some(3));
-    ArrayBuilder::new().items(triple).build()
+    let triples = ArrayBuilder::new().items(triple);
+    triples.description(Some(description)).build()
 }
 
 /// A corner that does not move.

@@ -26,9 +26,9 @@ pub(super) fn ranks(specs: &[PanelSpec]) -> Vec<usize> {
 }
 
 /// Returns the area of the triangles from the middle of which a ray along the body's normal meets a
-/// lower layer further out \[m²\], at `positions` \[m\] in the precision in which meshes are written;
-/// none where panels have no order, there is no avatar, or looking at `pairs` of a ray and a
-/// triangle does not do.
+/// lower layer further out \[m²\], at `positions` \[m\] in the precision in which meshes are
+/// written; none where panels have no order, there is no avatar, or looking at `pairs` of a ray and
+/// a triangle does not do.
 pub(super) fn wrong_area(scene: &Scene, positions: &[Vector3<f64>], pairs: usize) -> Option<f64> {
     let avatar = scene.body.as_ref()?.avatar()?;
     if scene.layers.is_empty() {

@@ -5,8 +5,8 @@ use crate::solver::{DrapeReport, Intersection, IntersectionKind, Shortcoming, Ve
 /// Strain that no cloth bears \[-\]: twice its length.
 const TORN: f64 = 1.0;
 
-/// Area of layers in the wrong order that is no fault \[m²\]: at edges that lie on each other, a few
-/// triangles of a mesh of 15 mm may be counted as in the wrong one.
+/// Area of layers in the wrong order that is no fault \[m²\]: at edges that lie on each other, a
+/// few triangles of a mesh of 15 mm may be counted as in the wrong one.
 const LAYERS_WRONG: f64 = 5e-4;
 
 /// Demands that a garment is judged by.

@@ -73,7 +73,7 @@ pub(crate) fn build<'a>(
     }
     // Wind acts as weight does: on a garment that is sewn.
     if let Some(wind) = scene.wind.filter(|_| build_options.gravity) {
-        let triangles = particle_triangles(scene, &dof_map);
+        let triangles = dof_map.triangles(&scene.mesh.triangles);
         let start = dof_map.average(&scene.start);
         forces.push(Box::new(WindForce::new(wind, triangles, &start)));
     }
@@ -152,10 +152,4 @@ pub(crate) fn bends(scene: &Scene) -> bool {
 pub fn kept_distance(scene: &Scene) -> f64 {
     let thickness = scene.fabrics.iter().map(|f| f.thickness_m);
     SKIN_OFFSET + 0.5 * thickness.fold(0.0, f64::max)
-}
-
-/// Returns the triangles of the mesh with particles for their corners.
-pub(crate) fn particle_triangles(scene: &Scene, dof_map: &DofMap) -> Vec<[usize; 3]> {
-    let of_vertex = |t: &[usize; 3]| t.map(|v| dof_map.of_vertex[v]);
-    scene.mesh.triangles.iter().map(of_vertex).collect()
 }

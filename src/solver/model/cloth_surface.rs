@@ -3,13 +3,12 @@
 
 use crate::scene::{FixedCloth, Scene};
 use crate::solver::forces::contact::{ClothSurface, LayerOrder};
-use crate::solver::model::build::particle_triangles;
 use crate::solver::model::dof_map::DofMap;
 use crate::solver::model::rest_shape::{cut_triangles, vertex_areas};
 use crate::solver::model::seams::Seams;
 
-/// Returns the surface of the cloth, at least `least_thickness` thick \[m\], and the area of each of
-/// its particles and fixed vertices \[m²\].
+/// Returns the surface of the cloth, at least `least_thickness` thick \[m\], and the area of each
+/// of its particles and fixed vertices \[m²\].
 pub(crate) fn cloth_surface(
     scene: &Scene,
     dof_map: &DofMap,
@@ -27,7 +26,7 @@ pub(crate) fn cloth_surface(
         }
     }
     let mut surface = ClothSurface {
-        triangles: particle_triangles(scene, dof_map),
+        triangles: dof_map.triangles(&scene.mesh.triangles),
         welded,
         rest_edges: rest_edges(scene, dof_map),
         thickness,

@@ -36,8 +36,8 @@ pub(crate) struct LayerOrder {
 }
 
 impl LayerOrder {
-    /// Returns the direction in which triangle `s`, which meets triangle `t` at `p` \[m\], is to move
-    /// against it; none if they are in one layer, or no body is near.
+    /// Returns the direction in which triangle `s`, which meets triangle `t` at `p` \[m\], is to
+    /// move against it; none if they are in one layer, or no body is near.
     pub(super) fn way_out(&self, [s, t]: [usize; 2], p: &Vector3<f64>) -> Option<Vector3<f64>> {
         if self.layer[s] == self.layer[t] {
             return None;

@@ -4,8 +4,8 @@
 //!
 //! No history is needed and no side: where an edge pierces a triangle, the line in which the edge's
 //! triangles meet that one begins, and the edge is moved against the triangle in the direction that
-//! shortens this line the most. Cloth that is through by less than a fold is pulled back out. Layers
-//! that have an order are moved along the body's normal instead, the higher one outwards.
+//! shortens this line the most. Cloth that is through by less than a fold is pulled back out.
+//! Layers that have an order are moved along the body's normal instead, the higher one outwards.
 //!
 //! # Limitations
 //! Nothing keeps the shape of the cloth meanwhile; its particles move by a few edges at most.
@@ -130,8 +130,8 @@ fn pierce([p, q]: [Vector3<f64>; 2], [a, b, c]: [Vector3<f64>; 3]) -> Option<(f6
     is_inside.then_some((along, weights))
 }
 
-/// Returns moves of up to `length` \[m\], of particles that are not fixed, that shorten the lines in
-/// which triangles meet, each the mean of those that its piercings ask for.
+/// Returns moves of up to `length` \[m\], of particles that are not fixed, that shorten the lines
+/// in which triangles meet, each the mean of those that its piercings ask for.
 fn moves(
     (surface, beside): (&ContactSurface, &BTreeMap<[usize; 2], Vec<usize>>),
     found: &[Piercing],
@@ -162,8 +162,8 @@ fn moves(
     moves.into_iter().map(mean).collect()
 }
 
-/// Returns the way `by` of an edge with the part along the body's normal put right, where the layers
-/// of the edge and of the triangle that it pierces have an order.
+/// Returns the way `by` of an edge with the part along the body's normal put right, where the
+/// layers of the edge and of the triangle that it pierces have an order.
 fn in_order(
     surface: &ContactSurface,
     piercing: &Piercing,
