@@ -60,7 +60,7 @@ async function follow(id, signal) {
 }
 
 /** Faults of a fit that the report tells, with all that belongs to them. */
-const REPORTED = new Set(["not_converged", "crossings", "body", "gap", "strain", "worn"].map((fault) => `fit/${fault}`));
+const REPORTED = new Set(["not_converged", "crossings", "body", "layers", "gap", "strain", "worn"].map((fault) => `fit/${fault}`));
 
 /** Why a fit failed, but for what the report says. */
 function showError(fit, report) {

@@ -36,6 +36,13 @@ function inside(report) {
   return finding(depth < INSIDE_M ? "good" : "bad", `The deepest cloth is ${distance(depth)} inside the body.`);
 }
 
+function layers(report) {
+  const area = report.layers_wrong_area_m2;
+  if (area == null) return null;
+  const failed = report.good?.failed?.includes("layers");
+  return finding(failed ? "bad" : "good", area > 0 ? `Layers lie in the wrong order on ${(area * 1e4).toFixed(0)} cm².` : "Layers lie in their order.");
+}
+
 function precision(report) {
   const parts = [];
   if (report.error_estimate_valid && report.error_estimate_m != null) parts.push(`${distance(report.error_estimate_m)} from the exact rest shape of this mesh`);
@@ -83,6 +90,7 @@ export function reportSummary(report, status) {
     closing(report),
     ...crossings(report),
     inside(report),
+    layers(report),
     support(worn),
     precision(report),
     finding("plain", `Largest strain ${percent(report.strain_max)}.`),

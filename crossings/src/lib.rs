@@ -12,11 +12,13 @@
 //! - **Memory** grows with the triangles, not with the crossings. **Time** grows with `n log n` and
 //!   the pairs of triangles whose boxes overlap, which [`SearchLimits`] bound.
 
+mod between;
 mod body;
 mod cloth;
 mod limits;
 mod predicates;
 mod report;
+mod segments;
 mod surface;
 #[cfg(test)]
 mod tests;
@@ -24,8 +26,10 @@ mod tree;
 mod weld;
 mod winding;
 
+pub use between::find_crossings_between;
 pub use limits::{SearchLimits, TooManyPairs};
 pub use report::{Crossing, CrossingList, CrossingReport};
+pub use segments::SegmentSearch;
 pub use surface::{Surface, SurfaceError};
 
 use body::BodyFaults;

@@ -3,7 +3,8 @@
 /// Two triangles that meet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// The two triangles: of cloth, ascending, or one of cloth and one of the body.
+    /// The two triangles: of cloth, ascending, or one of cloth and one of the body or of the other
+    /// surface.
     pub triangles: [u32; 2],
     /// A place to mark: a common point, rounded, or where the two are in one plane a point amid
     /// them. In the unit of the positions.

@@ -2,10 +2,13 @@
 //! knows nothing of the solver.
 
 use crate::mesh::ClothMesh;
-use crate::scene::{Avatar, Body, Scene};
+use crate::scene::{Avatar, Body, FixedCloth, Scene};
 use crate::solver::{Intersection, IntersectionKind};
 use nalgebra::Vector3;
-use seamster_crossings::{Crossing, CrossingReport, SearchLimits, Surface, find_crossings};
+use seamster_crossings::{
+    Crossing, CrossingList, CrossingReport, SearchLimits, Surface, find_crossings,
+    find_crossings_between,
+};
 use std::collections::BTreeMap;
 
 /// Crossings of each kind whose places are looked at.
@@ -18,7 +21,7 @@ const PLACE: f64 = 0.03;
 /// The crossings of a garment: how many of each kind, and the places where most of them are.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct FoundCrossings {
-    /// Pairs of triangles of cloth that meet.
+    /// Pairs of triangles of cloth that meet, those with a garment worn beneath among them.
     pub(super) cloth: usize,
     /// Triangles without area.
     pub(super) degenerate: usize,
@@ -50,12 +53,17 @@ pub(super) fn find(
         Some(avatar) => with_body(&cloth, avatar, limits)?,
         None => find_crossings(&cloth, None, limits).ok()?,
     };
+    let fixed = scene.fixed_cloth.as_deref();
+    let beneath = match fixed {
+        Some(fixed) => with_fixed(&cloth, fixed, limits)?,
+        None => CrossingList::default(),
+    };
     Some(FoundCrossings {
-        cloth: report.cloth.count,
+        cloth: report.cloth.count + beneath.count,
         degenerate: report.degenerate.len(),
         body: avatar.map(|_| report.body.count),
         inside: avatar.map(|_| report.inside.len()),
-        places: places(mesh, panels, &points, &report),
+        places: places(scene, panels, &points, (&report, &beneath)),
     })
 }
 
@@ -66,16 +74,27 @@ fn with_body(cloth: &Surface<'_>, avatar: &Avatar, limits: SearchLimits) -> Opti
     find_crossings(cloth, Some(&body), limits).ok()
 }
 
+/// Finds the crossings of cloth with cloth that does not move.
+fn with_fixed(
+    cloth: &Surface<'_>,
+    fixed: &FixedCloth,
+    limits: SearchLimits,
+) -> Option<CrossingList> {
+    let (points, triangles) = (single(&fixed.vertices), indices(&fixed.triangles));
+    let fixed = Surface::new(&points, &triangles, &[]).ok()?;
+    find_crossings_between(cloth, &fixed, limits).ok()
+}
+
 #[expect(
     clippy::cast_possible_truncation,
     reason = "the judged positions are those written out; what does not fit is refused as not finite"
 )]
-fn single(positions: &[Vector3<f64>]) -> Vec<[f32; 3]> {
+pub(super) fn single(positions: &[Vector3<f64>]) -> Vec<[f32; 3]> {
     let single = |p: &Vector3<f64>| [p.x as f32, p.y as f32, p.z as f32];
     positions.iter().map(single).collect()
 }
 
-fn indices<const N: usize>(of: &[[usize; N]]) -> Vec<[u32; N]> {
+pub(super) fn indices<const N: usize>(of: &[[usize; N]]) -> Vec<[u32; N]> {
     let index =
         |v: usize| u32::try_from(v).expect("Limits bound the vertices of a mesh below 2^32");
     of.iter().map(|v| v.map(index)).collect()
@@ -83,16 +102,26 @@ fn indices<const N: usize>(of: &[[usize; N]]) -> Vec<[u32; N]> {
 
 /// Returns the places where most crossings are.
 fn places(
-    mesh: &ClothMesh,
+    scene: &Scene,
     panels: &[&str],
     points: &[[f32; 3]],
-    report: &CrossingReport,
+    (report, beneath): (&CrossingReport, &CrossingList),
 ) -> Vec<Intersection> {
+    let mesh = &scene.mesh;
+    let fixed = scene.fixed_cloth.iter().flat_map(|fixed| &fixed.panels);
+    let fixed: Vec<_> = fixed.collect();
     let panel = |triangle: u32| panel_of(mesh, triangle as usize);
     let mut places = Places::default();
     for Crossing { triangles, point } in &report.cloth.kept {
         let [a, b] = triangles.map(panel);
         places.add(IntersectionKind::Cloth, vec![a.min(b), a.max(b)], *point);
+    }
+    for Crossing { triangles, point } in &beneath.kept {
+        let triangle = triangles[1] as usize;
+        // Panels beneath are numbered after the garment's own.
+        let other = panels.len() + fixed.partition_point(|p| p.triangles.end <= triangle);
+        let both = vec![panel(triangles[0]), other];
+        places.add(IntersectionKind::Cloth, both, *point);
     }
     for &triangle in report.degenerate.iter().take(KEPT) {
         let corner = points[mesh.triangles[triangle as usize][0]];
@@ -108,10 +137,12 @@ fn places(
         let at = points[vertex].map(f64::from);
         places.add(IntersectionKind::InsideBody, vec![panel], at);
     }
-    places.most(panels)
+    let fixed = fixed.iter().map(|panel| &*panel.name);
+    let names: Vec<_> = panels.iter().copied().chain(fixed).collect();
+    places.most(&names)
 }
 
-fn panel_of(mesh: &ClothMesh, triangle: usize) -> usize {
+pub(super) fn panel_of(mesh: &ClothMesh, triangle: usize) -> usize {
     mesh.panels
         .partition_point(|panel| panel.triangles.end <= triangle)
 }

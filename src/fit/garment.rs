@@ -7,6 +7,7 @@ use crate::solver::SolverOptions;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use utoipa::ToSchema;
+use utoipa::openapi::schema::{Array, ArrayBuilder, ObjectBuilder, Type};
 use uuid::Uuid;
 
 /// Name and version of the garment file format.
@@ -59,6 +60,10 @@ pub struct Garment {
     /// A fit to begin from.
     #[serde(default)]
     pub start_from: Option<Uuid>,
+    /// The garment that it is worn over: the id of a fit that has succeeded on the same avatar.
+    /// The saved file has its surface instead.
+    #[serde(default)]
+    pub over: Option<OverRef>,
     /// Options of the simulation.
     #[serde(default)]
     pub simulate: SolverOptions,
@@ -111,7 +116,8 @@ pub struct PanelSpec {
     pub texture: Option<String>,
     /// Side that is out.
     pub face: FaceRequest,
-    /// Order from the body outwards.
+    /// Layer, counted from the body outwards: where panels lie on each other, that of the higher
+    /// one is further out.
     pub layer: i32,
     /// Direction of the warp, overriding the pattern's \[degrees\].
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -168,6 +174,65 @@ impl AvatarRef {
 pub struct DressFormSpec {
     /// The measurements.
     pub form: DressForm,
+}
+
+/// A garment that another one is worn over.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(untagged)]
+#[schema(as = OverAsked)]
+pub enum OverRef {
+    /// Id of a fit that has succeeded.
+    Id(Uuid),
+    /// Its surface, as a saved file has it.
+    Whole(Box<InnerGarment>),
+}
+
+/// The surface of a garment that another one is worn over, with all that it is worn over itself. It
+/// does not move.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct InnerGarment {
+    /// The body that it is worn on.
+    pub avatar: Option<AvatarRef>,
+    /// Its panels.
+    pub panels: Vec<InnerPanel>,
+}
+
+/// A panel of a garment that another one is worn over.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct InnerPanel {
+    /// Its name in reports: that of the panel after `over:`, which stands once for each garment on
+    /// it.
+    pub panel: String,
+    /// Thickness of its fabric \[m\].
+    pub thickness_m: f64,
+    /// Coulomb coefficient of its fabric.
+    pub friction: f64,
+    /// Positions \[m\], y up; `#V`.
+    #[schema(schema_with = positions_schema)]
+    pub positions: Vec<[f64; 3]>,
+    /// Corners of its triangles; `#T`.
+    #[schema(schema_with = triangles_schema)]
+    pub triangles: Vec<[u32; 3]>,
+}
+
+fn positions_schema() -> Array {
+    let length = ObjectBuilder::new().schema_type(Type::Number);
+    triples_of(length, "Positions [m], y up; `#V`.")
+}
+
+fn triangles_schema() -> Array {
+    let index = ObjectBuilder::new().schema_type(Type::Integer);
+    let index = index.minimum(Some(0)).maximum(Some(u32::MAX));
+    triples_of(index, "Corners of its triangles; `#T`.")
+}
+
+fn triples_of(item: ObjectBuilder, description: &str) -> Array {
+    let triple = ArrayBuilder::new().items(item);
+    let triple = triple.min_items(Some(3)).max_items(Some(3));
+    let triples = ArrayBuilder::new().items(triple);
+    triples.description(Some(description)).build()
 }
 
 /// A corner that does not move.

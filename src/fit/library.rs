@@ -1,5 +1,7 @@
 //! The stored and shipped things that a garment may refer to by id.
 
+use super::garment::Garment;
+use crate::export::GarmentMesh;
 use crate::pattern::Pattern;
 use crate::scene::{self, DressForm, Fabric};
 use std::sync::Arc;
@@ -13,6 +15,31 @@ pub trait AssetLibrary: Sync {
     fn form(&self, id: Uuid) -> Option<DressForm>;
     /// Returns a fabric, shipped or stored.
     fn fabric(&self, id: &str) -> Option<Fabric>;
+    /// Returns a fit that has succeeded.
+    ///
+    /// # Errors
+    /// The reason why there is none; always where no fits are stored.
+    fn finished_fit(&self, _id: Uuid) -> Result<FinishedFit, NoFinishedFit> {
+        Err(NoFinishedFit::Unknown)
+    }
+}
+
+/// A fit that has succeeded.
+#[derive(Clone, Debug)]
+pub struct FinishedFit {
+    /// Its garment, complete in itself.
+    pub garment: Garment,
+    /// The shape that it ended in.
+    pub mesh: GarmentMesh,
+}
+
+/// The reason why there is no such finished fit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NoFinishedFit {
+    /// No fit has the id.
+    Unknown,
+    /// It has not succeeded; its status in words.
+    NotSucceeded(&'static str),
 }
 
 /// The shipped fabrics, and nothing stored.

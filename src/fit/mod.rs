@@ -5,8 +5,10 @@
 mod crossings;
 mod garment;
 mod json_schema;
+mod layers;
 mod library;
 mod limbs;
+mod over;
 mod panel_spec;
 mod picture;
 mod references;
@@ -24,11 +26,11 @@ mod validate;
 mod verdict;
 
 pub use garment::{
-    AvatarRef, DressFormSpec, Elastic, Garment, MapKind, PanelSpec, PatternRef, Pin, SCHEMA,
-    SeamsKeyword, SeamsSpec, SelfContact, WindSpec,
+    AvatarRef, DressFormSpec, Elastic, Garment, InnerGarment, InnerPanel, MapKind, OverRef,
+    PanelSpec, PatternRef, Pin, SCHEMA, SeamsKeyword, SeamsSpec, SelfContact, WindSpec,
 };
 pub use json_schema::garment_schema_json;
-pub use library::{AssetLibrary, ShippedAssets};
+pub use library::{AssetLibrary, FinishedFit, NoFinishedFit, ShippedAssets};
 pub use picture::picture;
 pub(crate) use request_schema::RequestSchema;
 pub use request_schema::{ReadError, read_garment};

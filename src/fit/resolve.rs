@@ -1,8 +1,10 @@
 //! A garment resolved: every id it refers to replaced by its value, and everything checked.
 
 use super::garment::{Garment, PanelSpec, PatternRef, SeamsSpec, WindSpec};
+use super::layers;
 use super::library::AssetLibrary;
 use super::limbs;
+use super::over;
 use super::panel_spec::{panel_specs, spell_out_copies};
 use super::references::{self, NamedFabric, PanelFabrics};
 use super::seam_check::{anchored_placements, check_placed};
@@ -12,7 +14,7 @@ use super::validate::{self, PinnedCorner};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, Warning};
 use crate::pattern::{Panel, Pattern};
-use crate::scene::{AnchoredPlacement, Cut, DressForm, DressFormCache, Wind};
+use crate::scene::{AnchoredPlacement, Cut, DressForm, DressFormCache, FixedCloth, Wind};
 use crate::seam::suggest::SuggestedSeam;
 use crate::seam::{Face, SeamCheckInput, SeamSet};
 use crate::solver::SolverOptions;
@@ -37,8 +39,12 @@ pub struct ResolvedGarment {
     pub(super) fabrics: Vec<NamedFabric>,
     /// The body, if there is one.
     pub(super) avatar: Option<DressForm>,
+    /// The garments that it is worn over, if there are any.
+    pub(super) over: Option<Arc<FixedCloth>>,
     /// Bodies made before.
     pub(super) dress_forms: Arc<DressFormCache>,
+    /// The layer of each panel, counted from the body outwards; empty where they have no order.
+    pub(super) layers: Vec<usize>,
     /// The corners that do not move.
     pub(super) pins: Vec<PinnedCorner>,
     /// Moving air, if there is any.
@@ -95,6 +101,7 @@ pub fn resolve(
     let mut faults = validate::own_faults(&garment, limits);
     references::inline_fabrics(&mut garment, library, &mut faults);
     let avatar = references::inline_avatar(&mut garment, library, &mut faults);
+    let over = over::inline_over(&mut garment, library, limits, &mut faults);
     let mut pattern = references::find_pattern(garment.pattern.take(), library, limits)
         .map_err(|found| joined(&mut faults, found))?;
     let ListedSeams { pairs, suggested } = suggest::list_seams(&mut garment, &mut pattern, limits)
@@ -142,6 +149,8 @@ pub fn resolve(
         panels,
         fabrics: fabrics.fabrics,
         avatar,
+        over,
+        layers: layers::ranks(&specs),
         dress_forms: Arc::default(),
         pins,
         wind: garment.wind.map(wind),

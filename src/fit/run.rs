@@ -2,6 +2,7 @@
 
 use super::crossings::{self, FoundCrossings};
 use super::garment::{Garment, SelfContact};
+use super::layers;
 use super::resolve::ResolvedGarment;
 use super::support;
 use super::verdict::{Demands, verdict};
@@ -48,6 +49,7 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
         let names: Vec<_> = names.collect();
         let found = crossings::find(&scene, &names, &drape.positions, pairs);
         report.support = support::support(&scene, &names, &drape.positions, &report.support);
+        report.layers_wrong_area_m2 = layers::wrong_area(&scene, &drape.positions, pairs);
         judge(garment, found, &mut report);
     }
     report.skipped_terms.extend(left_out_limbs(garment));
@@ -77,6 +79,7 @@ fn judge(garment: &ResolvedGarment, found: Option<FoundCrossings>, report: &mut 
     let demands = Demands {
         no_crossings: garment.garment().self_contact != SelfContact::Off,
         has_avatar: garment.avatar.is_some(),
+        has_layers: !garment.layers.is_empty(),
         seam_gap_m: garment.garment().simulate.seam_eps_m,
     };
     report.good = Some(verdict(report, demands));
@@ -154,6 +157,8 @@ fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults>
         mesh,
     });
     Ok(Scene {
+        fixed_cloth: garment.over.clone(),
+        layers: garment.layers.clone(),
         wind: garment.wind,
         self_contact: keeps_apart(garment.garment()),
         ..scene
@@ -177,7 +182,28 @@ fn place(garment: &ResolvedGarment, mesh: &ClothMesh, avatar: Option<&Avatar>) -
     };
     let stitches = mesh.stitches.iter();
     let stitches: Vec<_> = stitches.map(|s| [point(s.a), point(s.b)]).collect();
-    scene::place_panels(&panels, &stitches, avatar)
+    outside(garment, scene::place_panels(&panels, &stitches, avatar))
+}
+
+/// Returns the same starts outside of a garment worn beneath, and each layer outside of the lower
+/// ones.
+fn outside(garment: &ResolvedGarment, mut placed: Vec<Placed>) -> Vec<Placed> {
+    let outlines = &garment.pattern.panels;
+    if let Some(over) = &garment.over {
+        let panels = outlines.iter().zip(placed);
+        placed = panels
+            .map(|(outline, placed)| placed.outside(outline, &over.vertices))
+            .collect();
+    }
+    let mut upwards: Vec<usize> = (0..garment.layers.len()).collect();
+    upwards.sort_by_key(|&panel| garment.layers[panel]);
+    for (number, &panel) in upwards.iter().enumerate() {
+        let lower = upwards[..number].iter();
+        let lower = lower.filter(|&&other| garment.layers[other] < garment.layers[panel]);
+        let lower = lower.map(|&other| (&outlines[other], &placed[other]));
+        placed[panel] = placed[panel].clone().above(&outlines[panel], lower);
+    }
+    placed
 }
 
 /// Returns true if cloth is to be kept from passing through cloth. Motion has no such contact, and

@@ -4,7 +4,7 @@ use super::resolve::ResolvedGarment;
 use super::run;
 use crate::fault::Faults;
 use crate::pattern::Point2;
-use crate::scene::{Body, Scene};
+use crate::scene::{Body, FixedCloth, Scene};
 use crate::solver::{self, Context};
 use nalgebra::Vector3;
 use serde::Serialize;
@@ -41,6 +41,8 @@ struct SceneJson<'a> {
     gravity: [f64; 3],
     friction: f64,
     collider: Option<SceneJsonBody<'a>>,
+    /// Cloth worn beneath, which does not move.
+    over: Option<SceneJsonFixedCloth<'a>>,
     wind: Option<SceneJsonWind>,
 }
 
@@ -49,6 +51,28 @@ struct SceneJson<'a> {
 struct SceneJsonBody<'a> {
     vertices: Vec<[f64; 3]>,
     triangles: &'a [[usize; 3]],
+}
+
+/// Cloth that does not move as triangles.
+#[derive(Serialize)]
+struct SceneJsonFixedCloth<'a> {
+    vertices: Vec<[f64; 3]>,
+    triangles: &'a [[usize; 3]],
+    /// At each vertex \[m\].
+    thickness_m: &'a [f64],
+    /// Coulomb coefficient at each vertex.
+    friction: &'a [f64],
+}
+
+impl<'a> From<&'a FixedCloth> for SceneJsonFixedCloth<'a> {
+    fn from(cloth: &'a FixedCloth) -> Self {
+        Self {
+            vertices: triples(&cloth.vertices),
+            triangles: &cloth.triangles,
+            thickness_m: &cloth.thickness_m,
+            friction: &cloth.friction,
+        }
+    }
 }
 
 /// Moving air, as the garment states it.
@@ -76,6 +100,7 @@ impl<'a> SceneJson<'a> {
                 vertices: triples(&avatar.surface.vertices),
                 triangles: &avatar.surface.triangles,
             }),
+            over: scene.fixed_cloth.as_deref().map(SceneJsonFixedCloth::from),
             wind: scene.wind.map(|wind| SceneJsonWind {
                 velocity_m_s: wind.velocity.into(),
                 gust: wind.gust,

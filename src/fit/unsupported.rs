@@ -32,8 +32,16 @@ fn fault(under: &str, (is_wrong, field, what, fix): StatedSetting) -> Option<Fau
     })
 }
 
-fn garment_settings(garment: &Garment) -> [StatedSetting; 3] {
+fn garment_settings(garment: &Garment) -> [StatedSetting; 4] {
     [
+        (
+            garment.over.is_some()
+                && (garment.self_contact == SelfContact::Off
+                    || garment.simulate.method.is_time_stepping()),
+            "over",
+            "wearing it over another garment without contact of cloth with cloth",
+            "leave out self_contact, and give the method \"newton\"",
+        ),
         (
             garment.self_contact == SelfContact::On && garment.simulate.method.is_time_stepping(),
             "self_contact",
@@ -78,19 +86,13 @@ fn options_settings(options: &SolverOptions) -> [StatedSetting; 3] {
     ]
 }
 
-fn panel_settings(panel: &PanelSpec) -> [StatedSetting; 3] {
+fn panel_settings(panel: &PanelSpec) -> [StatedSetting; 2] {
     [
         (
             panel.texture.is_some(),
             "texture",
             "a texture",
             "leave it out",
-        ),
-        (
-            panel.layer != 0,
-            "layer",
-            "ordering panels by layer",
-            "leave it out or give 0",
         ),
         (
             !panel.elastic.is_empty(),

@@ -5,6 +5,10 @@ use crate::solver::{DrapeReport, Intersection, IntersectionKind, Shortcoming, Ve
 /// Strain that no cloth bears \[-\]: twice its length.
 const TORN: f64 = 1.0;
 
+/// Area of layers in the wrong order that is no fault \[m²\]: at edges that lie on each other, a
+/// few triangles of a mesh of 15 mm may be counted as in the wrong one.
+const LAYERS_WRONG: f64 = 5e-4;
+
 /// Demands that a garment is judged by.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Demands {
@@ -12,6 +16,8 @@ pub(super) struct Demands {
     pub(super) no_crossings: bool,
     /// True if there is a body that is to carry it.
     pub(super) has_avatar: bool,
+    /// True if its panels have an order of layers.
+    pub(super) has_layers: bool,
     /// Widest gap of a closed seam \[m\].
     pub(super) seam_gap_m: f64,
 }
@@ -21,6 +27,7 @@ pub(super) fn verdict(report: &DrapeReport, demands: Demands) -> Verdict {
     let checks = [
         (Shortcoming::Crossings, crossings(report, demands)),
         (Shortcoming::Body, through_body(report, demands)),
+        (Shortcoming::Layers, layers_in_wrong_order(report, demands)),
         (Shortcoming::Gap, open_seams(report, demands)),
         (Shortcoming::Strain, torn(report)),
         (Shortcoming::Worn, not_worn(report, demands)),
@@ -78,6 +85,20 @@ fn through_body(report: &DrapeReport, demands: Demands) -> Option<String> {
     Some(format!(
         "cloth passes through the body: {pairs} of triangles meet and {inside} inside, {where_most}"
     ))
+}
+
+fn layers_in_wrong_order(report: &DrapeReport, demands: Demands) -> Option<String> {
+    let is_judged = demands.has_layers && demands.has_avatar;
+    let Some(area) = report.layers_wrong_area_m2 else {
+        return is_judged.then(|| "the order of its layers could not be told".to_owned());
+    };
+    (area > LAYERS_WRONG).then(|| {
+        format!(
+            "layers lie in the wrong order: {:.0} cm² have one beyond them that belongs beneath, more than {:.0} cm²",
+            area * 1e4,
+            LAYERS_WRONG * 1e4
+        )
+    })
 }
 
 fn open_seams(report: &DrapeReport, demands: Demands) -> Option<String> {
@@ -138,6 +159,7 @@ mod tests {
     const DEMANDS: Demands = Demands {
         no_crossings: true,
         has_avatar: true,
+        has_layers: false,
         seam_gap_m: 1e-3,
     };
 
@@ -211,6 +233,24 @@ mod tests {
         report = flawless();
         (report.seam_gap_max_m, report.strain_max) = (f64::NAN, f64::NAN);
         assert_eq!(failed(&report), [Shortcoming::Gap, Shortcoming::Strain]);
+    }
+
+    #[test]
+    fn layers_are_judged_where_there_are_any() {
+        let layered = Demands {
+            has_layers: true,
+            ..DEMANDS
+        };
+        let mut report = flawless();
+        assert_eq!(verdict(&report, layered).failed, [Shortcoming::Layers]);
+        for (area, ok) in [
+            (0.0, true),
+            (LAYERS_WRONG, true),
+            (2.0 * LAYERS_WRONG, false),
+        ] {
+            report.layers_wrong_area_m2 = Some(area);
+            assert_eq!(verdict(&report, layered).ok, ok, "{area}");
+        }
     }
 
     #[test]

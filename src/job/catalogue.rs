@@ -211,7 +211,8 @@ impl AssetLibrary for Catalogue {
     }
 }
 
-fn logged<T>(found: Result<Option<T>, StoreError>) -> Option<T> {
+/// Returns what was found; the error of the store is logged.
+pub(super) fn logged<T>(found: Result<Option<T>, StoreError>) -> Option<T> {
     found.unwrap_or_else(|error| {
         tracing::error!(%error, "the catalogue cannot be read");
         None

@@ -11,9 +11,9 @@ use utoipa::ToSchema;
 #[schema(as = Failure)]
 pub struct JobFailure {
     /// For a client to act on, of a fit: `fit/not_converged`, the first fault of one at rest
-    /// (`fit/crossings`, `fit/body`, `fit/gap`, `fit/strain`, `fit/worn`), `fit/refused`,
-    /// `fit/time_limit`, `fit/panicked`, `fit/abandoned` or `fit/storage`; of a study:
-    /// `study/nothing_ran`, and from `fit/refused` on the same with `study`.
+    /// (`fit/crossings`, `fit/body`, `fit/layers`, `fit/gap`, `fit/strain`, `fit/worn`),
+    /// `fit/refused`, `fit/time_limit`, `fit/panicked`, `fit/abandoned` or `fit/storage`; of a
+    /// study: `study/nothing_ran`, and from `fit/refused` on the same with `study`.
     #[schema(value_type = String)]
     pub code: FaultCode,
     /// Sentence for a person on what happened.
@@ -65,6 +65,7 @@ impl JobFailure {
         let code = match verdict.failed.first()? {
             Shortcoming::Crossings => FitCode::Crossings,
             Shortcoming::Body => FitCode::Body,
+            Shortcoming::Layers => FitCode::Layers,
             Shortcoming::Gap => FitCode::Gap,
             Shortcoming::Strain => FitCode::Strain,
             Shortcoming::Worn => FitCode::Worn,

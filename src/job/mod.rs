@@ -21,6 +21,7 @@ mod documents_contract;
 mod events;
 mod failure;
 mod kind;
+mod library;
 mod queue;
 mod record;
 mod request;

@@ -75,12 +75,14 @@ pub fn build(parts: Parts) -> Scene {
         membrane: Membrane::Fabric,
         least_bending_n_m: 0.0,
         body,
+        fixed_cloth: None,
         friction,
         gravity: GRAVITY,
         drag: None,
         pins,
         fixed_axis: None,
         wind: None,
+        layers: vec![],
         self_contact: true,
     }
 }

@@ -5,6 +5,7 @@ mod body;
 mod build;
 mod coarser;
 mod fabric;
+mod fixed_cloth;
 mod membrane;
 mod placement;
 mod raw;
@@ -17,6 +18,7 @@ pub use avatar::{
 pub use body::{Analytic, Body};
 pub use coarser::{CoarserScene, coarser};
 pub use fabric::{Fabric, library};
+pub use fixed_cloth::{FixedCloth, FixedPanel};
 pub use membrane::{FiberSpring, Membrane, NetSpring};
 pub use raw::RawScene;
 pub use wind::Wind;
@@ -26,6 +28,7 @@ pub use placement::{AnchoredPlacement, PanelPlacement, Placed, SeamPoint, place_
 
 use crate::mesh::ClothMesh;
 use nalgebra::Vector3;
+use std::sync::Arc;
 
 /// Everything a solver needs to know, in SI units.
 #[derive(Clone, Debug)]
@@ -47,6 +50,8 @@ pub struct Scene {
     pub least_bending_n_m: f64,
     /// The body, if there is one.
     pub body: Option<Body>,
+    /// Cloth that does not move, worn beneath: on every level of a hierarchy the same.
+    pub fixed_cloth: Option<Arc<FixedCloth>>,
     /// Coulomb coefficient between cloth and body.
     pub friction: f64,
     /// Acceleration \[m/s²\].
@@ -59,6 +64,8 @@ pub struct Scene {
     pub fixed_axis: Option<usize>,
     /// Moving air, if there is any.
     pub wind: Option<Wind>,
+    /// Layer of each panel of the mesh, from the body outwards; empty where they have no order.
+    pub layers: Vec<usize>,
     /// True if cloth must not pass through cloth.
     pub self_contact: bool,
 }

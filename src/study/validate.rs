@@ -2,13 +2,14 @@
 
 use super::request::StudyRequest;
 use crate::config::Limits;
-use crate::fault::{Fault, StudyCode};
+use crate::fault::{Fault, GarmentCode, StudyCode};
 use crate::solver::{Analysis, Method, SolverOptions};
 
 /// Returns the faults of a request whose empty lists are filled in; its garment is not looked at,
-/// but for the options of a motion.
+/// but for `over` and the options of a motion.
 pub(super) fn faults(request: &StudyRequest, limits: &Limits) -> Vec<Fault> {
     let mut faults = list_faults(request, limits);
+    faults.extend(over_fault(request));
     faults.extend(too_many_runs(request, limits));
     faults.extend(time_fault(request.time_limit_s, limits));
     if request.garment.simulate.analysis == Analysis::Transient {
@@ -17,6 +18,16 @@ pub(super) fn faults(request: &StudyRequest, limits: &Limits) -> Vec<Fault> {
         faults.extend(drape_faults(request));
     }
     faults
+}
+
+/// Returns the fault of a garment that is worn over another: not all methods have contact of cloth
+/// with cloth, without which the other one is not there.
+fn over_fault(request: &StudyRequest) -> Option<Fault> {
+    request.garment.over.is_some().then(|| {
+        let detail = "a study of a garment worn over another one is not available in this version";
+        let fault = Fault::new(GarmentCode::NotAvailable, "/garment/over", detail);
+        fault.fix("leave it out, or sew it as a fit")
+    })
 }
 
 fn list_faults(request: &StudyRequest, limits: &Limits) -> Vec<Fault> {

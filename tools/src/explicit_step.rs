@@ -175,12 +175,14 @@ fn square(rows: usize) -> Scene {
         membrane: Membrane::Fabric,
         least_bending_n_m: 0.0,
         body: None,
+        fixed_cloth: None,
         friction: 0.0,
         gravity: Vector3::new(0.0, 0.0, -9.81),
         drag: Some(20.0),
         pins: vec![0, last],
         fixed_axis: None,
         wind: None,
+        layers: vec![],
         self_contact: false,
     }
 }

@@ -6,7 +6,10 @@ use super::pairs::whole;
 use super::random::Random;
 use crate::tests::{ALL, is_clear};
 use crate::winding::{is_closed, winding_number};
-use crate::{CrossingReport, SearchLimits, Surface, TooManyPairs, find_crossings};
+use crate::{
+    CrossingReport, SearchLimits, SegmentSearch, Surface, TooManyPairs, find_crossings,
+    find_crossings_between,
+};
 
 type Mesh = (Vec<[f32; 3]>, Vec<[u32; 3]>);
 type Cuboid = [[f32; 3]; 2];
@@ -111,6 +114,51 @@ fn vertices_inside_and_crossings_are_those_of_whole_numbers() {
         inside > 500 && crossing > 5000 && buried > 100,
         "{inside} {crossing} {buried}"
     );
+}
+
+/// A surface without an inside is met wherever triangles have a common point, be it in a body.
+#[test]
+fn crossings_of_two_surfaces_are_those_of_all_pairs() {
+    let other = boxes(&CUBOIDS);
+    let surface = Surface::new(&other.0, &other.1, &[]).expect("a sound mesh");
+    let mut random = Random::new(23);
+    let positions: Vec<_> = (0..200).map(|_| random.point(9)).collect();
+    let cloth: Mesh = (positions, (0..198).map(|i| [i, i + 1, i + 2]).collect());
+    let sheet = Surface::new(&cloth.0, &cloth.1, &[]).expect("a sound mesh");
+    let found = find_crossings_between(&sheet, &surface, ALL).expect("no limit");
+    let pairs: Vec<_> = found.kept.iter().map(|c| c.triangles).collect();
+    assert_eq!(pairs, meeting_pairs(&cloth, &other));
+    assert!(found.count == pairs.len() && found.count > 100);
+    let few = SearchLimits { kept: 3, ..ALL };
+    let some = find_crossings_between(&sheet, &surface, few).expect("no limit");
+    assert_eq!(
+        (some.count, &some.kept[..]),
+        (found.count, &found.kept[..3])
+    );
+    let limits = SearchLimits { pairs: 3, ..ALL };
+    let refused = find_crossings_between(&sheet, &surface, limits);
+    assert_eq!(refused, Err(TooManyPairs));
+}
+
+/// A segment is a triangle two corners of which are one.
+#[test]
+fn segments_meet_what_triangles_without_area_meet() {
+    let other = boxes(&CUBOIDS);
+    let surface = Surface::new(&other.0, &other.1, &[]).expect("a sound mesh");
+    let mut search = SegmentSearch::new(&surface, usize::MAX);
+    let mut random = Random::new(29);
+    let mut count = 0;
+    for _ in 0..300 {
+        let ends = [random.point(9), random.point(9)];
+        let met = search.meeting(ends).expect("no limit");
+        let met: Vec<_> = met.into_iter().map(|(t, _)| [0, t]).collect();
+        let flat = (ends.to_vec(), vec![[0, 1, 1]]);
+        assert_eq!(met, meeting_pairs(&flat, &other));
+        count += met.len();
+    }
+    assert!(count > 100);
+    let mut none = SegmentSearch::new(&surface, 0);
+    assert_eq!(none.meeting([[-9.0; 3], [9.0; 3]]), Err(TooManyPairs));
 }
 
 /// Returns pairs of a triangle of each mesh that have a common point, by trying all.

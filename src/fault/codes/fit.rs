@@ -22,6 +22,9 @@ fault_codes! {
         KeyReused = "key_reused":
             "The `Idempotency-Key` was used before for another request.",
             "Send a new key with a new request.";
+        Layers = "layers":
+            "The garment came to rest, but a layer lies beyond one that belongs on it.",
+            "Place the panels in their order, or give them other `layer` numbers.";
         NotConverged = "not_converged":
             "The shape did not come to rest; its report says why.",
             "Allow more time, or use a larger tolerance or a coarser mesh.";

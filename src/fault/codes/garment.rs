@@ -23,6 +23,18 @@ fault_codes! {
         Number = "number":
             "A number is outside its range.",
             "Give a number within the range that the fault names.";
+        OverAvatar = "over_avatar":
+            "The garment that this one is to be worn over is worn on another avatar, or either on none.",
+            "Give both garments the same avatar, and sew the inner one on it first.";
+        OverSurface = "over_surface":
+            "The surface of the garment that this one is to be worn over is not one of cloth.",
+            "Give the id of a fit that has succeeded, or `over` of a saved file as it is.";
+        OverUnfinished = "over_unfinished":
+            "The fit that this garment is to be worn over has not succeeded.",
+            "Wait for its end, or give the id of a fit that has succeeded.";
+        OverUnknown = "over_unknown":
+            "No fit has the id of the garment that this one is to be worn over.",
+            "Sew it first: `POST /v1/fits`.";
         PanelUnknown = "panel_unknown":
             "The pattern has no panel of this id.",
             "Give the id of a panel of the pattern.";

@@ -126,7 +126,7 @@ pub(super) async fn create(
 ) -> Result<Response, Problem> {
     let submission = Submission::new(&state, JobKind::Fit, &headers, request.digest)?;
     let record = submission.submit(&state, move |app| {
-        let resolved = fit::resolve(request.garment, app.catalogue(), app.limits())?;
+        let resolved = fit::resolve(request.garment, &*app.queue, app.limits())?;
         Ok(JobRequest::Fit(Box::new(resolved.garment().clone())))
     });
     Ok(respond(record.await?, submission.wait))

@@ -11,7 +11,7 @@ use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use std::f64::consts::TAU;
 
 /// Room left between the body and a panel at the start \[m\].
-const CLEARANCE: f64 = 0.03;
+pub(super) const CLEARANCE: f64 = 0.03;
 /// Steps in height at which the width of the body is sampled \[m\].
 const HEIGHT_STEP: f64 = 0.02;
 
@@ -140,11 +140,17 @@ fn radius(avatar: Option<&Avatar>, centre: f64, span: [f64; 2], wrap: Wrap) -> f
     reach
 }
 
+/// The points of a panel's outline in pattern coordinates \[m\].
+pub(super) fn outline(panel: &Panel) -> impl Iterator<Item = [f64; 2]> {
+    let points = panel.edges.iter().flat_map(|edge| &edge.points);
+    points.copied()
+}
+
 /// Bounding box of a panel turned by `up`: `[[min x, max x], [min y, max y]]` \[m\].
 fn bounds(panel: &Panel, up: &Rotation2<f64>) -> [[f64; 2]; 2] {
     let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-    for point in panel.edges.iter().flat_map(|edge| &edge.points) {
-        let turned = up * Vector2::from(*point);
+    for point in outline(panel) {
+        let turned = up * Vector2::from(point);
         for (bound, value) in bounds.iter_mut().zip(turned.iter()) {
             *bound = [bound[0].min(*value), bound[1].max(*value)];
         }

@@ -4,6 +4,7 @@
 
 mod anchored;
 mod by_seams;
+mod layered;
 mod name_hint;
 mod placed;
 mod spot;

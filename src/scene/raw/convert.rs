@@ -46,6 +46,7 @@ impl RawScene {
             membrane: Membrane::Springs(self.springs),
             least_bending_n_m: 0.0,
             body: self.body.map(Body::Analytic),
+            fixed_cloth: None,
             friction: self.friction,
             gravity: self.gravity_m_s2.into(),
             drag: self.drag_1_s,
@@ -55,6 +56,7 @@ impl RawScene {
                 velocity: velocity.into(),
                 gust: 0.0,
             }),
+            layers: vec![],
             self_contact: false,
         })
     }

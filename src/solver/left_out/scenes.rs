@@ -84,6 +84,7 @@ pub(crate) fn scene(has: Has, cells: usize) -> Scene {
         membrane: Membrane::Fabric,
         least_bending_n_m: 0.0,
         body: has.body.then_some(Body::Analytic(ball)),
+        fixed_cloth: None,
         friction: if has.friction { 0.3 } else { 0.0 },
         gravity: Vector3::y() * if has.gravity { -9.80665 } else { 0.0 },
         drag: None,
@@ -92,6 +93,7 @@ pub(crate) fn scene(has: Has, cells: usize) -> Scene {
             velocity: Vector3::z(),
             gust: 0.0,
         }),
+        layers: vec![],
         self_contact: has.self_contact,
     }
 }

@@ -3,15 +3,14 @@
 pub use crate::solver::model::membrane::springs;
 
 use crate::scene::{Fabric, Scene};
-use crate::solver::forces::contact::{
-    BodyContact, Chord, ChordContact, ClothContact, ClothSurface, Friction,
-};
+use crate::solver::forces::contact::{BodyContact, Chord, ChordContact, ClothContact, Friction};
 use crate::solver::forces::friction_anchors::FrictionAnchors;
 use crate::solver::forces::{BendForce, Gravity, Hold, ParticleHold, SewingForce, WindForce};
 use crate::solver::model::bending::bend_patches;
+use crate::solver::model::cloth_surface::cloth_surface;
 use crate::solver::model::dof_map::DofMap;
 use crate::solver::model::membrane::membrane_force;
-use crate::solver::model::rest_shape::{cut_triangles, rest_area, vertex_areas};
+use crate::solver::model::rest_shape::{rest_area, vertex_areas};
 use crate::solver::model::seams::Seams;
 use crate::solver::model::system::{System, TimedTerm};
 use crate::solver::options::SolverOptions;
@@ -79,7 +78,7 @@ pub(crate) fn build<'a>(
     }
     // Wind acts as weight does: on a garment that is sewn.
     if let Some(wind) = scene.wind.filter(|_| build_options.gravity) {
-        let triangles = particle_triangles(scene, &dof_map);
+        let triangles = dof_map.triangles(&scene.mesh.triangles);
         let start = dof_map.average(&scene.start);
         forces.push(Box::new(WindForce::new(wind, triangles, &start)));
     }
@@ -113,8 +112,7 @@ pub(crate) fn build<'a>(
         }
     }
     if let Some(least_thickness) = build_options.least_thickness {
-        let area = dof_map.sum(&vertex_areas(scene));
-        let surface = cloth_surface(scene, &dof_map, least_thickness);
+        let (surface, area) = cloth_surface(scene, &dof_map, least_thickness);
         forces.push(Box::new(ClothContact::new(surface, area)));
     }
     let terms = forces
@@ -140,7 +138,7 @@ fn holds(scene: &Scene, dof_map: &DofMap) -> Vec<ParticleHold> {
     let area = dof_map.sum(&vertex_areas(scene));
     let place = dof_map.average(&scene.start);
     let mut normal = vec![Vector3::zeros(); dof_map.count];
-    for t in particle_triangles(scene, dof_map) {
+    for t in dof_map.triangles(&scene.mesh.triangles) {
         let [a, b, c] = t.map(|i| place[i]);
         for i in t {
             normal[i] += (b - a).cross(&(c - a));
@@ -158,42 +156,6 @@ fn holds(scene: &Scene, dof_map: &DofMap) -> Vec<ParticleHold> {
         .zip(area)
         .map(of_particle)
         .collect()
-}
-
-/// Returns the surface of the cloth, at least `least_thickness` thick \[m\].
-fn cloth_surface(scene: &Scene, dof_map: &DofMap, least_thickness: f64) -> ClothSurface {
-    let whole = Seams::Welded.dof_map(scene);
-    let mut welded = vec![0; dof_map.count];
-    for (&particle, &of_whole) in dof_map.of_vertex.iter().zip(&whole.of_vertex) {
-        welded[particle] = of_whole;
-    }
-    let mut thickness = vec![least_thickness; dof_map.count];
-    for (t, fabric, _) in cut_triangles(scene) {
-        for particle in t.map(|v| dof_map.of_vertex[v]) {
-            thickness[particle] = thickness[particle].max(fabric.thickness_m);
-        }
-    }
-    ClothSurface {
-        triangles: particle_triangles(scene, dof_map),
-        welded,
-        rest_edges: rest_edges(scene, dof_map),
-        thickness,
-    }
-}
-
-/// Returns the edges of the mesh between particles, with their rest lengths \[m\].
-fn rest_edges(scene: &Scene, dof_map: &DofMap) -> Vec<(usize, usize, f64)> {
-    let edges = scene
-        .mesh
-        .triangles
-        .iter()
-        .flat_map(|&[a, b, c]| [(a, b), (b, c), (c, a)]);
-    let rest = |(a, b): (usize, usize)| {
-        let [p, q] = [a, b].map(|v| scene.mesh.uv[v]);
-        let length = (p[0] - q[0]).hypot(p[1] - q[1]);
-        (dof_map.of_vertex[a], dof_map.of_vertex[b], length)
-    };
-    edges.map(rest).collect()
 }
 
 /// Returns the edges of the mesh, each with a third of the area of the triangles beside it.
@@ -224,10 +186,4 @@ pub(crate) fn bends(scene: &Scene) -> bool {
 pub fn kept_distance(scene: &Scene) -> f64 {
     let thickness = scene.fabrics.iter().map(|f| f.thickness_m);
     SKIN_OFFSET + 0.5 * thickness.fold(0.0, f64::max)
-}
-
-/// Returns the triangles of the mesh with particles for their corners.
-pub(crate) fn particle_triangles(scene: &Scene, dof_map: &DofMap) -> Vec<[usize; 3]> {
-    let of_vertex = |t: &[usize; 3]| t.map(|v| dof_map.of_vertex[v]);
-    scene.mesh.triangles.iter().map(of_vertex).collect()
 }

@@ -52,6 +52,12 @@ impl DofMap {
             .collect()
     }
 
+    /// Returns triangles of vertices with particles for their corners.
+    pub(crate) fn triangles(&self, of_vertices: &[[usize; 3]]) -> Vec<[usize; 3]> {
+        let of_vertex = |t: &[usize; 3]| t.map(|v| self.of_vertex[v]);
+        of_vertices.iter().map(of_vertex).collect()
+    }
+
     /// Returns the sum over the vertices of each particle; `#P`.
     pub(crate) fn sum(&self, of_vertex: &[f64]) -> Vec<f64> {
         let mut sum = vec![0.0; self.count];

@@ -2,6 +2,7 @@
 
 pub(crate) mod bending;
 pub(crate) mod build;
+pub(crate) mod cloth_surface;
 pub(crate) mod dof_map;
 pub(crate) mod membrane;
 pub(crate) mod rest_shape;

@@ -56,6 +56,10 @@ pub struct DrapeReport {
     /// Places of these, those with most first: of the first 10 000 of each kind, at most 25 places.
     #[serde(default)]
     pub intersections: Vec<Intersection>,
+    /// Area of cloth that lies nearer the body than a lower layer on the same ray along the body's
+    /// normal \[m²\]; null where panels have no layers or there is no avatar.
+    #[serde(default)]
+    pub layers_wrong_area_m2: Option<f64>,
     /// Verdict on how the body carries the garment.
     #[serde(rename = "worn")]
     pub support: Support,
@@ -118,6 +122,8 @@ pub enum Shortcoming {
     Crossings,
     /// Cloth passes through the body.
     Body,
+    /// Layers lie in the wrong order.
+    Layers,
     /// A seam is open.
     Gap,
     /// Cloth is stretched further than any bears.

@@ -1,6 +1,8 @@
 //! Tests of `fit`: garments sewn from pattern to report.
 
 mod garmentcode;
+mod layers;
+mod over;
 mod samples;
 mod seams;
 mod true_garments;

@@ -9,5 +9,5 @@ mod skin;
 
 pub(crate) use crate::solver::forces::contact::body::{BodyContact, Friction};
 pub(crate) use crate::solver::forces::contact::chord::{Chord, ChordContact};
-pub(crate) use crate::solver::forces::contact::cloth::{ClothContact, ClothSurface};
+pub(crate) use crate::solver::forces::contact::cloth::{ClothContact, ClothSurface, LayerOrder};
 pub use crate::solver::forces::contact::pressure::{contact_force, contact_pressure};

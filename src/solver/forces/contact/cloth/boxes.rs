@@ -51,20 +51,27 @@ struct Node {
 /// A tree over items, halved along the longest side of their first boxes.
 #[derive(Clone, Debug, Default)]
 pub(super) struct BoxTree {
-    /// Parents before their children.
+    /// Parents before their children, those of fixed items last.
     nodes: Vec<Node>,
+    /// The node of all fixed items; one past the end if there are none.
+    fixed: usize,
 }
 
 impl BoxTree {
-    /// Makes a tree of items with these boxes.
-    pub(super) fn new(bounds: &[Bounds]) -> Self {
+    /// Makes a tree of items with these boxes, the first `moving` of which are not fixed.
+    pub(super) fn new(bounds: &[Bounds], moving: usize) -> Self {
         let count = u32::try_from(bounds.len()).expect("Limits bound triangles below 2^32");
         let mut items: Vec<(Bounds, u32)> = bounds.iter().copied().zip(0..count).collect();
         let mut nodes = Vec::with_capacity(2 * items.len());
-        if !items.is_empty() {
-            split(&mut items, &mut nodes);
+        let (moving, still) = items.split_at_mut(moving);
+        if !moving.is_empty() {
+            split(moving, &mut nodes);
         }
-        Self { nodes }
+        let fixed = nodes.len();
+        if !still.is_empty() {
+            split(still, &mut nodes);
+        }
+        Self { nodes, fixed }
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -85,16 +92,20 @@ impl BoxTree {
         }
     }
 
-    /// Calls `visit` with every pair of different items whose boxes overlap, always in the same
-    /// order, until it breaks.
+    /// Calls `visit` with every pair of different items whose boxes overlap and that are not both
+    /// fixed, always in the same order, until it breaks.
     pub(super) fn for_each_pair(
         &self,
         visit: &mut impl FnMut(u32, u32) -> ControlFlow<()>,
     ) -> ControlFlow<()> {
-        if self.nodes.is_empty() {
+        if self.fixed == 0 {
             return ControlFlow::Continue(());
         }
-        self.pairs_within(0, visit)
+        self.pairs_within(0, visit)?;
+        if self.fixed == self.nodes.len() {
+            return ControlFlow::Continue(());
+        }
+        self.pairs_between(0, self.fixed, visit)
     }
 
     fn pairs_within(
@@ -192,29 +203,38 @@ mod tests {
         pairs
     }
 
-    fn tried(boxes: &[Bounds]) -> Vec<(u32, u32)> {
+    fn tried(boxes: &[Bounds], moving: usize) -> Vec<(u32, u32)> {
         let count = u32::try_from(boxes.len()).expect("few");
         let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| (a, b)));
         pairs
+            .filter(|&(a, _)| (a as usize) < moving)
             .filter(|&(a, b)| boxes[a as usize].overlaps(&boxes[b as usize]))
             .collect()
     }
 
     #[test]
     fn every_overlapping_pair_is_visited_once_also_after_the_boxes_moved() {
-        for count in [0, 1, 2, 3, 200] {
+        for (count, moving) in [
+            (0, 0),
+            (1, 1),
+            (2, 2),
+            (3, 3),
+            (200, 200),
+            (200, 90),
+            (9, 0),
+        ] {
             let first = boxes(1, count);
-            let mut tree = BoxTree::new(&first);
-            assert_eq!(found(&tree), tried(&first));
+            let mut tree = BoxTree::new(&first, moving);
+            assert_eq!(found(&tree), tried(&first, moving));
             let second = boxes(2, count);
             tree.refit(&second);
-            assert_eq!(found(&tree), tried(&second));
+            assert_eq!(found(&tree), tried(&second, moving));
         }
     }
 
     #[test]
     fn a_walk_ends_where_it_is_broken_off() {
-        let tree = BoxTree::new(&[Bounds::about(&Vector3::x(), &Vector3::y(), 0.0); 9]);
+        let tree = BoxTree::new(&[Bounds::about(&Vector3::x(), &Vector3::y(), 0.0); 9], 9);
         let mut visited = 0;
         let flow = tree.for_each_pair(&mut |_, _| {
             visited += 1;

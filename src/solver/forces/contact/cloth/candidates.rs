@@ -81,7 +81,7 @@ impl Candidates {
         let of_triangle = |[a, b, c]: &[usize; 3]| near[*a].with(&near[*b]).with(&near[*c]);
         let bounds: Vec<_> = surface.triangles.iter().map(of_triangle).collect();
         if self.tree.is_empty() {
-            self.tree = BoxTree::new(&bounds);
+            self.tree = BoxTree::new(&bounds, surface.moving_triangles);
         } else {
             self.tree.refit(&bounds);
         }

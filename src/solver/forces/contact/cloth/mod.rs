@@ -6,6 +6,10 @@
 //! cut where it would (`confine.rs`), each particle for itself. What passes through each other at
 //! the start is pulled out first (`untangle.rs`).
 //!
+//! Cloth that does not move, such as that of a garment worn beneath, is part of the surface: its
+//! vertices are numbered after the particles, and nothing is added for them to forces and Hessians
+//! (`fixed.rs`).
+//!
 //! # Limitations
 //! Layers slide on each other without friction. Features that meet in the first place, and cannot
 //! be pulled apart, do not press on each other.
@@ -14,15 +18,17 @@ mod advance;
 mod boxes;
 mod candidates;
 mod confine;
+mod fixed;
 mod law;
 mod proximity;
 mod separate;
 mod surface;
 mod untangle;
 
-pub(crate) use self::surface::ClothSurface;
+pub(crate) use self::surface::{ClothSurface, LayerOrder};
 
 use self::candidates::{Candidates, FeaturePair};
+use self::fixed::{edit_with_fixed, with_fixed};
 use self::law::respond;
 use self::proximity::{Features, Proximity, sine_squared};
 use self::surface::ContactSurface;
@@ -40,12 +46,12 @@ const LEAST_SLACK: f64 = 1e-3;
 /// again, and at least so much \[m\].
 const LEAST_MARGIN: f64 = 5e-4;
 
-/// Contact of a garment with itself.
+/// Contact of a garment with itself, and with cloth that does not move.
 pub(crate) struct ClothContact {
     surface: ContactSurface,
-    /// Cloth area of each particle \[m²\].
+    /// Cloth area of each particle \[m²\]; `#P + #F`.
     area: Vec<f64>,
-    /// The last accepted shape \[m\], of which the weights are.
+    /// The last accepted shape \[m\], of which the weights are; `#P + #F`.
     accepted: Vec<Vector3<f64>>,
     candidates: Candidates,
     /// Cloth area over which each candidate presses \[m²\].
@@ -126,6 +132,7 @@ impl ClothContact {
         x: &[Vector3<f64>],
         mut run: impl FnMut(&FeaturePair, f64, &Proximity),
     ) {
+        let x = &*with_fixed(x, &self.surface.fixed);
         self.cover(x, x);
         let moved = self.candidates.moved(x);
         for &k in &self.active {
@@ -170,9 +177,11 @@ impl ClothContact {
     }
 }
 
-/// Returns true if `sparsity` has all blocks of these particles.
+/// Returns true if `sparsity` has all blocks of those of these corners that are particles.
 fn is_coupled(sparsity: &Sparsity, corners: &[usize; 4]) -> bool {
-    (0..4).all(|i| (0..i).all(|j| sparsity.find(corners[i], corners[j]).is_some()))
+    let count = sparsity.particle_count();
+    let has = |a: usize, b: usize| a.max(b) >= count || sparsity.find(a, b).is_some();
+    (0..4).all(|i| (0..i).all(|j| has(corners[i], corners[j])))
 }
 
 /// Adds the second derivative of a pair's energy to `hessian`.
@@ -189,10 +198,11 @@ fn add_pair(
     let pushed = weight * response.pressure / proximity.distance();
     let bent = (1.0 - hessian_modification) * pushed;
     let c = proximity.coefficients;
+    let is_particle = |i: usize| i < sparsity.particle_count();
     if !is_coupled(sparsity, &pair.corners) {
         // A bound that couples nothing: (sum c_i d_i)² <= sum |c_i| sum |c_i| d_i², and the first
         // sum is 2.
-        for (&i, c) in pair.corners.iter().zip(c) {
+        for (&i, c) in pair.corners.iter().zip(c).filter(|(i, _)| is_particle(**i)) {
             hessian.add_diagonal(sparsity.diagonal(i), &(across * (2.0 * c.abs() * stiff)));
         }
         return;
@@ -203,6 +213,9 @@ fn add_pair(
             let turning = proximity.half_square_block(i, j) - of_normal;
             let block = of_normal * stiff - turning * bent;
             let (a, b) = (pair.corners[i], pair.corners[j]);
+            if !is_particle(a.max(b)) {
+                continue;
+            }
             if i == j {
                 hessian.add_diagonal(sparsity.diagonal(a), &block);
             } else {
@@ -218,9 +231,11 @@ impl Potential for ClothContact {
     }
 
     fn add_coupled_pairs(&self, pairs: &mut Vec<(usize, usize)>) {
+        let count = self.area.len() - self.surface.fixed.len();
         for corners in &self.coupled {
-            for i in 0..4 {
-                pairs.extend((0..i).map(|j| (corners[i], corners[j])));
+            for i in (0..4).filter(|i| corners[*i] < count) {
+                let others = corners[..i].iter().filter(|j| **j < count);
+                pairs.extend(others.map(|j| (corners[i], *j)));
             }
         }
     }
@@ -243,7 +258,9 @@ impl Potential for ClothContact {
             let pressure = respond(proximity.distance(), pair.thickness).pressure;
             let push = proximity.normal() * (weight * pressure);
             for (&i, c) in pair.corners.iter().zip(proximity.coefficients) {
-                force[i] += push * c;
+                if let Some(force) = force.get_mut(i) {
+                    *force += push * c;
+                }
             }
         });
     }
@@ -265,7 +282,8 @@ impl Potential for ClothContact {
     }
 
     fn narrow(&mut self, moving: Option<&[bool]>) {
-        self.moving = moving.map(<[bool]>::to_vec);
+        let fixed = vec![false; self.surface.fixed.len()];
+        self.moving = moving.map(|moving| [moving, &fixed].concat());
         self.select();
     }
 
@@ -274,6 +292,7 @@ impl Potential for ClothContact {
 
     /// Takes new weights; returns true if other pairs touch than before.
     fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
+        let x = &*with_fixed(x, &self.surface.fixed);
         self.accepted.clear();
         self.accepted.extend_from_slice(x);
         self.cover(x, x);
@@ -288,14 +307,21 @@ impl Potential for ClothContact {
     }
 
     fn confine(&mut self, from: &[Vector3<f64>], to: &mut [Vector3<f64>]) {
-        self.cover(from, to);
-        confine::confine(&self.candidates, &self.active, from, to);
+        let from = &*with_fixed(from, &self.surface.fixed);
+        self.cover(from, &with_fixed(to, &self.surface.fixed));
+        edit_with_fixed(to, &self.surface.fixed, |to| {
+            confine::confine(&self.candidates, &self.active, from, to);
+        });
     }
 
     fn untangle(&mut self, x: &mut [Vector3<f64>], is_fixed: &[bool]) -> bool {
-        let was_tangled = untangle::untangle(&self.surface, x, is_fixed);
-        separate::separate(&self.surface, x, is_fixed);
-        was_tangled
+        let surface = &self.surface;
+        let is_fixed = &*[is_fixed, &vec![true; surface.fixed.len()]].concat();
+        edit_with_fixed(x, &surface.fixed, |x| {
+            let was_tangled = untangle::untangle(surface, x, is_fixed);
+            separate::separate(surface, x, is_fixed);
+            was_tangled
+        })
     }
 }
 

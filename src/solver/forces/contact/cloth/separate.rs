@@ -20,11 +20,11 @@ pub(super) fn separate(surface: &ContactSurface, x: &mut [Vector3<f64>], is_fixe
     for _ in 0..ROUNDS {
         candidates.find(surface, (x, x), SLACK);
         let mut to = x.to_vec();
-        let moves = moves(&candidates, x);
+        let moves = moves(&candidates, x, is_fixed);
         if moves.is_empty() {
             return;
         }
-        for (i, move_) in moves.into_iter().filter(|(i, _)| !is_fixed[*i]) {
+        for (i, move_) in moves {
             to[i] += move_;
         }
         candidates.find(surface, (x, &to), SLACK);
@@ -34,8 +34,13 @@ pub(super) fn separate(surface: &ContactSurface, x: &mut [Vector3<f64>], is_fixe
     }
 }
 
-/// Returns the moves that part what is too near, each the mean of those that its pairs ask for.
-fn moves(candidates: &Candidates, x: &[Vector3<f64>]) -> BTreeMap<usize, Vector3<f64>> {
+/// Returns the moves of particles that are not fixed which part what is too near, each the mean of
+/// those that its pairs ask for.
+fn moves(
+    candidates: &Candidates,
+    x: &[Vector3<f64>],
+    is_fixed: &[bool],
+) -> BTreeMap<usize, Vector3<f64>> {
     let mut moves: BTreeMap<usize, (Vector3<f64>, f64)> = BTreeMap::new();
     for pair in &candidates.pairs {
         let lacking = APART * pair.thickness - pair.distance;
@@ -43,9 +48,11 @@ fn moves(candidates: &Candidates, x: &[Vector3<f64>]) -> BTreeMap<usize, Vector3
             continue;
         }
         let proximity = pair.proximity(x);
-        let square: f64 = proximity.coefficients.iter().map(|c| c * c).sum();
+        let shares = pair.corners.into_iter().zip(proximity.coefficients);
+        let shares = shares.filter(|(i, _)| !is_fixed[*i]);
+        let square: f64 = shares.clone().map(|(_, c)| c * c).sum();
         let by = proximity.normal() * (lacking / square);
-        for (&i, c) in pair.corners.iter().zip(proximity.coefficients) {
+        for (i, c) in shares.filter(|_| square > 0.0) {
             let (sum, weight) = moves.entry(i).or_default();
             *sum += by * c;
             *weight += c.abs();

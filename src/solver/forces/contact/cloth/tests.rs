@@ -1,6 +1,7 @@
 //! Contact of two small sheets: derivatives, cut moves, untangling.
 
 use super::*;
+use crate::scene::{Analytic, Body};
 use crate::solver::forces::contact::cloth::confine::confine;
 use nalgebra::Matrix3;
 
@@ -39,6 +40,8 @@ fn two_sheets(
         triangles,
         welded: (0..x.len()).collect(),
         thickness: vec![THICKNESS; x.len()],
+        fixed: vec![],
+        order: None,
     };
     (surface, x)
 }
@@ -256,4 +259,102 @@ fn what_is_fixed_is_not_moved_and_what_is_apart_is_left_alone() {
     let before = near.clone();
     contact.untangle(&mut near, &vec![true; x.len()]);
     assert_eq!(near, before);
+}
+
+/// A second sheet that is fixed acts on the first as one that moves and happens to rest.
+#[test]
+fn fixed_cloth_acts_as_cloth_that_rests() {
+    let place = |p: Vector3<f64>| turned(p) + Vector3::z() * 0.6 * THICKNESS;
+    let (surface, x) = two_sheets([3, 2], place);
+    let count = 16;
+    let mut free = contact(surface);
+    let (mut surface, _) = two_sheets([3, 2], place);
+    surface.fixed = x[count..].to_vec();
+    let mut beside = contact(surface);
+    free.accept(&x);
+    beside.accept(&x[..count]);
+    assert!(free.energy(&x) > 0.0);
+    // The pairs come in another order, so sums round otherwise.
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs().max(1e-12);
+    assert!(near(beside.energy(&x[..count]), free.energy(&x)));
+    let (mut all, mut part) = (
+        vec![Vector3::zeros(); x.len()],
+        vec![Vector3::zeros(); count],
+    );
+    free.add_force(&x, &mut all);
+    beside.add_force(&x[..count], &mut part);
+    for (a, b) in part.iter().zip(&all) {
+        assert!((a - b).norm() <= 1e-12 * b.norm().max(1e-9), "{a} {b}");
+    }
+
+    let hessian = |contact: &mut ClothContact, x: &[Vector3<f64>]| {
+        let mut pairs = vec![];
+        contact.add_coupled_pairs(&mut pairs);
+        let sparsity = Sparsity::from_pairs(x.len(), pairs);
+        contact.bind(&sparsity);
+        let mut hessian = BlockMatrix::zeros(&sparsity);
+        contact.add_hessian(x, 0.0, &mut hessian);
+        let blocks = (0..count).flat_map(|i| (0..=i).map(move |j| (i, j)));
+        let block = |(i, j)| {
+            sparsity
+                .find(i, j)
+                .map_or(Matrix3::zeros(), |s| hessian.get(s))
+        };
+        blocks.map(block).collect::<Vec<_>>()
+    };
+    let whole = hessian(&mut free, &x);
+    let stiffest = whole.iter().map(Matrix3::norm).fold(0.0, f64::max);
+    for (a, b) in hessian(&mut beside, &x[..count]).iter().zip(&whole) {
+        assert!((a - b).norm() <= 1e-12 * stiffest, "{a} {b}");
+    }
+
+    // The first sheet does not get through the second.
+    let through = Vector3::z() * 10.0 * THICKNESS;
+    let mut to: Vec<_> = x[..count].iter().map(|p| p + through).collect();
+    beside.confine(&x[..count], &mut to);
+    assert!(
+        to.iter()
+            .zip(&x)
+            .any(|(end, from)| (end - from).norm() < through.norm())
+    );
+    let (surface, _) = two_sheets([3, 2], place);
+    assert_eq!(crossings(&surface, &[&to, &x[count..]].concat()), 0);
+}
+
+/// A sheet most of which is beneath a fixed one comes out on the side of the body that its layer
+/// says; by the lines in which they meet alone it goes the short way.
+#[test]
+fn layers_are_untangled_in_their_order() {
+    let tilted = |p: Vector3<f64>| {
+        let p = turned(p);
+        p + Vector3::z() * (0.3 * (p.x + p.y) + 0.004)
+    };
+    let out = Vector3::z();
+    let heights = |order: Option<[usize; 2]>| {
+        let (mut surface, x) = two_sheets([8, 5], |p| tilted(p) - out * 0.002);
+        let count = 81;
+        let of_first = surface.triangles.iter().filter(|t| t[0] < count).count();
+        let layers = order.map(|[first, second]| {
+            let mut layer = vec![first; of_first];
+            layer.resize(surface.triangles.len(), second);
+            layer
+        });
+        surface.order = layers.map(|layer| LayerOrder {
+            layer,
+            body: Body::Analytic(Analytic::HalfSpace {
+                c: [0.0, 0.0, -0.1],
+                normal: [0.0, 0.0, 1.0],
+            }),
+        });
+        let mut is_fixed = vec![true; count];
+        is_fixed.resize(x.len(), false);
+        let mut shape = x.clone();
+        let mut contact = contact(surface);
+        assert!(contact.untangle(&mut shape, &is_fixed));
+        assert_eq!(shape[..count], x[..count]);
+        let heights = shape[count..].iter().map(|p| p.z);
+        heights.collect::<Vec<_>>()
+    };
+    assert!(heights(Some([0, 1])).iter().all(|z| *z > 0.0));
+    assert!(heights(Some([1, 0])).iter().all(|z| *z < 0.0));
 }

@@ -5,6 +5,7 @@
 //! No history is needed and no side: where an edge pierces a triangle, the line in which the edge's
 //! triangles meet that one begins, and the edge is moved against the triangle in the direction that
 //! shortens this line the most. Cloth that is through by less than a fold is pulled back out.
+//! Layers that have an order are moved along the body's normal instead, the higher one outwards.
 //!
 //! # Limitations
 //! Nothing keeps the shape of the cloth meanwhile; its particles move by a few edges at most.
@@ -31,6 +32,8 @@ const MOST_PIERCINGS: usize = 20;
 /// An edge that pierces a triangle.
 struct Piercing {
     edge: [usize; 2],
+    /// The triangle that the edge is of.
+    owner: usize,
     triangle: usize,
     /// Place on the edge, 0 to 1.
     along: f64,
@@ -45,7 +48,7 @@ pub(super) fn untangle(
     x: &mut [Vector3<f64>],
     is_fixed: &[bool],
 ) -> bool {
-    let mut tree = BoxTree::new(&bounds(surface, x));
+    let mut tree = BoxTree::new(&bounds(surface, x), surface.moving_triangles);
     let mut found = find(&mut tree, surface, x);
     if found.is_empty() || found.len() >= MOST_PIERCINGS * x.len() {
         return !found.is_empty();
@@ -56,10 +59,8 @@ pub(super) fn untangle(
         .iter()
         .flat_map(|by| [by * surface.edge_length; ROUNDS])
     {
-        for (i, by) in moves(surface, &beside, &found, x, length) {
-            if !is_fixed[i] {
-                x[i] += by;
-            }
+        for (i, by) in moves((surface, &beside), &found, (x, is_fixed), length) {
+            x[i] += by;
         }
         found = find(&mut tree, surface, x);
         if found.len() < least.0 {
@@ -88,6 +89,7 @@ fn find(tree: &mut BoxTree, surface: &ContactSurface, x: &[Vector3<f64>]) -> Vec
                 let pierced = pierce(edge.map(|i| x[i]), corners.map(|i| x[i]));
                 found.extend(pierced.map(|(along, weights)| Piercing {
                     edge,
+                    owner: s,
                     triangle,
                     along,
                     weights,
@@ -128,26 +130,29 @@ fn pierce([p, q]: [Vector3<f64>; 2], [a, b, c]: [Vector3<f64>; 3]) -> Option<(f6
     is_inside.then_some((along, weights))
 }
 
-/// Returns moves of up to `length` \[m\] that shorten the lines in which triangles meet, each the
-/// mean of those that its piercings ask for.
+/// Returns moves of up to `length` \[m\], of particles that are not fixed, that shorten the lines
+/// in which triangles meet, each the mean of those that its piercings ask for.
 fn moves(
-    surface: &ContactSurface,
-    beside: &BTreeMap<[usize; 2], Vec<usize>>,
+    (surface, beside): (&ContactSurface, &BTreeMap<[usize; 2], Vec<usize>>),
     found: &[Piercing],
-    x: &[Vector3<f64>],
+    (x, is_fixed): (&[Vector3<f64>], &[bool]),
     length: f64,
 ) -> BTreeMap<usize, Vector3<f64>> {
     let mut moves: BTreeMap<usize, (Vector3<f64>, f64)> = BTreeMap::new();
     for piercing in found {
         let beside = &beside[&piercing.edge];
         let gradient = gradient(surface, beside, piercing, x);
-        let by = gradient * (length / gradient.norm().hypot(SMALL_GRADIENT));
+        let by = gradient / gradient.norm().hypot(SMALL_GRADIENT);
+        let by = in_order(surface, piercing, x, by) * length;
         let [i, j] = piercing.edge;
         let [k, l, m] = surface.triangles[piercing.triangle];
         let [wk, wl, wm] = piercing.weights;
         let shares = [1.0 - piercing.along, piercing.along, -wk, -wl, -wm];
-        let square: f64 = shares.iter().map(|share| share * share).sum();
-        for (particle, share) in [i, j, k, l, m].into_iter().zip(shares) {
+        let shares = [i, j, k, l, m].into_iter().zip(shares);
+        // What is fixed takes no part: the others move as far as they would with it.
+        let shares = shares.filter(|(particle, _)| !is_fixed[*particle]);
+        let square: f64 = shares.clone().map(|(_, share)| share * share).sum();
+        for (particle, share) in shares.filter(|_| square > 0.0) {
             let (sum, weight) = moves.entry(particle).or_default();
             *sum += by * (share / square);
             *weight += share.abs();
@@ -155,6 +160,25 @@ fn moves(
     }
     let mean = |(i, (sum, weight)): (usize, (Vector3<f64>, f64))| (i, sum / weight.max(1.0));
     moves.into_iter().map(mean).collect()
+}
+
+/// Returns the way `by` of an edge with the part along the body's normal put right, where the
+/// layers of the edge and of the triangle that it pierces have an order.
+fn in_order(
+    surface: &ContactSurface,
+    piercing: &Piercing,
+    x: &[Vector3<f64>],
+    by: Vector3<f64>,
+) -> Vector3<f64> {
+    let way_out = surface.order.as_ref().and_then(|order| {
+        let [p, q] = piercing.edge.map(|i| x[i]);
+        let point = p + (q - p) * piercing.along;
+        order.way_out([piercing.owner, piercing.triangle], &point)
+    });
+    match way_out {
+        Some(way) => by - way * way.dot(&by) + way,
+        None => by,
+    }
 }
 
 /// Returns the direction in which an edge is to be moved against the triangle that it pierces, so

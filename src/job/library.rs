@@ -1,0 +1,48 @@
+//! What a garment may refer to by id, the fits of the queue among it.
+
+use super::catalogue::logged;
+use super::kind::JobKind;
+use super::queue::Queue;
+use super::result::ResultFile;
+use super::status::JobStatus;
+use super::store::StoreError;
+use crate::fit::{AssetLibrary, FinishedFit, NoFinishedFit};
+use crate::pattern::Pattern;
+use crate::scene::{DressForm, Fabric};
+use std::sync::Arc;
+use uuid::Uuid;
+
+/// The store's errors are logged: to a garment, what cannot be read is not there.
+impl AssetLibrary for Queue {
+    fn pattern(&self, id: Uuid) -> Option<Arc<Pattern>> {
+        self.catalogue().pattern(id)
+    }
+
+    fn form(&self, id: Uuid) -> Option<DressForm> {
+        self.catalogue().form(id)
+    }
+
+    fn fabric(&self, id: &str) -> Option<Fabric> {
+        self.catalogue().fabric(id)
+    }
+
+    fn finished_fit(&self, id: Uuid) -> Result<FinishedFit, NoFinishedFit> {
+        let record = logged(self.job(JobKind::Fit, id)).ok_or(NoFinishedFit::Unknown)?;
+        if record.status != JobStatus::Succeeded {
+            return Err(NoFinishedFit::NotSucceeded(record.status.as_str()));
+        }
+        let read = || -> Result<Option<FinishedFit>, StoreError> {
+            let garment = self.request(JobKind::Fit, id)?;
+            let mesh = self.file(&record, ResultFile::Mesh)?;
+            let Some((garment, mesh)) = garment.zip(mesh) else {
+                return Ok(None);
+            };
+            let unreadable = |cause| StoreError::new(format!("reading fit {id}"), cause);
+            Ok(Some(FinishedFit {
+                garment: serde_json::from_slice(&garment).map_err(unreadable)?,
+                mesh: serde_json::from_slice(&mesh).map_err(unreadable)?,
+            }))
+        };
+        logged(read()).ok_or(NoFinishedFit::Unknown)
+    }
+}
