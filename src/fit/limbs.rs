@@ -9,6 +9,10 @@ use crate::seam::Face;
 /// legs: armpit and hip \[m\].
 const ARMS_ABOVE: f64 = 1.25;
 const LEGS_BELOW: f64 = 0.85;
+/// Height below which the hands are, and their distance from the middle \[m\]: what starts further
+/// out would be sewn round them.
+const HANDS_BELOW: f64 = 0.95;
+const HANDS_AT: f64 = 0.45;
 
 /// Returns the form with the limbs that it states, or else with those that it has measures of and
 /// those near `panels`, as they start about a body of middle size.
@@ -42,15 +46,17 @@ pub(super) fn with_limbs<'a>(
 
 fn near<'a>(panels: impl Iterator<Item = (&'a Panel, &'a AnchoredPlacement)>) -> Limbs {
     let mut heights = [f64::INFINITY, f64::NEG_INFINITY];
+    let mut is_round_hands = false;
     for (panel, placement) in panels {
         let placed = placement.place(panel, Face::Up, None);
         for point in panel.edges.iter().flat_map(|edge| &edge.points) {
-            let y = placed.position(*point).y;
+            let [x, y, _] = placed.position(*point).into();
             heights = [heights[0].min(y), heights[1].max(y)];
+            is_round_hands |= y < HANDS_BELOW && x.abs() > HANDS_AT;
         }
     }
     Limbs {
-        arms: heights[1] > ARMS_ABOVE,
+        arms: heights[1] > ARMS_ABOVE && !is_round_hands,
         legs: heights[0] < LEGS_BELOW,
     }
 }
