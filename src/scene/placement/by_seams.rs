@@ -1,6 +1,6 @@
 //! Panels rolled about the body are turned so that their stitches are short: a band that is drawn
-//! upright is laid round, a sleeve has its cap at the shoulder, a collar its ends where the neck
-//! opens.
+//! upright is laid round, a sleeve has its cap at the shoulder, or further down the arm where the
+//! shoulder is dropped, a collar its ends where the neck opens.
 
 use super::{AnchoredPlacement, Placed};
 use crate::pattern::Panel;
@@ -119,7 +119,11 @@ fn turned(
             (best, least) = (pose, cost);
         }
     }
-    best
+    let others = stitches.iter().filter(|[_, other]| other.panel != index);
+    let ways =
+        others.map(|[own, other]| placed[other.panel].position(other.uv) - best.position(own.uv));
+    let ways: Vec<_> = ways.collect();
+    best.moved_down_the_limb(&ways)
 }
 
 #[cfg(test)]

@@ -3,6 +3,9 @@
 use crate::pattern::Wrap;
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 
+/// Furthest that a sleeve starts below the shoulder \[m\].
+const MOST_DOWN: f64 = 0.4;
+
 /// The way from pattern coordinates to the start position in space.
 #[derive(Clone, Debug)]
 pub struct Placed {
@@ -36,6 +39,17 @@ impl Placed {
             upright.y - self.key[1],
         );
         middle + self.rotation * (p - middle) + self.offset
+    }
+
+    /// Returns the same start further down a limb by as much as `ways` \[m\] lead on the whole; where
+    /// they lead upwards, or the axis is that of the trunk, it stays.
+    pub(super) fn moved_down_the_limb(mut self, ways: &[Vector3<f64>]) -> Self {
+        if self.lean != 0.0 && !ways.is_empty() {
+            let down = Rotation3::new(Vector3::z() * self.lean) * -Vector3::y();
+            let mean = ways.iter().sum::<Vector3<f64>>() / ways.len() as f64;
+            self.axis += down * mean.dot(&down).clamp(0.0, MOST_DOWN);
+        }
+        self
     }
 
     /// The point `along` the panel's width from its key point and `up` from it \[m\].

@@ -14,9 +14,6 @@ const COARSE_THICKNESS: f64 = 0.15;
 /// Thickness of the thinnest cloth in contact with itself \[m\].
 const LEAST_THICKNESS: f64 = 1e-4;
 
-/// Radius of a thin limb \[m\].
-const LIMB_RADIUS: f64 = 0.04;
-
 /// One level of a drape: its scene, and what all levels share.
 pub(crate) struct Level<'a, 'c, 'w> {
     /// Scene of this level.
@@ -72,20 +69,6 @@ impl Level<'_, '_, '_> {
         } else {
             Some(LEAST_THICKNESS.max(COARSE_THICKNESS * self.scene.mesh.mean_edge()))
         }
-    }
-
-    /// Returns the sag into the body that the middles of edges are left \[m\]: none on the mesh asked
-    /// for, on coarser ones that of an edge whose ends lie on a limb. So an edge is not caught across
-    /// a limb; to push out edges that sag into the trunk would stretch the garment.
-    pub(crate) fn chord_sag(&self) -> Option<f64> {
-        if self.is_finest {
-            return Some(0.0);
-        }
-        let avatar = self.scene.body.as_ref()?.avatar()?;
-        let edge = self.scene.mesh.mean_edge();
-        avatar
-            .has_limbs()
-            .then_some(edge * edge / (8.0 * LIMB_RADIUS))
     }
 
     /// Returns the vertex pairs sewn up to a stage.

@@ -45,8 +45,9 @@ pub(crate) struct BuildOptions<'a> {
     /// Thickness that cloth has at least where it touches itself \[m\]; none if cloth may pass
     /// through cloth.
     pub(crate) least_thickness: Option<f64>,
-    /// Sag into the body that the middles of edges are left \[m\]; none if they are not kept off it.
-    pub(crate) chord_sag: Option<f64>,
+    /// True if the middles of edges are kept off the body too: on the mesh asked for. The edges of
+    /// coarser ones cut so far into it that pushing them out would stretch the garment.
+    pub(crate) chords: bool,
 }
 
 /// A system, and the particle of each vertex of the scene that it was built from.
@@ -106,9 +107,9 @@ pub(crate) fn build<'a>(
             .with_friction(friction)
             .with_reuse(reuse);
         forces.push(Box::new(contact));
-        if let Some(sag) = build_options.chord_sag {
-            let chords = ChordContact::new(body.clone(), chords(scene, &dof_map), sag);
-            forces.push(Box::new(chords.with_reuse(reuse)));
+        if build_options.chords {
+            let chords = chords(scene, &dof_map);
+            forces.push(Box::new(ChordContact::new(body.clone(), chords, reuse)));
         }
     }
     if let Some(least_thickness) = build_options.least_thickness {

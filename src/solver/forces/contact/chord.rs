@@ -33,21 +33,15 @@ pub(crate) struct ChordContact {
 }
 
 impl ChordContact {
-    /// Returns contact that lets middles sag by `sag` \[m\] into the layer and the body.
-    pub(crate) fn new(body: Body, chords: Vec<Chord>, sag: f64) -> Self {
+    /// Returns contact that carries each sample of the body on for `reuse` \[m\].
+    pub(crate) fn new(body: Body, chords: Vec<Chord>, reuse: f64) -> Self {
         Self {
-            skin: Skin::new(body, OFFSET - sag, chords.len()),
+            skin: Skin::new(body, OFFSET, chords.len()).with_reuse(reuse),
             chords,
             slots: vec![],
             diagonals: vec![],
             active: ActiveElements::default(),
         }
-    }
-
-    /// Returns the same contact that carries each sample of the body on for `reuse` \[m\].
-    pub(crate) fn with_reuse(mut self, reuse: f64) -> Self {
-        self.skin = self.skin.with_reuse(reuse);
-        self
     }
 
     /// Calls `run` with every acting chord whose middle is in the layer: its number, itself, the

@@ -17,7 +17,7 @@ struct CachedSample {
 /// The layer on a body's skin as points of the cloth meet it.
 pub(super) struct Skin {
     body: Body,
-    /// Thickness of the layer \[m\]; negative if it begins inside the body.
+    /// Thickness of the layer \[m\].
     pub(super) offset: f64,
     cache: Vec<CachedSample>,
     /// Distance for which a sample is carried on by its second-order expansion \[m\]; 0 takes a new
@@ -56,7 +56,7 @@ impl Skin {
             let sample = self.body.sample(x);
             // Outside the layer nothing is felt until the point has come nearer by the distance
             // that is left.
-            let free = sample.map_or(self.offset.abs(), |s| s.distance - self.offset);
+            let free = sample.map_or(self.offset, |s| s.distance - self.offset);
             let touching = sample.filter(|s| s.distance < self.offset + self.reuse);
             *cached = CachedSample {
                 at: *x,

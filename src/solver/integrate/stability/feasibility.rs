@@ -72,7 +72,7 @@ fn stable_step(scene: &Scene, options: &SolverOptions, clock: &dyn Fn() -> f64) 
         friction: None,
         explicit: false,
         least_thickness: None,
-        chord_sag: Some(0.0),
+        chords: true,
     };
     let mut system = build(scene, options, &build_options, clock).system;
     let flat: Vec<_> = if scene.mesh.triangles.is_empty() {

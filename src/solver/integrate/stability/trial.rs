@@ -318,7 +318,7 @@ impl StabilityTrial<'_, '_, '_> {
             friction: Some(self.anchors),
             explicit: self.options.method.is_explicit(),
             least_thickness: None,
-            chord_sag: Some(0.0),
+            chords: true,
         };
         let Model {
             dof_map,
