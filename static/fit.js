@@ -78,7 +78,10 @@ async function showResult(fit) {
   });
   showError(fit, report);
   update({ report });
-  if (report) await showOutcome(fit.id, state.garment.avatar, report.intersections ?? []);
+  if (!report) return;
+  // The saved garment says which limbs its body has.
+  const { avatar } = await getJson(`${fitPath(fit.id)}/garment`);
+  await showOutcome(fit.id, avatar, report.intersections ?? []);
 }
 
 async function watchFit(fit) {

@@ -5,7 +5,7 @@ use super::garment::{AvatarRef, Garment, InnerGarment, InnerPanel, OverRef};
 use super::library::{AssetLibrary, FinishedFit, NoFinishedFit};
 use crate::config::Limits;
 use crate::fault::{Fault, GarmentCode};
-use crate::scene::{FixedCloth, FixedPanel};
+use crate::scene::{DressForm, FixedCloth, FixedPanel};
 use nalgebra::Vector3;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -97,12 +97,25 @@ fn refused(id: Uuid, none: NoFinishedFit) -> Fault {
     }
 }
 
+/// Returns the body without its limbs, of which each garment has its own.
+fn torso(avatar: &AvatarRef) -> AvatarRef {
+    match avatar {
+        AvatarRef::Id(id) => AvatarRef::Id(*id),
+        AvatarRef::Form(spec) => AvatarRef::form(DressForm {
+            limbs: None,
+            ..spec.form
+        }),
+    }
+}
+
 /// Checks that both garments are worn on one body.
 fn check_avatar(avatar: Option<&AvatarRef>, inner: &InnerGarment) -> Result<(), Fault> {
     let detail = match (avatar, inner.avatar.as_ref()) {
         (None, _) => "a garment without an avatar is worn over nothing",
         (Some(_), None) => "the garment beneath is worn on no avatar",
-        (Some(own), Some(inner)) if own != inner => "the garment beneath is worn on another avatar",
+        (Some(own), Some(inner)) if torso(own) != torso(inner) => {
+            "the garment beneath is worn on another avatar"
+        }
         _ => return Ok(()),
     };
     let fault = Fault::new(GarmentCode::OverAvatar, "/over", detail);

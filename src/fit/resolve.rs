@@ -1,6 +1,6 @@
 //! A garment resolved: every id it refers to replaced by its value, and everything checked.
 
-use super::garment::{Garment, PanelSpec, PatternRef, SeamsSpec, WindSpec};
+use super::garment::{AvatarRef, Garment, PanelSpec, PatternRef, SeamsSpec, WindSpec};
 use super::layers;
 use super::library::AssetLibrary;
 use super::limbs;
@@ -141,6 +141,7 @@ pub fn resolve(
     let of_seams = check.seams.into_iter().flat_map(|seam| seam.warnings);
     let warnings = suggest::warnings(&pattern).into_iter();
     let warnings = warnings.chain(check.warnings).chain(of_seams).collect();
+    garment.avatar = avatar.map(AvatarRef::form);
     garment.seams = SeamsSpec::Pairs(pairs);
     garment.pattern = Some(PatternRef::Whole(Box::new(whole)));
     Ok(ResolvedGarment {

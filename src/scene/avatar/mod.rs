@@ -113,11 +113,6 @@ impl Avatar {
         self.limbs.get(&limb)
     }
 
-    /// Returns true if it has limbs that are known.
-    pub fn has_limbs(&self) -> bool {
-        !self.limbs.is_empty()
-    }
-
     /// Adds the landmarks `name_l` at `left` and `name_r` opposite to it.
     fn add_pair(&mut self, name: &str, left: Vector3<f64>) {
         let right = Vector3::new(-left.x, left.y, left.z);

@@ -1,12 +1,9 @@
 //! A hierarchy of ever coarser meshes of one scene, and the interpolation of shapes from each to
 //! the next finer one.
 
-use crate::scene::{Body, CoarserScene, Scene, coarser};
+use crate::scene::{CoarserScene, Scene, coarser};
 use crate::solver::drape::continuation::softened_scenes;
 use nalgebra::Vector3;
-
-/// Longest mean edge of a mesh about limbs \[m\]: a wrist is as wide.
-const WIDEST_ON_LIMBS: f64 = 0.05;
 
 /// A scene and its coarser versions.
 pub(crate) struct MeshHierarchy<'s> {
@@ -35,9 +32,6 @@ impl<'s> MeshHierarchy<'s> {
         let mut levels: Vec<CoarserScene> =
             softened_scenes(finest).into_iter().map(same_mesh).collect();
         while let Some(next) = coarser(levels.last().map_or(finest, |level| &level.scene)) {
-            if is_caught_on_limbs(&next.scene) {
-                break;
-            }
             levels.push(next);
         }
         Self {
@@ -105,13 +99,6 @@ impl<'s> MeshHierarchy<'s> {
     pub(crate) fn to_finest(&self, level: usize, x: Vec<Vector3<f64>>) -> Vec<Vector3<f64>> {
         (1..=level).rev().fold(x, |x, level| self.refine(level, &x))
     }
-}
-
-/// Returns true if edges are so long that one may lie across a limb with both its ends outside.
-fn is_caught_on_limbs(scene: &Scene) -> bool {
-    let avatar = scene.body.as_ref().and_then(Body::avatar);
-    let has_limbs = avatar.is_some_and(|avatar| avatar.has_limbs());
-    has_limbs && scene.mesh.mean_edge() > WIDEST_ON_LIMBS
 }
 
 /// Returns the deformation gradient at each vertex, the images of the two unit vectors of the
