@@ -148,6 +148,7 @@ pub struct Elastic {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(untagged)]
 #[schema(as = AvatarAsked)]
+#[expect(clippy::large_enum_variant, reason = "a garment has one")]
 pub enum AvatarRef {
     /// Id of a stored avatar.
     Id(Uuid),

@@ -201,6 +201,10 @@ fn check_measures(form: &DressForm, avatar: &Avatar) {
     close(arm(at("wrist_l")), value("wrist_m"), GIRTH, "wrist");
 }
 
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "crossings are found in single precision"
+)]
 fn check_surface(avatar: &Avatar) {
     let surface = &avatar.surface;
     assert_eq!(surface.vertices.len(), surface.triangles.len() / 2 + 2);

@@ -288,6 +288,7 @@ mod tests {
         let exact = ExactDistance::new(&surface);
         let [lower, upper] = exact.bounds();
         let spacing = 0.009;
+        #[expect(clippy::cast_possible_truncation, reason = "a few hundred")]
         let size = ((upper - lower) / spacing).map(|n| n as usize + 9);
         let lattice = Lattice {
             origin: lower.add_scalar(-4.0 * spacing),
