@@ -9,10 +9,12 @@ use crate::seam::Face;
 /// legs: armpit and hip \[m\].
 const ARMS_ABOVE: f64 = 1.25;
 const LEGS_BELOW: f64 = 0.85;
-/// Height below which the hands are, and their distance from the middle \[m\]: what starts further
-/// out would be sewn round them.
+/// Height below which the hands are, and their distance from the middle \[m\]: a panel of the trunk
+/// that starts further out would be sewn round them.
 const HANDS_BELOW: f64 = 0.95;
 const HANDS_AT: f64 = 0.45;
+/// Distance from the middle within which panels of the trunk begin \[m\]; sleeves do not.
+const TRUNK: f64 = 0.2;
 
 /// Returns the form with the limbs that it states, or else with those that it has measures of and
 /// those near `panels`, as they start about a body of middle size.
@@ -49,11 +51,14 @@ fn near<'a>(panels: impl Iterator<Item = (&'a Panel, &'a AnchoredPlacement)>) ->
     let mut is_round_hands = false;
     for (panel, placement) in panels {
         let placed = placement.place(panel, Face::Up, None);
+        let (mut nearest, mut reaches_hands) = (f64::INFINITY, false);
         for point in panel.edges.iter().flat_map(|edge| &edge.points) {
             let [x, y, _] = placed.position(*point).into();
             heights = [heights[0].min(y), heights[1].max(y)];
-            is_round_hands |= y < HANDS_BELOW && x.abs() > HANDS_AT;
+            nearest = nearest.min(x.abs());
+            reaches_hands |= y < HANDS_BELOW && x.abs() > HANDS_AT;
         }
+        is_round_hands |= nearest < TRUNK && reaches_hands;
     }
     Limbs {
         arms: heights[1] > ARMS_ABOVE && !is_round_hands,

@@ -31,9 +31,9 @@ pub(super) fn openings(mesh: &ClothMesh, is_face_down: &[bool]) -> Vec<Opening> 
     }
     let mut found = vec![];
     while let Some((&first, _)) = leaving.first_key_value() {
-        let mut way = vec![];
+        let mut way: Vec<BorderEdge> = vec![];
         let mut at = first;
-        while let Some(edge) = take(&mut leaving, at) {
+        while let Some(edge) = take(&mut leaving, at, way.last().map(|edge| edge.panel)) {
             way.push(edge);
             at = welded[edge.to];
             // Where the edge of the cloth touches itself, the part that is closed is an opening.
@@ -45,13 +45,20 @@ pub(super) fn openings(mesh: &ClothMesh, is_face_down: &[bool]) -> Vec<Opening> 
     found
 }
 
-fn take(leaving: &mut BTreeMap<usize, Vec<BorderEdge>>, at: usize) -> Option<BorderEdge> {
+/// Takes an edge that leaves `at`: one of the same panel where there is one, since where a patch ends
+/// at the edge of a panel, that of the panel goes on.
+fn take(
+    leaving: &mut BTreeMap<usize, Vec<BorderEdge>>,
+    at: usize,
+    panel: Option<usize>,
+) -> Option<BorderEdge> {
     let edges = leaving.get_mut(&at)?;
-    let edge = edges.pop();
+    let own = edges.iter().position(|edge| Some(edge.panel) == panel);
+    let edge = edges.swap_remove(own.unwrap_or(0));
     if edges.is_empty() {
         leaving.remove(&at);
     }
-    edge
+    Some(edge)
 }
 
 fn opening(way: &[BorderEdge]) -> Opening {

@@ -382,12 +382,13 @@ fn the_tape_round_the_torso_is_not_round_the_arms() {
 #[test]
 fn measures_of_missing_limbs_and_impossible_ones_are_refused() {
     let refusal = |form: DressForm| {
-        let faults = form.build().expect_err("refused").0;
+        let faults = form.build().err().expect("refused").0;
         let fix = faults[0].fix.clone().expect("a way out");
         (faults[0].pointer.clone(), fix)
     };
     let mut form = DressForm {
         thigh_m: Some(0.55),
+        limbs: Some(Limbs::default()),
         ..DressForm::default()
     };
     assert_eq!(refusal(form).0, "/thigh_m");

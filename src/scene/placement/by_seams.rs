@@ -2,6 +2,7 @@
 //! upright is laid round, a sleeve has its cap at the shoulder, or further down the arm where the
 //! shoulder is dropped, a collar its ends where the neck opens.
 
+use super::on_arm::onto_arm;
 use super::{AnchoredPlacement, Placed};
 use crate::pattern::Panel;
 use crate::scene::Avatar;
@@ -44,10 +45,14 @@ pub fn place_panels(
     stitches: &[[SeamPoint; 2]],
     avatar: Option<&Avatar>,
 ) -> Vec<Placed> {
-    let mut placed: Vec<Placed> = panels
-        .iter()
-        .map(|panel| panel.placement.place(panel.panel, panel.face, avatar))
-        .collect();
+    let place = |panel: &PanelPlacement<'_>| {
+        let placed = panel.placement.place(panel.panel, panel.face, avatar);
+        match avatar {
+            Some(avatar) if panel.placement.is_free() => onto_arm(placed, panel.panel, avatar),
+            _ => placed,
+        }
+    };
+    let mut placed: Vec<Placed> = panels.iter().map(place).collect();
     let mut is_settled: Vec<bool> = panels
         .iter()
         .map(|panel| !panel.placement.turns())

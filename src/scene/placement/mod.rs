@@ -6,6 +6,7 @@ mod anchored;
 mod by_seams;
 mod layered;
 mod name_hint;
+mod on_arm;
 mod placed;
 mod spot;
 
