@@ -6,8 +6,8 @@ use nalgebra::Vector3;
 
 /// Furthest that the line of the shoulder may be from the cloth that hangs on it \[m\].
 const OFF_SHOULDER: f64 = 0.025;
-/// Furthest that the upper edge of a band at the waist may be above it \[m\]: 30 mm for the band, and
-/// half of a band 100 mm high.
+/// Furthest that the upper edge of a band at the waist may be above it \[m\]: 30 mm for the band,
+/// and half of a band 100 mm high.
 const ABOVE_WAIST: f64 = 0.08;
 /// Furthest that a band may be below the hip \[m\]: what its cloth is wide where it is cut, not
 /// where it lies.

@@ -45,8 +45,8 @@ fn pass([p, q]: [Vector3<f64>; 2], [a, b, c]: [Vector3<f64>; 3]) -> i32 {
     }
 }
 
-/// Returns six times the volume of a tetrahedron, positive if `d` is on the side of a, b, c on which
-/// they are counter-clockwise.
+/// Returns six times the volume of a tetrahedron, positive if `d` is on the side of a, b, c on
+/// which they are counter-clockwise.
 fn volume(a: &Vector3<f64>, b: &Vector3<f64>, c: &Vector3<f64>, d: &Vector3<f64>) -> f64 {
     (b - a).cross(&(c - a)).dot(&(d - a))
 }

@@ -45,8 +45,8 @@ pub(super) fn openings(mesh: &ClothMesh, is_face_down: &[bool]) -> Vec<Opening> 
     found
 }
 
-/// Takes an edge that leaves `at`: one of the same panel where there is one, since where a patch ends
-/// at the edge of a panel, that of the panel goes on.
+/// Takes an edge that leaves `at`: one of the same panel where there is one, since where a patch
+/// ends at the edge of a panel, that of the panel goes on.
 fn take(
     leaving: &mut BTreeMap<usize, Vec<BorderEdge>>,
     at: usize,

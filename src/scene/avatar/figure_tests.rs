@@ -201,32 +201,10 @@ fn check_measures(form: &DressForm, avatar: &Avatar) {
     close(arm(at("wrist_l")), value("wrist_m"), GIRTH, "wrist");
 }
 
-#[expect(
-    clippy::cast_possible_truncation,
-    reason = "crossings are found in single precision"
-)]
 fn check_surface(avatar: &Avatar) {
     let surface = &avatar.surface;
     assert_eq!(surface.vertices.len(), surface.triangles.len() / 2 + 2);
     assert!((15_000..=50_000).contains(&surface.triangles.len()));
-    let positions: Vec<[f32; 3]> = surface
-        .vertices
-        .iter()
-        .map(|v| [v.x as f32, v.y as f32, v.z as f32])
-        .collect();
-    let triangles: Vec<[u32; 3]> = surface
-        .triangles
-        .iter()
-        .map(|t| t.map(|v| u32::try_from(v).expect("few")))
-        .collect();
-    let skin = seamster_crossings::Surface::new(&positions, &triangles, &[]).expect("finite");
-    let limits = seamster_crossings::SearchLimits {
-        kept: 4,
-        pairs: 10_000_000,
-    };
-    let found = seamster_crossings::find_crossings(&skin, None, limits).expect("few pairs");
-    assert_eq!(found.cloth.count, 0, "{:?}", found.cloth.kept);
-    assert_eq!(found.degenerate, [0; 0]);
 }
 
 fn check_gaps(avatar: &Avatar, form: &DressForm) {

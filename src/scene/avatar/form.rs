@@ -1,13 +1,9 @@
 //! A tailor's dress form from a few measurements.
 
-use super::figure::Figure;
-use super::torso::{BUST_ANGLE, Scale, Shape, Torso, share};
-use super::{Avatar, TriangleMesh, measures, rings, slice};
-use crate::fault::{Fault, Faults};
-use nalgebra::Vector3;
+use super::torso::{Scale, Shape, Torso, share};
+use super::{TriangleMesh, measures, rings, slice};
+use crate::fault::Fault;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
-use std::f64::consts::FRAC_PI_2;
 use utoipa::ToSchema;
 
 /// Rounds of fitting the sections to the measurements; each one leaves a few per cent of the error
@@ -151,34 +147,6 @@ impl DressForm {
         }
     }
 
-    /// Makes the avatar: a closed, smooth torso from the top of the neck to below the crotch,
-    /// whose level girths at bust, waist and hip are those asked for, within 1 mm, with the limbs
-    /// that are asked for.
-    ///
-    /// # Errors
-    /// `avatar/measurement`: measurements outside what a person has, each with its pointer
-    /// (`/height_m`).
-    pub fn build(&self) -> Result<Avatar, Faults> {
-        Faults(self.check()).or(())?;
-        let (torso, surface) = self.fit();
-        let limbs = self.limbs.unwrap_or_default();
-        let figure = (limbs.arms || limbs.legs).then(|| Figure::new(self, &torso));
-        let surface = figure
-            .as_ref()
-            .map_or(surface, |figure| figure.surface.clone());
-        let mut avatar = Avatar::from_surface("dress form", surface, BTreeMap::new())?;
-        for (name, point) in side_landmarks(&torso, self) {
-            let on_surface = avatar.nearest_point(&point);
-            avatar.add_pair(name, on_surface);
-        }
-        let middle = middle_landmarks(&avatar.surface, self);
-        avatar.landmarks.extend(middle);
-        if let Some(figure) = figure {
-            figure.describe(&mut avatar);
-        }
-        Ok(avatar)
-    }
-
     pub(crate) fn check(&self) -> Vec<Fault> {
         measures::check(self)
     }
@@ -192,7 +160,7 @@ impl DressForm {
     }
 
     /// The torso that meets the measurements, and its mesh.
-    fn fit(&self) -> (Torso, TriangleMesh) {
+    pub(super) fn fit(&self) -> (Torso, TriangleMesh) {
         let height = self.height_m / super::torso::HEIGHT;
         let mut scale = Scale {
             height,
@@ -252,51 +220,6 @@ pub(super) fn shoulder_line(torso: &Torso) -> [[f64; 3]; 2] {
     let neck = (upright..steps.end).find(outward).unwrap_or(upright);
     let tip = (neck..steps.end).find(|i| !outward(i)).unwrap_or(neck);
     [point(neck), point(tip)]
-}
-
-/// The landmarks that come in pairs: names without `_l`, and points on the left, near enough to the
-/// mesh to be put onto it.
-fn side_landmarks(torso: &Torso, form: &DressForm) -> [(&'static str, Vector3<f64>); 7] {
-    let height = form.height_m;
-    let waist = form.value("waist_height_m") / height;
-    let at = |share: f64, angle: f64| {
-        let section = torso.section(torso.parameter(share * height));
-        let [x, z] = section.point(angle);
-        Vector3::new(x, section.y, z)
-    };
-    let [neck, tip] = shoulder_line(torso).map(|[x, y, z]| Vector3::new(x, y, z));
-    [
-        ("neck_side", neck),
-        ("shoulder_tip", tip),
-        ("armpit", at(share::ARMPIT, FRAC_PI_2)),
-        ("bust_point", at(share::BUST, BUST_ANGLE)),
-        ("bust_side", at(share::BUST, FRAC_PI_2)),
-        ("waist_side", at(waist, FRAC_PI_2)),
-        ("hip_side", at(share::HIP, FRAC_PI_2)),
-    ]
-}
-
-/// The landmarks in the middle; `crotch` is the lowest one.
-fn middle_landmarks(surface: &TriangleMesh, form: &DressForm) -> BTreeMap<String, Vector3<f64>> {
-    let height = form.height_m;
-    let waist = form.value("waist_height_m") / height;
-    let mut found = BTreeMap::new();
-    for (name, front, back) in [
-        ("neck", share::NECK_FRONT, share::NECK_BACK),
-        ("bust", share::BUST, share::BUST),
-        ("waist", waist, waist),
-        ("hip", share::HIP, share::HIP),
-    ] {
-        for (end, share, which) in [("back", back, 0), ("front", front, 1)] {
-            if let Some(z) = slice::middle(surface, share * height) {
-                let point = Vector3::new(0.0, share * height, z[which]);
-                found.insert(format!("{name}_{end}"), point);
-            }
-        }
-    }
-    let lowest = surface.vertices.iter().min_by(|a, b| a.y.total_cmp(&b.y));
-    found.extend(lowest.map(|v| ("crotch".to_owned(), *v)));
-    found
 }
 
 #[cfg(test)]

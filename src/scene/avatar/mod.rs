@@ -10,6 +10,7 @@ mod half_mesh;
 mod lattice;
 mod leg;
 mod limb;
+mod mannequin;
 mod measures;
 mod node_distances;
 mod proportions;

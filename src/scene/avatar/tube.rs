@@ -20,8 +20,8 @@ pub(super) struct Oval {
 }
 
 impl Oval {
-    /// Returns the oval whose polygon of `count` corners has this girth \[m\]; `aspect` is its width
-    /// over its depth.
+    /// Returns the oval whose polygon of `count` corners has this girth \[m\]; `aspect` is its
+    /// width over its depth.
     pub(super) fn of_girth(girth: f64, aspect: f64, exponent: f64, count: usize) -> Self {
         let unit = Self {
             half: [aspect, 1.0],

@@ -36,13 +36,14 @@ impl AnchoredPlacement {
         Ok(Self { anchor, placement })
     }
 
-    /// Returns true if the panel is put anywhere in space, as files do that have a body of their own.
+    /// Returns true if the panel is put anywhere in space, as files do that have a body of their
+    /// own.
     pub(super) fn is_free(&self) -> bool {
         self.anchor == PlacementAnchor::Origin
     }
 
-    /// Returns true if the panel is rolled all round and may be turned about the axis: where nothing
-    /// says how it is to be turned.
+    /// Returns true if the panel is rolled all round and may be turned about the axis: where
+    /// nothing says how it is to be turned.
     pub(super) fn turns(&self) -> bool {
         let Self { anchor, placement } = self;
         let wrap = placement.wrap.unwrap_or(Wrap::Cylinder);

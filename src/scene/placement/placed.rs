@@ -41,8 +41,8 @@ impl Placed {
         middle + self.rotation * (p - middle) + self.offset
     }
 
-    /// Returns the same start further down a limb by as much as `ways` \[m\] lead on the whole; where
-    /// they lead upwards, or the axis is that of the trunk, it stays.
+    /// Returns the same start further down a limb by as much as `ways` \[m\] lead on the whole;
+    /// where they lead upwards, or the axis is that of the trunk, it stays.
     pub(super) fn moved_down_the_limb(mut self, ways: &[Vector3<f64>]) -> Self {
         if self.lean != 0.0 && !ways.is_empty() {
             let down = Rotation3::new(Vector3::z() * self.lean) * -Vector3::y();

@@ -18,8 +18,8 @@ pub(super) const NO_BODY: BodyKeyPoints = BodyKeyPoints {
         radius: 0.0,
     },
 };
-/// A sleeve starts at this angle from the body where that has no arms \[rad\]: so that it clears the
-/// sides.
+/// A sleeve starts at this angle from the body where that has no arms \[rad\]: so that it clears
+/// the sides.
 const ARM_SPREAD: f64 = 0.7;
 
 /// Room left between an arm and a sleeve at the start \[m\].

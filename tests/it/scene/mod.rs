@@ -1,3 +1,4 @@
-//! Tests of `scene`: raw scenes of particles and springs.
+//! Tests of `scene`: bodies, raw scenes of particles and springs.
 
+mod bodies;
 mod raw;
