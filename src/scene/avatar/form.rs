@@ -1,8 +1,7 @@
 //! A tailor's dress form from a few measurements.
 
 use super::torso::{Scale, Shape, Torso, share};
-use super::{TriangleMesh, measures, rings, slice};
-use crate::fault::Fault;
+use super::{TriangleMesh, rings, slice};
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
 
@@ -145,10 +144,6 @@ impl DressForm {
             elbow_m: None,
             wrist_m: None,
         }
-    }
-
-    pub(crate) fn check(&self) -> Vec<Fault> {
-        measures::check(self)
     }
 
     fn shape(&self) -> Shape {

@@ -76,18 +76,17 @@ struct Proportion {
     range: [f64; 2],
 }
 
-/// Returns the faults of the measures of a form, first of each alone, then of their proportions.
-pub(super) fn check(form: &DressForm) -> Vec<Fault> {
-    let mut faults: Vec<_> = TABLE
-        .measures
-        .iter()
-        .filter_map(|measure| measure.check(form))
-        .collect();
-    if faults.is_empty() {
-        let proportions = TABLE.proportions.iter();
-        faults.extend(proportions.filter_map(|proportion| proportion.check(form)));
+impl DressForm {
+    /// Returns the faults of its measures, first of each alone, then of their proportions.
+    pub(crate) fn check(&self) -> Vec<Fault> {
+        let measures = TABLE.measures.iter();
+        let mut faults: Vec<_> = measures.filter_map(|measure| measure.check(self)).collect();
+        if faults.is_empty() {
+            let proportions = TABLE.proportions.iter();
+            faults.extend(proportions.filter_map(|proportion| proportion.check(self)));
+        }
+        faults
     }
-    faults
 }
 
 /// Returns the nearest value to a derived one that goes with the measures it is a share of.
