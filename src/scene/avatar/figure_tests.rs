@@ -360,7 +360,9 @@ fn the_tape_round_the_torso_is_not_round_the_arms() {
 #[test]
 fn measures_of_missing_limbs_and_impossible_ones_are_refused() {
     let refusal = |form: DressForm| {
-        let faults = form.build().err().expect("refused").0;
+        let Err(Faults(faults)) = form.build() else {
+            panic!("not refused: {form:?}");
+        };
         let fix = faults[0].fix.clone().expect("a way out");
         (faults[0].pointer.clone(), fix)
     };
