@@ -65,3 +65,60 @@ fn near<'a>(panels: impl Iterator<Item = (&'a Panel, &'a AnchoredPlacement)>) ->
         legs: heights[0] < LEGS_BELOW,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::{Placement, PlacementAnchor};
+    use serde_json::json;
+
+    /// The limbs for one panel of this width and height \[m\].
+    fn limbs(at: PlacementAnchor, [width, height]: [f64; 2], form: DressForm) -> Limbs {
+        let corners = [[0.0, 0.0], [0.0, height], [width, height], [width, 0.0]];
+        let edge = |k: usize| {
+            json!({"index": k, "from": k, "to": (k + 1) % 4, "length_m": 0.0,
+                "points": [corners[k], corners[(k + 1) % 4]]})
+        };
+        let corner = |k: usize| json!({"index": k, "x": corners[k][0], "y": corners[k][1]});
+        let panel: Panel = serde_json::from_value(json!({
+            "id": "one", "name": "one", "area_m2": 0.0, "drawn_area_m2": 0.0, "perimeter_m": 0.0,
+            "corners": [corner(0), corner(1), corner(2), corner(3)],
+            "edges": [edge(0), edge(1), edge(2), edge(3)],
+        }))
+        .expect("a panel");
+        let placement = Placement {
+            at: Some(at),
+            ..Placement::default()
+        };
+        let placement = AnchoredPlacement::new(&panel, Some(&placement)).expect("a place");
+        let with = with_limbs(form, [(&panel, &placement)].into_iter());
+        with.limbs.expect("they are known now")
+    }
+
+    #[test]
+    fn a_body_has_the_limbs_that_cloth_starts_near() {
+        let near = |at, size| {
+            let Limbs { arms, legs } = limbs(at, size, DressForm::default());
+            (arms, legs)
+        };
+        assert_eq!(near(PlacementAnchor::TorsoFront, [0.5, 0.5]), (true, false));
+        assert_eq!(near(PlacementAnchor::SkirtFront, [0.5, 0.6]), (false, true));
+        assert_eq!(near(PlacementAnchor::TorsoFront, [0.5, 1.0]), (true, true));
+        assert_eq!(near(PlacementAnchor::TorsoFront, [1.2, 1.0]), (false, true));
+    }
+
+    #[test]
+    fn limbs_that_are_stated_or_measured_stay() {
+        let stated = DressForm {
+            limbs: Some(Limbs::default()),
+            ..DressForm::default()
+        };
+        let top = (PlacementAnchor::TorsoFront, [0.5, 0.5]);
+        assert_eq!(limbs(top.0, top.1, stated), Limbs::default());
+        let measured = DressForm {
+            thigh_m: Some(0.55),
+            ..DressForm::default()
+        };
+        assert!(limbs(top.0, top.1, measured).legs);
+    }
+}

@@ -9,8 +9,7 @@ const OFF_SHOULDER: f64 = 0.025;
 /// Furthest that the upper edge of a band at the waist may be above it \[m\]: 30 mm for the band,
 /// and half of a band 100 mm high.
 const ABOVE_WAIST: f64 = 0.08;
-/// Furthest that a band may be below the hip \[m\]: what its cloth is wide where it is cut, not
-/// where it lies.
+/// Furthest that a band may be below the hip \[m\], in which its girth hardly changes.
 const BELOW_HIP: f64 = 0.01;
 /// Furthest that the top edge of a strapless garment may be below the points of the bust \[m\].
 const BELOW_BUST: f64 = 0.02;
@@ -39,7 +38,7 @@ pub(super) fn off_the_shoulders(avatar: &Avatar, cloth: &[Vector3<f64>]) -> Opti
 pub(super) fn off_the_waist(avatar: &Avatar, waist: &[Vector3<f64>]) -> Option<String> {
     let height = |name: &str| avatar.landmarks.get(name).map(|p| p.y);
     let (at_waist, at_hip) = (height("waist_front")?, height("hip_front")?);
-    let mean = waist.iter().map(|p| p.y).sum::<f64>() / waist.len().max(1) as f64;
+    let mean = mean_height(waist);
     if mean > at_waist + ABOVE_WAIST {
         let above = (mean - at_waist) * 1e3;
         return Some(format!("its waist is {above:.0} mm above the body's"));
@@ -91,6 +90,11 @@ pub(super) fn low_crotch(
             below * 1e3
         )
     })
+}
+
+/// Returns the mean height of points above the floor \[m\].
+pub(super) fn mean_height(points: &[Vector3<f64>]) -> f64 {
+    points.iter().map(|p| p.y).sum::<f64>() / points.len().max(1) as f64
 }
 
 /// Returns the length of a closed polygon \[m\].

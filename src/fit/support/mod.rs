@@ -3,7 +3,8 @@
 //!
 //! An opening is meant to go round what it goes round at the start, where the panels stand about
 //! the body as they were placed. A garment is worn if each of its openings goes round that at the
-//! end, once, has not turned about it, and if the opening that carries it is where the body can.
+//! end, once, if it has not turned about the body, and if the opening that carries it is where the
+//! body can.
 
 mod body_ends;
 mod carried;
@@ -12,6 +13,7 @@ mod openings;
 mod turn;
 
 use self::body_ends::{BodyEnds, Encircled};
+use self::carried::mean_height;
 use self::openings::{Opening, openings};
 use crate::mesh::PanelRange;
 use crate::scene::{Avatar, Body, Scene};
@@ -22,17 +24,16 @@ use nalgebra::Vector3;
 const TURNED_DEG: f64 = 20.0;
 /// Cosine of the angle up to which triangles of a flat panel lie in one plane.
 const FLAT: f64 = 0.999_999;
-/// Openings that are shorter at the start are holes for a button or a drawstring \[m\].
+/// Openings shorter than this are holes for a button or a drawstring \[m\].
 const SHORT: f64 = 0.12;
 
-/// An opening at the start and at the end.
+/// An opening with its places, and what it goes round, at the start and at the end.
 struct WornOpening {
-    panels: Vec<usize>,
-    names: String,
-    before: Encircled,
-    after: Encircled,
+    opening: Opening,
     start: Vec<Vector3<f64>>,
     end: Vec<Vector3<f64>>,
+    before: Encircled,
+    after: Encircled,
 }
 
 /// Returns how the body of `scene` carries the garment of panels `panels` at `positions` \[m\],
@@ -52,30 +53,10 @@ pub(super) fn support(
     let Some(ends) = BodyEnds::new(avatar) else {
         return not_judged("the body has no landmarks");
     };
-    let is_face_down: Vec<bool> = scene.cut.iter().map(|cut| cut.face_down).collect();
-    let places = |opening: &Opening, x: &[Vector3<f64>]| {
-        opening.vertices.iter().map(|&v| x[v]).collect::<Vec<_>>()
-    };
-    let openings = openings(&scene.mesh, &is_face_down)
-        .into_iter()
-        .map(|opening| {
-            let (start, end) = (places(&opening, &scene.start), places(&opening, positions));
-            let names: Vec<&str> = opening.panels.iter().map(|&panel| panels[panel]).collect();
-            WornOpening {
-                names: names.join(", "),
-                panels: opening.panels.clone(),
-                before: ends.encircled(&start),
-                after: ends.encircled(&end),
-                start,
-                end,
-            }
-        });
-    let openings: Vec<_> = openings
-        .filter(|opening| carried::length(&opening.end) >= SHORT)
-        .collect();
+    let openings = worn_openings(scene, positions, &ends);
     let mut faults: Vec<String> = openings
         .iter()
-        .filter_map(|opening| misplaced(opening, &ends))
+        .filter_map(|opening| misplaced(opening, panels, &ends))
         .collect();
     faults.extend(hanging(avatar, &openings, positions));
     faults.extend(turned(scene, positions));
@@ -84,15 +65,38 @@ pub(super) fn support(
     if found.ok != Some(true) {
         faults.insert(0, found.because.clone());
     }
+    let because = if faults.is_empty() {
+        found.because.clone()
+    } else {
+        faults.join("; ")
+    };
     Support {
         ok: Some(faults.is_empty()),
-        because: if faults.is_empty() {
-            found.because.clone()
-        } else {
-            faults.join("; ")
-        },
-        openings: openings.iter().map(told).collect(),
+        because,
+        openings: openings
+            .iter()
+            .map(|opening| told(opening, panels))
+            .collect(),
     }
+}
+
+/// Returns the openings of a garment that are more than holes.
+fn worn_openings(scene: &Scene, positions: &[Vector3<f64>], ends: &BodyEnds) -> Vec<WornOpening> {
+    let is_face_down: Vec<bool> = scene.cut.iter().map(|cut| cut.face_down).collect();
+    let worn = |opening: Opening| {
+        let at = |x: &[Vector3<f64>]| opening.vertices.iter().map(|&v| x[v]).collect::<Vec<_>>();
+        let (start, end) = (at(&scene.start), at(positions));
+        WornOpening {
+            before: ends.encircled(&start),
+            after: ends.encircled(&end),
+            opening,
+            start,
+            end,
+        }
+    };
+    let openings = openings(&scene.mesh, &is_face_down).into_iter().map(worn);
+    let is_wide = |opening: &WornOpening| carried::length(&opening.end) >= SHORT;
+    openings.filter(is_wide).collect()
 }
 
 fn not_judged(because: &str) -> Support {
@@ -117,7 +121,7 @@ fn crotch_seam<'a>(
         let of_leg = openings.iter().filter(move |opening| opening.before == leg);
         of_leg
             .into_iter()
-            .any(|opening| opening.panels.contains(&panel))
+            .any(|opening| opening.opening.panels.contains(&panel))
     };
     let is_between =
         move |a: usize, b: usize| along(Encircled::LeftLeg, a) && along(Encircled::RightLeg, b);
@@ -154,36 +158,33 @@ fn flat_panels(scene: &Scene) -> Vec<usize> {
 
 /// Returns the fault of an opening that is not round what it was placed round, in words. An opening
 /// that was placed round nothing, or round a limb that the body lacks, may go round nothing.
-fn misplaced(opening: &WornOpening, ends: &BodyEnds) -> Option<String> {
-    let WornOpening {
-        names,
-        before,
-        after,
-        ..
-    } = opening;
-    if *after == Encircled::Other {
+fn misplaced(opening: &WornOpening, panels: &[&str], ends: &BodyEnds) -> Option<String> {
+    let (before, after) = (opening.before, opening.after);
+    let names = names(opening, panels).join(", ");
+    if after == Encircled::Other {
         return Some(format!("the opening along {names} goes round {after}"));
     }
-    let is_lost = *after == Encircled::Nothing && !ends.has(*before);
-    if before != after && !is_lost && !matches!(before, Encircled::Nothing | Encircled::Other) {
-        return Some(format!(
-            "the opening along {names} was placed round {before} and goes round {after}"
-        ));
-    }
-    None
+    let is_lost = after == Encircled::Nothing && !ends.has(before);
+    let is_known = !matches!(before, Encircled::Nothing | Encircled::Other);
+    (before != after && is_known && !is_lost).then(|| {
+        format!("the opening along {names} was placed round {before} and goes round {after}")
+    })
+}
+
+/// Returns the names of the panels along an opening.
+fn names(opening: &WornOpening, panels: &[&str]) -> Vec<String> {
+    let along = opening.opening.panels.iter();
+    along.map(|&panel| panels[panel].to_owned()).collect()
 }
 
 /// Returns the fault of the opening that is to carry the garment, in words: the neck, or else the
 /// highest one round the trunk.
 fn hanging(avatar: &Avatar, openings: &[WornOpening], cloth: &[Vector3<f64>]) -> Option<String> {
-    let height = |opening: &&WornOpening| {
-        opening.end.iter().map(|p| p.y).sum::<f64>() / opening.end.len().max(1) as f64
-    };
     let highest = |around: &[Encircled]| {
         let of_kind = openings
             .iter()
             .filter(|opening| around.contains(&opening.after));
-        of_kind.max_by(|a, b| height(a).total_cmp(&height(b)))
+        of_kind.max_by(|a, b| mean_height(&a.end).total_cmp(&mean_height(&b.end)))
     };
     if highest(&[Encircled::Neck]).is_some() {
         return carried::off_the_shoulders(avatar, cloth);
@@ -207,13 +208,102 @@ fn hanging(avatar: &Avatar, openings: &[WornOpening], cloth: &[Vector3<f64>]) ->
     }
 }
 
-fn told(opening: &WornOpening) -> SupportOpening {
-    let height = opening.end.iter().map(|p| p.y).sum::<f64>() / opening.end.len().max(1) as f64;
+fn told(opening: &WornOpening, panels: &[&str]) -> SupportOpening {
     SupportOpening {
-        panels: opening.names.clone(),
+        panels: names(opening, panels),
         placed_round: opening.before.to_string(),
         goes_round: opening.after.to_string(),
         length_m: carried::length(&opening.end),
-        height_m: height,
+        height_m: mean_height(&opening.end),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::config::Limits;
+    use crate::fit::{Garment, PatternRef, ShippedAssets, resolve, scene};
+    use crate::pattern::{self, ImportOptions};
+    use crate::progress::CancelToken;
+    use crate::solver::Context;
+    use nalgebra::Rotation3;
+
+    /// The top that comes with the service, before it is sewn.
+    fn top() -> Scene {
+        let limits = Limits::default();
+        let bytes = include_bytes!("../../../static/samples/top.dxf");
+        let pattern =
+            pattern::import(bytes, &ImportOptions::default(), &limits).expect("a pattern");
+        let stated = include_str!("../../../static/samples/top.garment.json");
+        let garment = Garment {
+            pattern: Some(PatternRef::Whole(Box::new(pattern))),
+            ..serde_json::from_str(stated).expect("a garment")
+        };
+        let resolved = resolve(garment, &ShippedAssets, &limits).expect("it is right");
+        let context = Context {
+            cpu_s: &|| 0.0,
+            cancel: &CancelToken::new(),
+            progress: &mut |_| {},
+            limits: &limits,
+        };
+        scene(&resolved, &context).expect("it can be assembled")
+    }
+
+    /// The verdict on the shape that `moved` makes of the start.
+    fn judged(moved: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Support {
+        let scene = top();
+        let shape: Vec<_> = scene.start.iter().map(moved).collect();
+        let at_rest = Support {
+            ok: Some(true),
+            ..Support::default()
+        };
+        support(&scene, &["front", "back"], &shape, &at_rest)
+    }
+
+    /// Front and back, 10 cm before and behind the shoulders, drawn together onto them.
+    fn dressed(p: &Vector3<f64>) -> Vector3<f64> {
+        Vector3::new(p.x, p.y, if p.y > 1.38 { 0.0 } else { p.z })
+    }
+
+    #[test]
+    fn a_top_on_the_shoulders_is_worn_by_its_four_openings() {
+        let worn = judged(dressed);
+        assert_eq!(worn.ok, Some(true), "{}", worn.because);
+        let mut round: Vec<_> = worn
+            .openings
+            .iter()
+            .map(|o| o.goes_round.as_str())
+            .collect();
+        round.sort_unstable();
+        assert_eq!(
+            round,
+            ["the left arm", "the neck", "the right arm", "the trunk"]
+        );
+    }
+
+    #[test]
+    fn a_top_that_slid_to_the_hips_is_not_worn() {
+        let worn = judged(|p| dressed(p) - Vector3::y() * 0.45);
+        assert_eq!(worn.ok, Some(false));
+        let why = "was placed round the neck and goes round the trunk";
+        assert!(worn.because.contains(why), "{}", worn.because);
+    }
+
+    #[test]
+    fn a_top_that_hangs_before_and_behind_the_shoulders_is_off_them() {
+        let worn = judged(|p| *p);
+        assert_eq!(worn.ok, Some(false));
+        assert!(worn.because.contains("off the"), "{}", worn.because);
+    }
+
+    #[test]
+    fn a_top_that_has_turned_is_not_worn() {
+        let worn = judged(|p| Rotation3::new(Vector3::y() * 0.6) * dressed(p));
+        assert_eq!(worn.ok, Some(false));
+        assert!(
+            worn.because.contains("turned by 34 degrees"),
+            "{}",
+            worn.because
+        );
     }
 }

@@ -10,10 +10,11 @@ use nalgebra::Vector3;
 const BESIDE: f64 = 0.15;
 /// Furthest that the middle of such a panel may be from the axis of the arm \[m\].
 const NEAR: f64 = 0.2;
+/// Least cosine between a side of its drawing and the arm: a panel beside the trunk hangs straight.
+const ALIKE: f64 = 0.9;
 
 /// Returns the start with its middle before or behind the axis of the arm, if the panel is one that
-/// stands about an arm; else as it is. It moves across the axis and level with the depth that it
-/// has.
+/// stands about an arm and along it; else as it is. Its depth before or behind the arm stays.
 pub(super) fn onto_arm(mut placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed {
     let points: Vec<_> = outline(panel).map(|uv| placed.position(uv)).collect();
     let middle = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
@@ -28,6 +29,10 @@ pub(super) fn onto_arm(mut placed: Placed, panel: &Panel, avatar: &Avatar) -> Pl
         return placed;
     };
     let (joint, direction) = arm.at(0.0);
+    let sides = [Vector3::x(), Vector3::y()].map(|side| placed.rotation * side);
+    if sides.iter().all(|side| side.dot(&direction).abs() < ALIKE) {
+        return placed;
+    }
     let from_joint = middle - joint;
     let along = from_joint.dot(&direction);
     let mut across = direction * along - from_joint;
@@ -36,4 +41,73 @@ pub(super) fn onto_arm(mut placed: Placed, panel: &Panel, avatar: &Avatar) -> Pl
         placed.offset += across;
     }
     placed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::{Placement, PlacementAnchor};
+    use crate::scene::placement::AnchoredPlacement;
+    use crate::scene::{DressForm, Limbs};
+    use crate::seam::Face;
+    use serde_json::json;
+
+    /// A square of 20 cm.
+    fn square() -> Panel {
+        let corners = [[0.0, 0.0], [0.0, 0.2], [0.2, 0.2], [0.2, 0.0]];
+        let edge = |k: usize| {
+            json!({"index": k, "from": k, "to": (k + 1) % 4, "length_m": 0.2,
+                "points": [corners[k], corners[(k + 1) % 4]]})
+        };
+        let corner = |k: usize| json!({"index": k, "x": corners[k][0], "y": corners[k][1]});
+        serde_json::from_value(json!({
+            "id": "half", "name": "half", "area_m2": 0.04, "drawn_area_m2": 0.04, "perimeter_m": 0.8,
+            "corners": [corner(0), corner(1), corner(2), corner(3)],
+            "edges": [edge(0), edge(1), edge(2), edge(3)],
+        }))
+        .expect("a panel")
+    }
+
+    fn body() -> Avatar {
+        let form = DressForm {
+            limbs: Some(Limbs {
+                arms: true,
+                legs: false,
+            }),
+            ..DressForm::default()
+        };
+        form.build().expect("a body")
+    }
+
+    /// The middle of the square, put at a place and turned, before and after it is moved \[m\].
+    fn moved(at: [f64; 3], turned_deg: f64, avatar: &Avatar) -> [Vector3<f64>; 2] {
+        let placement = Placement {
+            at: Some(PlacementAnchor::Origin),
+            offset_m: at,
+            rotate_deg: [0.0, 0.0, turned_deg],
+            ..Placement::default()
+        };
+        let panel = square();
+        let anchored = AnchoredPlacement::new(&panel, Some(&placement)).expect("a place");
+        let placed = anchored.place(&panel, Face::Up, None);
+        let after = onto_arm(placed.clone(), &panel, avatar);
+        [placed, after].map(|placed| placed.position([0.1, 0.1]))
+    }
+
+    #[test]
+    fn half_a_sleeve_is_moved_before_the_axis_of_the_arm() {
+        let avatar = body();
+        let [_, after] = moved([0.5, 1.15, 0.15], -50.0, &avatar);
+        let (joint, direction) = avatar.limb(Limb::ArmLeft).expect("an arm").at(0.0);
+        let off = (after - joint).cross(&direction);
+        // Across the arm it is on the axis as seen from the front; its depth is as it was.
+        assert!(off.z.abs() < 1e-12, "{off}");
+        assert!((after.z - 0.15).abs() < 1e-12, "{after}");
+    }
+
+    #[test]
+    fn a_side_panel_of_the_trunk_stays() {
+        let [before, after] = moved([0.3, 1.0, 0.15], 0.0, &body());
+        assert_eq!(before, after);
+    }
 }

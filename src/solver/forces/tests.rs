@@ -300,3 +300,21 @@ fn a_bent_patch_has_the_energy_of_the_plate_whatever_its_triangles() {
         assert!(BendForce::new(vec![edge]).energy(&x) <= exact);
     }
 }
+
+#[test]
+fn a_hold_keeps_its_place_but_along_the_free_direction() {
+    let x = points();
+    let hold = |place: &Vector3<f64>| ParticleHold {
+        place: place * 0.9,
+        free: Vector3::new(0.6, 0.0, 0.8),
+        stiffness: 3.0,
+    };
+    let mut holds = Hold::new(x.iter().map(hold).collect());
+    check_derivatives(&mut holds, &x, 1e-4, 1e-7);
+    check_convex(&mut holds, &x);
+    let along: Vec<_> = x
+        .iter()
+        .map(|p| p * 0.9 + Vector3::new(0.6, 0.0, 0.8))
+        .collect();
+    assert!(holds.energy(&along) < 1e-24);
+}

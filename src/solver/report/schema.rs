@@ -195,8 +195,8 @@ pub struct Support {
 #[serde(rename = "WornOpening")]
 #[schema(as = WornOpening)]
 pub struct SupportOpening {
-    /// Panels along it, by their names.
-    pub panels: String,
+    /// Ids of the panels along it.
+    pub panels: Vec<String>,
     /// The part of the body that it was placed round, in words.
     pub placed_round: String,
     /// The part of the body that it goes round in the end, in words.
