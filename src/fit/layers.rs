@@ -65,25 +65,17 @@ mod tests {
     use super::*;
     use crate::config::Limits;
     use crate::fit::{Garment, ShippedAssets, resolve, scene};
+    use crate::pattern::Panel;
     use crate::progress::CancelToken;
     use crate::solver::Context;
-    use serde_json::{Value, json};
-
-    /// A panel of the garment file: a square with sides of `side` \[m\].
-    fn square(id: &str, side: f64) -> Value {
-        let corners = [[0.0, 0.0], [0.0, side], [side, side], [side, 0.0]];
-        let edge = |i: usize| json!({"index": i, "from": i, "to": (i + 1) % 4, "length_m": side, "points": [corners[i], corners[(i + 1) % 4]]});
-        let corner = |i: usize| json!({"index": i, "x": corners[i][0], "y": corners[i][1]});
-        json!({"id": id, "name": id, "area_m2": side * side, "drawn_area_m2": side * side, "perimeter_m": 4.0 * side,
-            "corners": [corner(0), corner(1), corner(2), corner(3)], "edges": [edge(0), edge(1), edge(2), edge(3)]})
-    }
+    use serde_json::json;
 
     /// Two squares in front of the default dress form, the second one smaller, in these layers.
     fn patches(layers: [i32; 2]) -> Scene {
         let place = |layer: i32| json!({"layer": layer, "placement": {"at": "torso_front"}});
         let garment = json!({
             "pattern": {"name": "patches", "source": {"format": "dxf", "units": "m", "scale_to_m": 1.0, "allowance": "none"},
-                "panels": [square("large", 0.12), square("small", 0.06)]},
+                "panels": [Panel::rectangle("large", [0.12; 2]), Panel::rectangle("small", [0.06; 2])]},
             "seams": [], "panels": {"large": place(layers[0]), "small": place(layers[1])},
             "simulate": {"edge_length_m": 0.015},
         });

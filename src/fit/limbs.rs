@@ -70,22 +70,10 @@ fn near<'a>(panels: impl Iterator<Item = (&'a Panel, &'a AnchoredPlacement)>) ->
 mod tests {
     use super::*;
     use crate::pattern::{Placement, PlacementAnchor};
-    use serde_json::json;
 
     /// The limbs for one panel of this width and height \[m\].
-    fn limbs(at: PlacementAnchor, [width, height]: [f64; 2], form: DressForm) -> Limbs {
-        let corners = [[0.0, 0.0], [0.0, height], [width, height], [width, 0.0]];
-        let edge = |k: usize| {
-            json!({"index": k, "from": k, "to": (k + 1) % 4, "length_m": 0.0,
-                "points": [corners[k], corners[(k + 1) % 4]]})
-        };
-        let corner = |k: usize| json!({"index": k, "x": corners[k][0], "y": corners[k][1]});
-        let panel: Panel = serde_json::from_value(json!({
-            "id": "one", "name": "one", "area_m2": 0.0, "drawn_area_m2": 0.0, "perimeter_m": 0.0,
-            "corners": [corner(0), corner(1), corner(2), corner(3)],
-            "edges": [edge(0), edge(1), edge(2), edge(3)],
-        }))
-        .expect("a panel");
+    fn limbs(at: PlacementAnchor, size: [f64; 2], form: DressForm) -> Limbs {
+        let panel = Panel::rectangle("one", size);
         let placement = Placement {
             at: Some(at),
             ..Placement::default()

@@ -19,6 +19,7 @@ mod scene_json;
 mod schema_fault;
 mod seam_check;
 mod sewing_pattern;
+mod starts;
 mod suggest;
 mod support;
 mod unsupported;

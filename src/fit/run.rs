@@ -4,15 +4,14 @@ use super::crossings::{self, FoundCrossings};
 use super::garment::{Garment, SelfContact};
 use super::layers;
 use super::resolve::ResolvedGarment;
+use super::starts;
 use super::support;
 use super::verdict::{Demands, verdict};
 use crate::export::{DrapedPanel, GarmentMesh};
-use crate::fault::Faults;
+use crate::fault::{Faults, Warning};
 use crate::memory;
 use crate::mesh::{self, ClothMesh, PanelRange};
-use crate::scene::{
-    self, Avatar, Body, Limbs, PanelParts, PanelPlacement, Parts, Placed, Scene, SeamPoint,
-};
+use crate::scene::{self, Avatar, Body, Limbs, PanelParts, Parts, Scene};
 use crate::solver::{self, Analysis, Context, DrapeReport, SkippedTerm, SolverOptions};
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -37,7 +36,7 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
     let began = (context.cpu_s)();
     let cloth = triangulate(garment, context)?;
     let meshed = (context.cpu_s)();
-    let scene = assemble(garment, cloth)?;
+    let (scene, warnings) = assemble(garment, cloth)?;
     let assembled = (context.cpu_s)();
     let drape = solver::drape(&scene, &less_spent(options, assembled - began), context);
     let solved = (context.cpu_s)();
@@ -60,6 +59,7 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
     report.memory_peak_bytes = memory::peak_bytes().unwrap_or(0);
     report.plan.time_limit_s = options.time_limit_s;
     report.warnings = garment.warnings().to_vec();
+    report.warnings.extend(warnings);
     Ok(FitOutcome {
         mesh,
         report,
@@ -114,7 +114,8 @@ fn less_spent(options: &SolverOptions, spent: f64) -> SolverOptions {
 /// # Errors
 /// As [`run`].
 pub fn scene(garment: &ResolvedGarment, context: &Context<'_>) -> Result<Scene, Faults> {
-    assemble(garment, triangulate(garment, context)?)
+    let (scene, _) = assemble(garment, triangulate(garment, context)?)?;
+    Ok(scene)
 }
 
 /// Returns the body that a resolved garment is draped on, if there is one. It is made once.
@@ -137,9 +138,11 @@ fn triangulate(garment: &ResolvedGarment, context: &Context<'_>) -> Result<Cloth
     )
 }
 
-fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults> {
+/// Assembles the scene of a garment on its mesh; with it what a user should know about the starts
+/// of its panels.
+fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<(Scene, Vec<Warning>), Faults> {
     let avatar = avatar(garment)?;
-    let placed = place(garment, &mesh, avatar.as_deref());
+    let (placed, warnings) = starts::starts(garment, &mesh, avatar.as_deref());
     let panels = garment.panels.iter().zip(placed);
     let panels = panels.map(|(panel, placed)| PanelParts {
         cut: panel.cut,
@@ -156,54 +159,14 @@ fn assemble(garment: &ResolvedGarment, mesh: ClothMesh) -> Result<Scene, Faults>
         body: avatar.map(Body::Avatar),
         mesh,
     });
-    Ok(Scene {
+    let scene = Scene {
         fixed_cloth: garment.over.clone(),
         layers: garment.layers.clone(),
         wind: garment.wind,
         self_contact: keeps_apart(garment.garment()),
         ..scene
-    })
-}
-
-/// Returns where each panel starts.
-fn place(garment: &ResolvedGarment, mesh: &ClothMesh, avatar: Option<&Avatar>) -> Vec<Placed> {
-    let panels = garment.pattern.panels.iter().zip(&garment.panels);
-    let panels = panels.map(|(outline, panel)| PanelPlacement {
-        panel: outline,
-        placement: &panel.placement,
-        face: panel.face,
-    });
-    let panels: Vec<_> = panels.collect();
-    let point = |vertex: usize| SeamPoint {
-        panel: mesh
-            .panels
-            .partition_point(|range| range.vertices.end <= vertex),
-        uv: mesh.uv[vertex],
     };
-    let stitches = mesh.stitches.iter();
-    let stitches: Vec<_> = stitches.map(|s| [point(s.a), point(s.b)]).collect();
-    outside(garment, scene::place_panels(&panels, &stitches, avatar))
-}
-
-/// Returns the same starts outside of a garment worn beneath, and each layer outside of the lower
-/// ones.
-fn outside(garment: &ResolvedGarment, mut placed: Vec<Placed>) -> Vec<Placed> {
-    let outlines = &garment.pattern.panels;
-    if let Some(over) = &garment.over {
-        let panels = outlines.iter().zip(placed);
-        placed = panels
-            .map(|(outline, placed)| placed.outside(outline, &over.vertices))
-            .collect();
-    }
-    let mut upwards: Vec<usize> = (0..garment.layers.len()).collect();
-    upwards.sort_by_key(|&panel| garment.layers[panel]);
-    for (number, &panel) in upwards.iter().enumerate() {
-        let lower = upwards[..number].iter();
-        let lower = lower.filter(|&&other| garment.layers[other] < garment.layers[panel]);
-        let lower = lower.map(|&other| (&outlines[other], &placed[other]));
-        placed[panel] = placed[panel].clone().above(&outlines[panel], lower);
-    }
-    placed
+    Ok((scene, warnings))
 }
 
 /// Returns true if cloth is to be kept from passing through cloth. Motion has no such contact, and

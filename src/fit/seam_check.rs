@@ -73,9 +73,11 @@ pub(super) fn anchored_placements(
     let panels = pattern.panels.iter().zip(specs);
     panels
         .map(|(panel, spec)| {
-            let stated = spec.placement.as_ref();
-            let stated = stated.or_else(|| pattern.placements.get(&panel.id));
-            AnchoredPlacement::new(panel, stated)
+            let of_file = pattern.placements.get(&panel.id);
+            match (&spec.placement, of_file) {
+                (None, Some(_)) => Ok(AnchoredPlacement::new(panel, of_file)?.of_file()),
+                (stated, _) => AnchoredPlacement::new(panel, stated.as_ref()),
+            }
         })
         .collect()
 }

@@ -171,3 +171,44 @@ pub struct Quantity {
     /// Mirrored.
     pub right: u32,
 }
+
+#[cfg(test)]
+impl Panel {
+    /// A rectangle of this width and height \[m\], its lower left corner at the origin.
+    pub(crate) fn rectangle(id: &str, [width, height]: [f64; 2]) -> Self {
+        let corners = [[0.0, 0.0], [0.0, height], [width, height], [width, 0.0]];
+        let corner = |index: usize| Corner {
+            index,
+            x: corners[index][0],
+            y: corners[index][1],
+        };
+        let edge = |index: usize| Edge {
+            index,
+            from: index,
+            to: (index + 1) % 4,
+            length_m: if index % 2 == 0 { height } else { width },
+            points: vec![corners[index], corners[(index + 1) % 4]],
+            label: None,
+        };
+        Self {
+            id: id.to_owned(),
+            name: id.to_owned(),
+            label: None,
+            face: None,
+            area_m2: width * height,
+            perimeter_m: 2.0 * (width + height),
+            drawn_area_m2: width * height,
+            unfolded: false,
+            copy_of: None,
+            quantity: None,
+            corners: (0..4).map(corner).collect(),
+            edges: (0..4).map(edge).collect(),
+            holes: vec![],
+            cut_line: vec![],
+            drill_holes: vec![],
+            notches: vec![],
+            grain: None,
+            internal_lines: vec![],
+        }
+    }
+}

@@ -5,6 +5,12 @@ use super::table::fault_codes;
 fault_codes! {
     /// The codes of placements.
     PlacementCode in "placement" {
+        Moved = "moved":
+            "A file puts a panel about the arm of its own body; it starts about that of the body at hand.",
+            "Give the panel a placement in the garment to choose its start.";
+        Turned = "turned":
+            "A band or sleeve starts turned by quarters from how it is drawn, where its seams are shorter.",
+            "Give `up_deg` in the panel's placement to choose the direction that is up.";
         Unknown = "unknown":
             "The name of a panel does not say where on the body it goes.",
             "Give `at`, or take suggested placements.";

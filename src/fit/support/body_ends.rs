@@ -202,8 +202,8 @@ mod tests {
 
     #[test]
     fn circles_about_the_parts_of_a_body_are_told_apart() {
-        let avatar = DressForm::default().build().unwrap();
-        let ends = BodyEnds::new(&avatar).unwrap();
+        let avatar = DressForm::default().build().expect("a body");
+        let ends = BodyEnds::new(&avatar).expect("landmarks");
         let at = |name: &str| avatar.landmarks[name];
         let up = Vector3::y();
         let on_axis = |y: f64| Vector3::new(0.0, y, 0.0);
@@ -230,8 +230,8 @@ mod tests {
 
     #[test]
     fn what_is_beside_the_body_or_twice_round_it_is_told() {
-        let avatar = DressForm::default().build().unwrap();
-        let ends = BodyEnds::new(&avatar).unwrap();
+        let avatar = DressForm::default().build().expect("a body");
+        let ends = BodyEnds::new(&avatar).expect("landmarks");
         let up = Vector3::y();
         let beside = circle(Vector3::new(0.0, 1.0, 1.0), up, 0.2);
         assert_eq!(ends.encircled(&beside), Encircled::Nothing);

@@ -20,6 +20,8 @@ const HEIGHT_STEP: f64 = 0.02;
 pub struct AnchoredPlacement {
     anchor: PlacementAnchor,
     placement: Placement,
+    /// True if the pattern's file states it, for a body of its own.
+    is_of_file: bool,
 }
 
 impl AnchoredPlacement {
@@ -33,19 +35,33 @@ impl AnchoredPlacement {
             .at
             .or_else(|| guess(panel))
             .ok_or_else(|| unknown(panel))?;
-        Ok(Self { anchor, placement })
+        Ok(Self {
+            anchor,
+            placement,
+            is_of_file: false,
+        })
     }
 
-    /// Returns true if the panel is put anywhere in space, as files do that have a body of their
-    /// own.
-    pub(super) fn is_free(&self) -> bool {
-        self.anchor == PlacementAnchor::Origin
+    /// Returns the same placement as one that the pattern's file states.
+    #[must_use]
+    pub fn of_file(self) -> Self {
+        Self {
+            is_of_file: true,
+            ..self
+        }
+    }
+
+    /// Returns true if a file puts the panel somewhere in space, about a body of its own.
+    pub(super) fn is_about_other_body(&self) -> bool {
+        self.is_of_file && self.anchor == PlacementAnchor::Origin
     }
 
     /// Returns true if the panel is rolled all round and may be turned about the axis: where
     /// nothing says how it is to be turned.
     pub(super) fn turns(&self) -> bool {
-        let Self { anchor, placement } = self;
+        let Self {
+            anchor, placement, ..
+        } = self;
         let wrap = placement.wrap.unwrap_or(Wrap::Cylinder);
         let goes_round = matches!(
             anchor,
@@ -75,7 +91,9 @@ impl AnchoredPlacement {
 
     /// Places `panel`, whose side `face` is out, on `avatar`, or in free space without one.
     pub fn place(&self, panel: &Panel, face: Face, avatar: Option<&Avatar>) -> Placed {
-        let Self { anchor, placement } = self;
+        let Self {
+            anchor, placement, ..
+        } = self;
         let body = avatar.map_or(NO_BODY, BodyKeyPoints::of);
         let spot = Spot::of(*anchor, &body);
         let up = Rotation2::new((90.0 - placement.up_deg.unwrap_or(90.0)).to_radians());

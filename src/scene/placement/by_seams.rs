@@ -48,7 +48,9 @@ pub fn place_panels(
     let place = |panel: &PanelPlacement<'_>| {
         let placed = panel.placement.place(panel.panel, panel.face, avatar);
         match avatar {
-            Some(avatar) if panel.placement.is_free() => onto_arm(placed, panel.panel, avatar),
+            Some(avatar) if panel.placement.is_about_other_body() => {
+                onto_arm(placed, panel.panel, avatar)
+            }
             _ => placed,
         }
     };
@@ -137,30 +139,12 @@ mod tests {
     use crate::pattern::{Placement, PlacementAnchor, Wrap};
     use crate::seam::Face;
 
-    /// A rectangle from the origin, its edges in the order of its corners \[m\].
-    fn rectangle(id: &str, [width, height]: [f64; 2]) -> Panel {
-        let corners = [[0.0, 0.0], [0.0, height], [width, height], [width, 0.0]];
-        let edges = (0..4).map(|k| {
-            serde_json::json!({
-                "index": k, "from": k, "to": (k + 1) % 4, "length_m": 0.0,
-                "points": [corners[k], corners[(k + 1) % 4]],
-            })
-        });
-        let points = corners.iter().enumerate();
-        let points = points.map(|(k, [x, y])| serde_json::json!({"index": k, "x": x, "y": y}));
-        serde_json::from_value(serde_json::json!({
-            "id": id, "name": id, "area_m2": width * height, "perimeter_m": 0.0, "drawn_area_m2": width * height,
-            "corners": points.collect::<Vec<_>>(), "edges": edges.collect::<Vec<_>>(),
-        }))
-        .unwrap()
-    }
-
     fn anchored(panel: &Panel, at: PlacementAnchor) -> AnchoredPlacement {
         let placement = Placement {
             at: Some(at),
             ..Placement::default()
         };
-        AnchoredPlacement::new(panel, Some(&placement)).unwrap()
+        AnchoredPlacement::new(panel, Some(&placement)).expect("a place")
     }
 
     /// A band drawn upright, 0.8 m long, is sewn with one long edge to the tops of two skirts.
@@ -170,8 +154,10 @@ mod tests {
             ("front", PlacementAnchor::SkirtFront),
             ("back", PlacementAnchor::SkirtBack),
         ];
-        let mut panels = skirts.map(|(id, _)| rectangle(id, [0.4, 0.6])).to_vec();
-        panels.push(rectangle("band", [0.05, 0.8]));
+        let mut panels = skirts
+            .map(|(id, _)| Panel::rectangle(id, [0.4, 0.6]))
+            .to_vec();
+        panels.push(Panel::rectangle("band", [0.05, 0.8]));
         let mut placements: Vec<_> = skirts.map(|(_, at)| at).to_vec();
         placements.push(PlacementAnchor::Waist);
         let placements: Vec<_> = panels
@@ -220,7 +206,7 @@ mod tests {
 
     #[test]
     fn a_panel_without_stitches_stays_as_it_was_placed() {
-        let panel = rectangle("band", [0.8, 0.05]);
+        let panel = Panel::rectangle("band", [0.8, 0.05]);
         let placement = anchored(&panel, PlacementAnchor::Waist);
         let alone = PanelPlacement {
             panel: &panel,

@@ -50,23 +50,6 @@ mod tests {
     use crate::scene::placement::AnchoredPlacement;
     use crate::scene::{DressForm, Limbs};
     use crate::seam::Face;
-    use serde_json::json;
-
-    /// A square of 20 cm.
-    fn square() -> Panel {
-        let corners = [[0.0, 0.0], [0.0, 0.2], [0.2, 0.2], [0.2, 0.0]];
-        let edge = |k: usize| {
-            json!({"index": k, "from": k, "to": (k + 1) % 4, "length_m": 0.2,
-                "points": [corners[k], corners[(k + 1) % 4]]})
-        };
-        let corner = |k: usize| json!({"index": k, "x": corners[k][0], "y": corners[k][1]});
-        serde_json::from_value(json!({
-            "id": "half", "name": "half", "area_m2": 0.04, "drawn_area_m2": 0.04, "perimeter_m": 0.8,
-            "corners": [corner(0), corner(1), corner(2), corner(3)],
-            "edges": [edge(0), edge(1), edge(2), edge(3)],
-        }))
-        .expect("a panel")
-    }
 
     fn body() -> Avatar {
         let form = DressForm {
@@ -79,7 +62,8 @@ mod tests {
         form.build().expect("a body")
     }
 
-    /// The middle of the square, put at a place and turned, before and after it is moved \[m\].
+    /// The middle of a square of 20 cm, put at a place and turned, before and after it is moved
+    /// \[m\].
     fn moved(at: [f64; 3], turned_deg: f64, avatar: &Avatar) -> [Vector3<f64>; 2] {
         let placement = Placement {
             at: Some(PlacementAnchor::Origin),
@@ -87,7 +71,7 @@ mod tests {
             rotate_deg: [0.0, 0.0, turned_deg],
             ..Placement::default()
         };
-        let panel = square();
+        let panel = Panel::rectangle("half", [0.2, 0.2]);
         let anchored = AnchoredPlacement::new(&panel, Some(&placement)).expect("a place");
         let placed = anchored.place(&panel, Face::Up, None);
         let after = onto_arm(placed.clone(), &panel, avatar);

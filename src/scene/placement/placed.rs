@@ -41,6 +41,18 @@ impl Placed {
         middle + self.rotation * (p - middle) + self.offset
     }
 
+    /// Returns the direction on the drawing that is up, from its +x, counter-clockwise \[degrees\].
+    pub fn up_deg(&self) -> f64 {
+        (90.0 - self.up.angle().to_degrees())
+            .round()
+            .rem_euclid(360.0)
+    }
+
+    /// Returns how far the start is moved from its key point, after all else \[m\].
+    pub fn offset_m(&self) -> Vector3<f64> {
+        self.offset
+    }
+
     /// Returns the same start further down a limb by as much as `ways` \[m\] lead on the whole;
     /// where they lead upwards, or the axis is that of the trunk, it stays.
     pub(super) fn moved_down_the_limb(mut self, ways: &[Vector3<f64>]) -> Self {
