@@ -38,7 +38,7 @@ pub(super) fn wrong_area(scene: &Scene, positions: &[Vector3<f64>], pairs: usize
     let surface = Surface::new(&points, &triangles, &[]).ok()?;
     let mut search = SegmentSearch::new(&surface, pairs);
     let layer = |triangle: usize| scene.layers[panel_of(&scene.mesh, triangle)];
-    let outwards = |p: &Vector3<f64>| avatar.sample(p)?.normal.try_normalize(0.0);
+    let outwards = |p: &Vector3<f64>| avatar.outward(p);
     let mut wrong = 0.0;
     for (t, corners) in scene.mesh.triangles.iter().enumerate() {
         let own = layer(t);
@@ -91,18 +91,18 @@ mod tests {
         scene(&resolved, &context).expect("it can be assembled")
     }
 
-    /// Both squares about the middle of the chest, the large one at `z` and the small one 5 mm
-    /// further out.
-    fn stacked(scene: &Scene) -> Vec<Vector3<f64>> {
+    /// Both squares before the middle of the chest, the large one `gap` \[m\] from it and the small
+    /// one 5 mm further out.
+    fn stacked(scene: &Scene, gap: f64) -> Vec<Vector3<f64>> {
         let avatar = scene.body.as_ref().and_then(|body| body.avatar());
         let form = avatar.expect("the default form");
         let [_, z] = form.section_bounds(1.2).expect("a section of the chest");
         let place = |(v, uv): (usize, &[f64; 2])| {
             let is_small = scene.mesh.panels[1].vertices.contains(&v);
             let (side, z) = if is_small {
-                (0.06, z[1] + 0.015)
+                (0.06, z[1] + gap + 0.005)
             } else {
-                (0.12, z[1] + 0.01)
+                (0.12, z[1] + gap)
             };
             Vector3::new(uv[0] - 0.5 * side, 1.2 + uv[1] - 0.5 * side, z)
         };
@@ -122,9 +122,9 @@ mod tests {
     /// All of the lower square lies on the other, so all of its area is in the wrong order.
     #[test]
     fn the_wrong_order_is_measured_and_the_right_one_is_zero() {
-        let area = |layers: [i32; 2]| {
+        let area = |layers: [i32; 2], gap: f64| {
             let mut scene = patches(layers);
-            let mut shape = stacked(&scene);
+            let mut shape = stacked(&scene, gap);
             let right = wrong_area(&scene, &shape, usize::MAX);
             // Swapped: the small one beneath the large one.
             let first = scene.mesh.panels[1].vertices.start;
@@ -135,11 +135,14 @@ mod tests {
             assert_eq!(wrong_area(&scene, &shape, usize::MAX), None);
             (right.expect("judged"), swapped.expect("judged"))
         };
-        let (right, swapped) = area([0, 1]);
-        assert_eq!(right, 0.0);
-        assert!((swapped - 0.06 * 0.06).abs() < 1e-9, "{swapped}");
+        // Near the body, and as far from it as a flared skirt hangs.
+        for gap in [0.02, 0.06] {
+            let (right, swapped) = area([0, 1], gap);
+            assert_eq!(right, 0.0);
+            assert!((swapped - 0.06 * 0.06).abs() < 1e-9, "{swapped}");
+        }
         // Of the large one only what lies beneath the small one counts.
-        let (wrong, right) = area([5, -5]);
+        let (wrong, right) = area([5, -5], 0.02);
         assert_eq!(right, 0.0);
         assert!(
             wrong > 0.5 * 0.06 * 0.06 && wrong < 2.0 * 0.06 * 0.06,
@@ -151,7 +154,7 @@ mod tests {
     fn a_garment_in_one_layer_is_not_judged() {
         let scene = patches([3, 3]);
         assert!(scene.layers.is_empty());
-        assert_eq!(wrong_area(&scene, &stacked(&scene), usize::MAX), None);
+        assert_eq!(wrong_area(&scene, &stacked(&scene, 0.02), usize::MAX), None);
     }
 
     #[test]

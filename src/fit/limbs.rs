@@ -51,14 +51,14 @@ fn near<'a>(panels: impl Iterator<Item = (&'a Panel, &'a AnchoredPlacement)>) ->
     let mut is_round_hands = false;
     for (panel, placement) in panels {
         let placed = placement.place(panel, Face::Up, None);
-        let (mut nearest, mut reaches_hands) = (f64::INFINITY, false);
+        let (mut sides, mut reaches_hands) = ([f64::INFINITY, f64::NEG_INFINITY], false);
         for point in panel.edges.iter().flat_map(|edge| &edge.points) {
             let [x, y, _] = placed.position(*point).into();
             heights = [heights[0].min(y), heights[1].max(y)];
-            nearest = nearest.min(x.abs());
+            sides = [sides[0].min(x), sides[1].max(x)];
             reaches_hands |= y < HANDS_BELOW && x.abs() > HANDS_AT;
         }
-        is_round_hands |= nearest < TRUNK && reaches_hands;
+        is_round_hands |= sides[0] < TRUNK && sides[1] > -TRUNK && reaches_hands;
     }
     Limbs {
         arms: heights[1] > ARMS_ABOVE && !is_round_hands,

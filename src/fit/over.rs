@@ -113,6 +113,8 @@ fn check_avatar(avatar: Option<&AvatarRef>, inner: &InnerGarment) -> Result<(), 
     let detail = match (avatar, inner.avatar.as_ref()) {
         (None, _) => "a garment without an avatar is worn over nothing",
         (Some(_), None) => "the garment beneath is worn on no avatar",
+        // An avatar that is not known is a fault of its own.
+        (Some(AvatarRef::Id(_)), _) => return Ok(()),
         (Some(own), Some(inner)) if torso(own) != torso(inner) => {
             "the garment beneath is worn on another avatar"
         }
@@ -133,8 +135,12 @@ fn fixed_cloth(inner: &InnerGarment, limits: &Limits) -> Result<FixedCloth, Faul
     let vertices = count(|panel| panel.positions.len());
     let most = limits.mesh_vertices;
     // A sheet has about twice as many triangles as vertices.
-    if vertices > most || count(|panel| panel.triangles.len()) > 2 * most {
-        let detail = format!("the garments beneath have {vertices} vertices, more than {most}");
+    let triangles = count(|panel| panel.triangles.len());
+    if vertices > most || triangles > 2 * most {
+        let detail = format!(
+            "the garments beneath have {vertices} vertices and {triangles} triangles; at most {most} and {} are taken",
+            2 * most
+        );
         return Err(surface_fault(detail));
     }
     let mut cloth = FixedCloth::default();
@@ -164,7 +170,8 @@ fn excerpt(name: &str) -> String {
 /// Returns in words the first thing that is wrong with a panel, if anything is.
 fn check_panel(panel: &InnerPanel, limits: &Limits) -> Result<(), &'static str> {
     let is_wrong = |p: &f64| !(-LARGEST..=LARGEST).contains(p);
-    if panel.panel.chars().count() > limits.name_chars {
+    let id = panel.panel.trim_start_matches(PREFIX);
+    if id.chars().count() > limits.name_chars {
         return Err("has too long a name");
     }
     if !THICKNESS.contains(&panel.thickness_m) || !FRICTION.contains(&panel.friction) {

@@ -30,7 +30,7 @@ pub(super) fn starts(
     let warnings = panels.iter().zip(&placed);
     let warnings = warnings.filter_map(|(panel, placed)| warning(panel, placed, avatar));
     let warnings = warnings.collect();
-    (outside(garment, placed), warnings)
+    (outside(garment, placed, avatar), warnings)
 }
 
 /// Returns what was decided about a panel's start that neither the garment nor its file states.
@@ -60,12 +60,18 @@ fn warning(
 
 /// Returns the same starts outside of a garment worn beneath, and each layer outside of the lower
 /// ones.
-fn outside(garment: &ResolvedGarment, mut placed: Vec<Placed>) -> Vec<Placed> {
+fn outside(
+    garment: &ResolvedGarment,
+    mut placed: Vec<Placed>,
+    avatar: Option<&Avatar>,
+) -> Vec<Placed> {
     let outlines = &garment.pattern.panels;
     if let Some(over) = &garment.over {
+        let tip = avatar.and_then(|avatar| avatar.landmarks.get("shoulder_tip_l"));
+        let trunk = tip.map_or(f64::INFINITY, |tip| tip.x);
         let panels = outlines.iter().zip(placed);
         placed = panels
-            .map(|(outline, placed)| placed.outside(outline, &over.vertices))
+            .map(|(outline, placed)| placed.outside(outline, &over.vertices, trunk))
             .collect();
     }
     let mut upwards: Vec<usize> = (0..garment.layers.len()).collect();

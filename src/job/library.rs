@@ -1,4 +1,4 @@
-//! What a garment may refer to by id, the fits of the queue among it.
+//! Assets that a garment refers to by id, the fits of the queue among them.
 
 use super::catalogue::logged;
 use super::kind::JobKind;

@@ -71,6 +71,14 @@ impl Body {
         }
     }
 
+    /// The direction out of the body at `p`, however far it is; none on the surface of an avatar.
+    pub fn outward(&self, p: &Vector3<f64>) -> Option<Vector3<f64>> {
+        match self {
+            Self::Avatar(avatar) => avatar.outward(p),
+            Self::Analytic(analytic) => Some(analytic.sample(p).normal),
+        }
+    }
+
     /// The avatar, if it is one.
     pub fn avatar(&self) -> Option<&Arc<Avatar>> {
         match self {

@@ -16,7 +16,7 @@ const LEG: f64 = 0.5;
 /// Number of ends of a body.
 const ENDS: usize = 5;
 
-/// What an opening of a garment goes round.
+/// Parts of the body that an opening of a garment goes round.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Encircled {
     /// Nothing: the opening is beside the body, or in the cloth.

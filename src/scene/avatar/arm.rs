@@ -83,7 +83,7 @@ fn elbow_distance(offset: Vector3<f64>, direction: Vector3<f64>, length: f64) ->
 struct Profile {
     girths: Vec<[f64; 2]>,
     aspects: Vec<[f64; 2]>,
-    /// Where the hand begins to close, and its end.
+    /// Distances at which the hand begins to close and at which it ends \[m\].
     rounding: f64,
     end: f64,
 }

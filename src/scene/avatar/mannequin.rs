@@ -11,7 +11,7 @@ use std::f64::consts::FRAC_PI_2;
 
 impl DressForm {
     /// Makes the avatar: a closed, smooth torso from the top of the neck to below the crotch,
-    /// whose level girths at bust, waist and hip are those asked for, within 1 mm, with the limbs
+    /// whose level girths at bust, waist and hip are those asked for, within 3 mm, with the limbs
     /// that are asked for.
     ///
     /// # Errors
@@ -79,7 +79,8 @@ fn middle_landmarks(surface: &TriangleMesh, form: &DressForm) -> BTreeMap<String
             }
         }
     }
-    let lowest = surface.vertices.iter().min_by(|a, b| a.y.total_cmp(&b.y));
+    let in_middle = surface.vertices.iter().filter(|v| v.x == 0.0);
+    let lowest = in_middle.min_by(|a, b| a.y.total_cmp(&b.y));
     found.extend(lowest.map(|v| ("crotch".to_owned(), *v)));
     found
 }

@@ -124,7 +124,7 @@ impl Measure {
             return None;
         }
         let detail = format!("{value} m is not the measurement of a person");
-        let fix = format!("give metres, {least} to {most} here");
+        let fix = format!("give meters, {least} to {most} here");
         Some(Fault::new(AvatarCode::Measurement, pointer, detail).fix(fix))
     }
 }

@@ -142,6 +142,13 @@ impl Avatar {
         self.exact.signed(p)
     }
 
+    /// The direction from the surface to a point outside of it, or out to the surface from inside,
+    /// however far; none on the surface.
+    pub fn outward(&self, p: &Vector3<f64>) -> Option<Vector3<f64>> {
+        let from_surface = p - self.nearest_point(p);
+        (from_surface * self.exact_distance(p).signum()).try_normalize(0.0)
+    }
+
     /// The point of the surface nearest to `p` \[m\].
     pub fn nearest_point(&self, p: &Vector3<f64>) -> Vector3<f64> {
         self.exact.nearest(p)
@@ -151,6 +158,11 @@ impl Avatar {
     /// perimeter of the convex hull of the slice \[m\].
     pub fn girth_at(&self, y: f64) -> Option<f64> {
         slice::girth(&self.surface, y)
+    }
+
+    /// Lowest and highest point of the surface \[m\].
+    pub fn heights(&self) -> [f64; 2] {
+        self.exact.bounds().map(|corner| corner.y)
     }
 
     /// Bounds of the torso at height `y`, of the legs under the crotch \[m\]: `[[min x, max x],

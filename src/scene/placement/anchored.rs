@@ -98,7 +98,7 @@ impl AnchoredPlacement {
         let spot = Spot::of(*anchor, &body);
         let up = Rotation2::new((90.0 - placement.up_deg.unwrap_or(90.0)).to_radians());
         let [[left, right], [bottom, top]] = bounds(panel, &up);
-        let centre_y = 0.5 * (bottom + top);
+        let center_y = 0.5 * (bottom + top);
         let wrap = placement.wrap.unwrap_or(match spot.turn {
             Some(_) => Wrap::Cylinder,
             None => Wrap::Flat,
@@ -108,7 +108,7 @@ impl AnchoredPlacement {
         let mut placed = Placed {
             up,
             key: [0.5 * (left + right), if spot.hangs { top } else { bottom }],
-            centre_y,
+            center_y,
             sense: if face == Face::Up { 1.0 } else { -1.0 },
             outward: spot.outward,
             axis: spot.axis,
@@ -119,7 +119,7 @@ impl AnchoredPlacement {
             offset: Vector3::from(placement.offset_m),
         };
         if *anchor == PlacementAnchor::Origin {
-            placed.key[1] = centre_y;
+            placed.key[1] = center_y;
             placed.sense = 1.0;
             return placed;
         }
@@ -131,7 +131,7 @@ impl AnchoredPlacement {
         // Rolled, a panel meets itself at most; half a band covers half a turn.
         let around = (right - left) / (TAU * spot.turn.unwrap_or(1.0));
         placed.radius = if spot.lean == 0.0 {
-            let reach = radius(avatar, body.centre, span, wrap) + CLEARANCE;
+            let reach = radius(avatar, body.center, span, wrap) + CLEARANCE;
             if wrap == Wrap::Cylinder {
                 reach.max(around)
             } else {
@@ -144,19 +144,23 @@ impl AnchoredPlacement {
     }
 }
 
-/// Returns the reach of the body from its axis between two heights \[m\]: to the front and back for
-/// flat panels, all round for rolled ones.
-fn radius(avatar: Option<&Avatar>, centre: f64, span: [f64; 2], wrap: Wrap) -> f64 {
+/// Returns the reach of the trunk from its axis between two heights \[m\]: to the front and back
+/// for flat panels, all round for rolled ones. Beyond the tips of the shoulders there are arms.
+fn radius(avatar: Option<&Avatar>, center: f64, span: [f64; 2], wrap: Wrap) -> f64 {
     let Some(avatar) = avatar else {
         return CLEARANCE;
     };
+    let tip = avatar.landmarks.get("shoulder_tip_l");
+    let tip = tip.map_or(f64::INFINITY, |tip| tip.x);
+    let [low, high] = avatar.heights();
+    let [low, high] = [span[0].max(low), span[1].min(high)];
     let mut reach: f64 = 0.0;
-    let mut y = span[0];
-    while y < span[1] + HEIGHT_STEP {
-        if let Some([x, z]) = avatar.section_bounds(y.min(span[1])) {
-            reach = reach.max(z[1] - centre).max(centre - z[0]);
+    let mut y = low;
+    while y < high + HEIGHT_STEP {
+        if let Some([x, z]) = avatar.section_bounds(y.min(high)) {
+            reach = reach.max(z[1] - center).max(center - z[0]);
             if wrap == Wrap::Cylinder {
-                reach = reach.max(x[1]).max(-x[0]);
+                reach = reach.max(x[1].min(tip)).max((-x[0]).min(tip));
             }
         }
         y += HEIGHT_STEP;

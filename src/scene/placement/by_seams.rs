@@ -55,19 +55,21 @@ pub fn place_panels(
         }
     };
     let mut placed: Vec<Placed> = panels.iter().map(place).collect();
+    let of_panel = own_stitches(panels.len(), stitches);
     let mut is_settled: Vec<bool> = panels
         .iter()
         .map(|panel| !panel.placement.turns())
         .collect();
-    let is_next = |is_settled: &[bool], panel: usize| {
-        let joins = |[a, b]: &[SeamPoint; 2]| {
-            (a.panel == panel && is_settled[b.panel]) || (b.panel == panel && is_settled[a.panel])
-        };
-        !is_settled[panel] && stitches.iter().any(joins)
+    let joins_settled = |is_settled: &[bool], panel: usize| {
+        let mut own = of_panel[panel].iter();
+        !is_settled[panel] && own.any(|[_, other]| is_settled[other.panel])
     };
-    while let Some(panel) = (0..panels.len()).find(|&panel| is_next(&is_settled, panel)) {
-        let own = own_stitches(panel, stitches, &is_settled);
-        placed[panel] = turned(&panels[panel], &own, (&placed, panel), avatar);
+    while let Some(panel) = (0..panels.len()).find(|&panel| joins_settled(&is_settled, panel)) {
+        let is_known = |[_, other]: &&OwnStitch| other.panel == panel || is_settled[other.panel];
+        let known: Vec<_> = of_panel[panel].iter().filter(is_known).copied().collect();
+        let step = known.len().div_ceil(STITCHES).max(1);
+        let known: Vec<_> = known.into_iter().step_by(step).collect();
+        placed[panel] = turned(&panels[panel], &known, (&placed, panel), avatar);
         is_settled[panel] = true;
     }
     placed
@@ -76,19 +78,16 @@ pub fn place_panels(
 /// A stitch of a panel: its point, and the point it is sewn to.
 type OwnStitch = [SeamPoint; 2];
 
-/// Returns stitches of `panel` to itself and to panels that are settled, its own point first.
-fn own_stitches(panel: usize, stitches: &[[SeamPoint; 2]], is_settled: &[bool]) -> Vec<OwnStitch> {
-    let is_known = |other: usize| other == panel || is_settled[other];
-    let own = stitches
-        .iter()
-        .filter_map(|&[a, b]| match (a.panel == panel, b.panel == panel) {
-            (true, _) if is_known(b.panel) => Some([a, b]),
-            (false, true) if is_known(a.panel) => Some([b, a]),
-            _ => None,
-        });
-    let own: Vec<_> = own.collect();
-    let step = own.len().div_ceil(STITCHES).max(1);
-    own.into_iter().step_by(step).collect()
+/// Returns the stitches of each of `count` panels, its own point first.
+fn own_stitches(count: usize, stitches: &[[SeamPoint; 2]]) -> Vec<Vec<OwnStitch>> {
+    let mut of_panel = vec![vec![]; count];
+    for &[a, b] in stitches {
+        of_panel[a.panel].push([a, b]);
+        if a.panel != b.panel {
+            of_panel[b.panel].push([b, a]);
+        }
+    }
+    of_panel
 }
 
 /// Returns the pose of `panel` in which its stitches are shortest.

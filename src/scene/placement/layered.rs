@@ -10,11 +10,13 @@ const LAYER_CLEARANCE: f64 = 0.01;
 
 impl Placed {
     /// The same, further from the axis where `cloth` \[m\] at the panel's height reaches beyond its
-    /// start; as it is at an arm, in a free place, or without cloth.
+    /// start; as it is at an arm, in a free place, or without cloth. Cloth further than `trunk`
+    /// \[m\] from the middle is about the arms.
     #[must_use]
-    pub fn outside(self, panel: &Panel, cloth: &[Vector3<f64>]) -> Self {
+    pub fn outside(self, panel: &Panel, cloth: &[Vector3<f64>], trunk: f64) -> Self {
         let [low, high] = self.heights(panel);
-        let beside = cloth.iter().filter(|p| (low..=high).contains(&p.y));
+        let is_beside = |p: &&Vector3<f64>| (low..=high).contains(&p.y) && p.x.abs() <= trunk;
+        let beside = cloth.iter().filter(is_beside);
         let most = beside.map(|p| self.reach(p)).fold(0.0, f64::max);
         self.beyond(most, CLEARANCE)
     }
@@ -30,7 +32,7 @@ impl Placed {
         let [low, high] = self.heights(panel);
         let beside = lower.filter(|(panel, placed)| {
             let [lowest, highest] = placed.heights(panel);
-            lowest <= high && low <= highest
+            placed.lean == 0.0 && lowest <= high && low <= highest
         });
         let points = beside.flat_map(|(panel, placed)| {
             outline(panel).map(|uv| placed.position(uv) - placed.offset)
@@ -59,7 +61,7 @@ impl Placed {
     fn reach(&self, p: &Vector3<f64>) -> f64 {
         let [x, z] = [p.x - self.axis.x, p.z - self.axis.z];
         match self.wrap {
-            Wrap::Flat => z.abs(),
+            Wrap::Flat => z * self.outward.cos(),
             Wrap::Cylinder => x.hypot(z),
         }
     }

@@ -13,7 +13,7 @@ pub struct Placed {
     pub(super) up: Rotation2<f64>,
     /// The key point and the middle of the height, in the turned drawing \[m\].
     pub(super) key: [f64; 2],
-    pub(super) centre_y: f64,
+    pub(super) center_y: f64,
     /// +1 where the drawn +x runs along increasing angle, -1 where it runs against it.
     pub(super) sense: f64,
     /// Angle of the outward direction from +z towards +x \[rad\].
@@ -33,7 +33,7 @@ impl Placed {
     /// Start position of the pattern point `uv` \[m\].
     pub fn position(&self, uv: [f64; 2]) -> Vector3<f64> {
         let upright = self.up * Vector2::from(uv);
-        let middle = self.rolled(0.0, self.centre_y - self.key[1]);
+        let middle = self.rolled(0.0, self.center_y - self.key[1]);
         let p = self.rolled(
             self.sense * (upright.x - self.key[0]),
             upright.y - self.key[1],

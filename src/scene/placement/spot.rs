@@ -11,7 +11,7 @@ pub(super) const NO_BODY: BodyKeyPoints = BodyKeyPoints {
     shoulder: 1.4,
     neck: 1.42,
     waist: 1.05,
-    centre: 0.0,
+    center: 0.0,
     arm: ArmPose {
         top: Vector3::new(0.19, 1.37, 0.0),
         lean: ARM_SPREAD,
@@ -42,7 +42,7 @@ pub(super) struct BodyKeyPoints {
     pub(super) shoulder: f64,
     pub(super) neck: f64,
     pub(super) waist: f64,
-    pub(super) centre: f64,
+    pub(super) center: f64,
     pub(super) arm: ArmPose,
 }
 
@@ -51,7 +51,7 @@ impl BodyKeyPoints {
         let height =
             |name: &str, otherwise: f64| avatar.landmarks.get(name).map_or(otherwise, |p| p.y);
         let waist = height("waist_front", NO_BODY.waist);
-        let centre = avatar
+        let center = avatar
             .section_bounds(waist)
             .map_or(0.0, |[_, z]| 0.5 * (z[0] + z[1]));
         let shoulder = height("neck_side_l", NO_BODY.shoulder);
@@ -59,20 +59,20 @@ impl BodyKeyPoints {
             shoulder,
             neck: height("neck_front", shoulder),
             waist,
-            centre,
-            arm: ArmPose::of(avatar, centre),
+            center,
+            arm: ArmPose::of(avatar, center),
         }
     }
 }
 
 impl ArmPose {
-    fn of(avatar: &Avatar, centre: f64) -> Self {
+    fn of(avatar: &Avatar, center: f64) -> Self {
         let Some(tip) = avatar.landmarks.get("shoulder_tip_l") else {
             return NO_BODY.arm;
         };
         let Some(axis) = avatar.limb(Limb::ArmLeft) else {
             return Self {
-                top: Vector3::new(tip.x, tip.y, centre),
+                top: Vector3::new(tip.x, tip.y, center),
                 ..NO_BODY.arm
             };
         };
@@ -104,7 +104,7 @@ pub(super) struct Spot {
 impl Spot {
     pub(super) fn of(anchor: PlacementAnchor, body: &BodyKeyPoints) -> Self {
         let spot = |height: f64, hangs: bool, outward: f64, turn: Option<f64>| Self {
-            axis: Vector3::new(0.0, height, body.centre),
+            axis: Vector3::new(0.0, height, body.center),
             hangs,
             outward,
             turn,

@@ -37,12 +37,12 @@ pub(crate) struct LayerOrder {
 
 impl LayerOrder {
     /// Returns the direction in which triangle `s`, which meets triangle `t` at `p` \[m\], is to
-    /// move against it; none if they are in one layer, or no body is near.
+    /// move against it; none if they are in one layer, or it is on the body's surface.
     pub(super) fn way_out(&self, [s, t]: [usize; 2], p: &Vector3<f64>) -> Option<Vector3<f64>> {
         if self.layer[s] == self.layer[t] {
             return None;
         }
-        let normal = self.body.sample(p)?.normal.try_normalize(0.0)?;
+        let normal = self.body.outward(p)?;
         let is_higher = self.layer[s] > self.layer[t];
         Some(if is_higher { normal } else { -normal })
     }
