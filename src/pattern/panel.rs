@@ -186,7 +186,7 @@ impl Panel {
             index,
             from: index,
             to: (index + 1) % 4,
-            length_m: if index.is_multiple_of(2) { height } else { width },
+            length_m: [height, width][index % 2],
             points: vec![corners[index], corners[(index + 1) % 4]],
             label: None,
         };
