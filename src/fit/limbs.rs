@@ -1,9 +1,11 @@
 //! The limbs of a dress form where the garment leaves them to the service: those that its cloth is
 //! near.
 
+use super::sides::arm_side;
 use crate::pattern::Panel;
 use crate::scene::{AnchoredPlacement, DressForm, Limbs};
 use crate::seam::Face;
+use nalgebra::Vector3;
 
 /// Heights on a body of 1.68 m above which cloth is near the arms, and below which it is near the
 /// legs: armpit and hip \[m\].
@@ -13,8 +15,6 @@ const LEGS_BELOW: f64 = 0.85;
 /// that starts further out would be sewn round them.
 const HANDS_BELOW: f64 = 0.95;
 const HANDS_AT: f64 = 0.45;
-/// Distance from the middle within which panels of the trunk begin \[m\]; sleeves do not.
-const TRUNK: f64 = 0.2;
 
 /// Returns the form with the limbs that it states, or else with those that it has measures of and
 /// those near `panels`, as they start about a body of middle size.
@@ -47,22 +47,22 @@ pub(super) fn with_limbs<'a>(
 }
 
 fn near<'a>(panels: impl Iterator<Item = (&'a Panel, &'a AnchoredPlacement)>) -> Limbs {
-    let mut heights = [f64::INFINITY, f64::NEG_INFINITY];
+    let (mut highest, mut lowest) = (f64::NEG_INFINITY, f64::INFINITY);
     let mut is_round_hands = false;
     for (panel, placement) in panels {
         let placed = placement.place(panel, Face::Up, None);
-        let (mut sides, mut reaches_hands) = ([f64::INFINITY, f64::NEG_INFINITY], false);
-        for point in panel.edges.iter().flat_map(|edge| &edge.points) {
-            let [x, y, _] = placed.position(*point).into();
-            heights = [heights[0].min(y), heights[1].max(y)];
-            sides = [sides[0].min(x), sides[1].max(x)];
-            reaches_hands |= y < HANDS_BELOW && x.abs() > HANDS_AT;
-        }
-        is_round_hands |= sides[0] < TRUNK && sides[1] > -TRUNK && reaches_hands;
+        let points = panel.edges.iter().flat_map(|edge| &edge.points);
+        let points: Vec<_> = points.map(|point| placed.position(*point)).collect();
+        let heights = points.iter().map(|p| p.y);
+        (lowest, highest) = heights.fold((lowest, highest), |(lowest, highest), y| {
+            (y.min(lowest), y.max(highest))
+        });
+        let is_beside_hands = |p: &Vector3<f64>| p.y < HANDS_BELOW && p.x.abs() > HANDS_AT;
+        is_round_hands |= arm_side(&points).is_none() && points.iter().any(is_beside_hands);
     }
     Limbs {
-        arms: heights[1] > ARMS_ABOVE && !is_round_hands,
-        legs: heights[0] < LEGS_BELOW,
+        arms: highest > ARMS_ABOVE && !is_round_hands,
+        legs: lowest < LEGS_BELOW,
     }
 }
 
@@ -93,6 +93,7 @@ mod tests {
         assert_eq!(near(PlacementAnchor::SkirtFront, [0.5, 0.6]), (false, true));
         assert_eq!(near(PlacementAnchor::TorsoFront, [0.5, 1.0]), (true, true));
         assert_eq!(near(PlacementAnchor::TorsoFront, [1.2, 1.0]), (false, true));
+        assert_eq!(near(PlacementAnchor::ArmLeft, [0.4, 0.55]), (true, false));
     }
 
     #[test]

@@ -2,8 +2,10 @@
 //!
 //! [`read_garment`] → [`resolve`] → [`run`] → [`FitOutcome`].
 
+mod ahead;
 mod crossings;
 mod garment;
+mod girths;
 mod json_schema;
 mod layers;
 mod library;
@@ -19,6 +21,7 @@ mod scene_json;
 mod schema_fault;
 mod seam_check;
 mod sewing_pattern;
+mod sides;
 mod starts;
 mod suggest;
 mod support;
@@ -26,6 +29,7 @@ mod unsupported;
 mod validate;
 mod verdict;
 
+pub(crate) use ahead::size_warnings;
 pub use garment::{
     AvatarRef, DressFormSpec, Elastic, Garment, InnerGarment, InnerPanel, MapKind, OverRef,
     PanelSpec, PatternRef, Pin, SCHEMA, SeamsKeyword, SeamsSpec, SelfContact, WindSpec,

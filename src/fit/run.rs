@@ -2,6 +2,7 @@
 
 use super::crossings::{self, FoundCrossings};
 use super::garment::{Garment, SelfContact};
+use super::girths;
 use super::layers;
 use super::resolve::ResolvedGarment;
 use super::starts;
@@ -60,11 +61,18 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
     report.plan.time_limit_s = options.time_limit_s;
     report.warnings = garment.warnings().to_vec();
     report.warnings.extend(warnings);
+    report.warnings.extend(size_warnings(&scene));
     Ok(FitOutcome {
         mesh,
         report,
         canceled: drape.canceled,
     })
+}
+
+/// Returns what a user should know about the size of a garment, before it is sewn.
+pub(super) fn size_warnings(scene: &Scene) -> impl Iterator<Item = Warning> {
+    let warnings = [girths::too_small(scene), support::too_large(scene)];
+    warnings.into_iter().flatten()
 }
 
 /// Says in the report which crossings a shape has, where they could be counted, and if it is good.

@@ -43,6 +43,12 @@ fault_codes! {
         TimeLimit = "time_limit":
             "The fit used all the CPU time that it may use.",
             "Use a coarser mesh or a larger tolerance.";
+        TooLarge = "too_large":
+            "The opening that is to carry the garment is wider than the body there: it would slide down.",
+            "Give it a band, darts or elastic, a smaller size, or a body of its size.";
+        TooSmall = "too_small":
+            "The garment measures less than the body, by more than its cloth gives.",
+            "Give a larger size, a cloth that stretches, or a body of its size.";
         TwoPatterns = "two_patterns":
             "The pattern comes beside the garment and in the garment too.",
             "Leave it out of the garment.";

@@ -9,12 +9,15 @@
 mod body_ends;
 mod carried;
 mod linking;
+mod loose;
 mod openings;
 mod turn;
 
 use self::body_ends::{BodyEnds, Encircled};
 use self::carried::mean_height;
+pub(super) use self::loose::too_large;
 use self::openings::{Opening, openings};
+use super::girths;
 use crate::mesh::PanelRange;
 use crate::scene::{Avatar, Body, Scene};
 use crate::solver::{Support, SupportOpening};
@@ -62,6 +65,7 @@ pub(super) fn support(
     faults.extend(turned(scene, positions));
     let seam = crotch_seam(scene, &openings).map(|v| positions[v]);
     faults.extend(carried::low_crotch(avatar, seam));
+    faults.extend(girths::overstretched(scene, positions));
     if found.ok != Some(true) {
         faults.insert(0, found.because.clone());
     }

@@ -1,15 +1,18 @@
 //! The openings of a garment: the closed edges of its cloth once the seams are closed.
 
 use crate::mesh::ClothMesh;
+use nalgebra::Vector2;
 use std::collections::BTreeMap;
 
 /// An opening: neck, armhole, wrist, waist, hem.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) struct Opening {
     /// Vertices along it, with both of each stitch.
     pub(super) vertices: Vec<usize>,
     /// Panels that it runs along, by their index, each once, in their order.
     pub(super) panels: Vec<usize>,
+    /// Length along it on the pattern \[m\].
+    pub(super) rest_m: f64,
 }
 
 /// An edge of one triangle alone, in the direction of that triangle.
@@ -38,7 +41,7 @@ pub(super) fn openings(mesh: &ClothMesh, is_face_down: &[bool]) -> Vec<Opening> 
             at = welded[edge.to];
             // Where the edge of the cloth touches itself, the part that is closed is an opening.
             if let Some(start) = way.iter().position(|edge| welded[edge.from] == at) {
-                found.push(opening(&way.split_off(start)));
+                found.push(opening(mesh, &way.split_off(start)));
             }
         }
     }
@@ -61,7 +64,7 @@ fn take(
     Some(edge)
 }
 
-fn opening(way: &[BorderEdge]) -> Opening {
+fn opening(mesh: &ClothMesh, way: &[BorderEdge]) -> Opening {
     let mut vertices: Vec<usize> = way.iter().flat_map(|edge| [edge.from, edge.to]).collect();
     vertices.dedup();
     if vertices.len() > 1 && vertices.first() == vertices.last() {
@@ -70,7 +73,15 @@ fn opening(way: &[BorderEdge]) -> Opening {
     let mut panels: Vec<usize> = way.iter().map(|edge| edge.panel).collect();
     panels.sort_unstable();
     panels.dedup();
-    Opening { vertices, panels }
+    let length = |edge: &BorderEdge| {
+        let [from, to] = [edge.from, edge.to].map(|v| Vector2::from(mesh.uv[v]));
+        (to - from).norm()
+    };
+    Opening {
+        vertices,
+        panels,
+        rest_m: way.iter().map(length).sum(),
+    }
 }
 
 /// Returns the edges that have a triangle on one side only when the seams are closed.
@@ -162,6 +173,8 @@ mod tests {
         vertices.sort();
         assert_eq!(vertices, [[0, 1, 2, 6, 7, 8], [3, 4, 5, 9, 10, 11]]);
         assert!(found.iter().all(|opening| opening.panels == [0, 1]));
+        // Two units along the front and two along the back.
+        assert!(found.iter().all(|opening| opening.rest_m == 4.0));
     }
 
     #[test]

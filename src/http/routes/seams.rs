@@ -1,7 +1,8 @@
 //! `/v1/patterns/{id}/seams`: checks a set of seams, and suggests one.
 
 use super::patterns;
-use crate::fit::{self, Garment, ReadError, RequestSchema};
+use crate::fault::Faults;
+use crate::fit::{self, AssetLibrary, Garment, ReadError, RequestSchema};
 use crate::http::extract::{JsonBody, OptionalJson, PathId, ValidatedJson};
 use crate::http::respond::Problem;
 use crate::http::state::AppState;
@@ -28,6 +29,8 @@ impl JsonBody for SuggestRequest {
 }
 
 /// Check seams against a pattern: every fault of every seam, and how to mend it
+///
+/// With an `avatar` it also warns of a garment that is too small for that body.
 #[utoipa::path(post, path = "/v1/patterns/{id}/seams/check", tag = "patterns", params(("id" = Uuid, Path)),
     request_body(content = Garment, description = "`{\"seams\": [...]}`, or a whole garment (its `pattern` is not read)"),
     responses(
@@ -41,7 +44,18 @@ pub(super) async fn check(
 ) -> Result<Json<SeamCheck>, Problem> {
     let pattern = patterns::find(&state, id).await?;
     let checked = state
-        .run_compute(move |app| fit::check_seams(&garment, &pattern, app.limits()))
+        .run_compute(move |app| {
+            let mut check = fit::check_seams(&garment, &pattern, app.limits())?;
+            if check.ok {
+                let assets = (
+                    &*app.queue as &dyn AssetLibrary,
+                    app.catalogue().dress_forms(),
+                );
+                let sizes = fit::size_warnings(garment, &pattern, assets, app.limits());
+                check.warnings.extend(sizes);
+            }
+            Ok::<_, Faults>(check)
+        })
         .await?;
     Ok(Json(checked?))
 }

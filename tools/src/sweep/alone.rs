@@ -17,17 +17,22 @@ const BESIDES: f64 = 60.0;
 /// # Errors
 /// A process that cannot be started.
 pub(super) fn run(garment: &SweepGarment, options: &SweepOptions) -> io::Result<SweepLine> {
-    let arguments = [
+    let edge_length = options.edge_length.to_string();
+    let time_limit = options.time_limit.to_string();
+    let mut arguments = vec![
         "sweep",
         "--alone",
         "--edge-length",
-        &options.edge_length.to_string(),
+        &edge_length,
         "--form",
         options.form.word(),
         "--time-limit",
-        &options.time_limit.to_string(),
+        &time_limit,
         &garment.name,
     ];
+    if options.suggest {
+        arguments.push("--suggest");
+    }
     let allowed = Duration::from_secs_f64(PATIENCE * options.time_limit + BESIDES);
     let error = match child::run(&arguments, allowed, Stdio::inherit())? {
         None => format!("ended after {:.0} s", allowed.as_secs_f64()),

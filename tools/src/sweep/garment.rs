@@ -104,6 +104,13 @@ impl SweepGarment {
         !matches!(self.seams, SeamSource::Suggested)
     }
 
+    /// Takes its seams as not known, if its file does not state them.
+    pub(super) fn forget_seams(&mut self) {
+        if !matches!(self.seams, SeamSource::Pattern) {
+            self.seams = SeamSource::Suggested;
+        }
+    }
+
     /// Returns the garment as it is to be sewn, on the form of its own size, or on the default one.
     pub(super) fn garment(&self, folder: &Path, on_own_form: bool) -> Garment {
         let form = if on_own_form {

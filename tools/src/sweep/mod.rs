@@ -34,6 +34,9 @@ pub(crate) fn main(options: &SweepOptions) -> io::Result<()> {
     };
     let mut garments = garment::list(&folder)?;
     garments.retain(|garment| options.names(garment));
+    if options.suggest {
+        garments.iter_mut().for_each(SweepGarment::forget_seams);
+    }
     if garments.is_empty() {
         eprintln!("own_size.json names no such garment");
         process::exit(2);

@@ -15,6 +15,9 @@ pub(crate) struct SweepOptions {
     /// Body that they are sewn on.
     #[arg(long, value_enum, default_value_t = Form::Own)]
     pub(super) form: Form,
+    /// Leaves the seams of all garments to the service, those that are known too.
+    #[arg(long)]
+    pub(super) suggest: bool,
     /// CPU time allowed to each, in seconds.
     #[arg(long, default_value_t = 60.0)]
     pub(super) time_limit: f64,

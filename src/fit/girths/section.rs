@@ -1,0 +1,156 @@
+//! Panels cut by a plane: how long the cloth is there, and how far it may be stretched.
+
+use crate::mesh::ClothMesh;
+use crate::scene::Scene;
+use nalgebra::Vector3;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A plane that a garment is cut by.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Plane {
+    /// A point of it \[m\].
+    pub(super) point: Vector3<f64>,
+    /// Its unit normal.
+    pub(super) normal: Vector3<f64>,
+}
+
+/// The line in which a plane cuts some panels.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Section {
+    /// Length on the pattern \[m\].
+    pub(super) rest_m: f64,
+    /// Length in space \[m\].
+    pub(super) shape_m: f64,
+    /// Length of it as far stretched as the cloth gives \[m\].
+    pub(super) stretched_m: f64,
+    /// True if it ends nowhere: each edge that it crosses is sewn to one of the same panels.
+    pub(super) is_closed: bool,
+}
+
+/// Edges and seams of a garment's panels, of which sections are made.
+pub(super) struct Sections<'a> {
+    scene: &'a Scene,
+    borders: BTreeSet<[usize; 2]>,
+    sewn_to: BTreeMap<usize, Vec<usize>>,
+}
+
+impl<'a> Sections<'a> {
+    pub(super) fn new(scene: &'a Scene) -> Self {
+        let mut sewn_to: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        for stitch in &scene.mesh.stitches {
+            sewn_to.entry(stitch.a).or_default().push(stitch.b);
+            sewn_to.entry(stitch.b).or_default().push(stitch.a);
+        }
+        Self {
+            scene,
+            borders: borders(&scene.mesh),
+            sewn_to,
+        }
+    }
+
+    /// Returns the section of the panels of these indices with their vertices at `positions`
+    /// \[m\].
+    pub(super) fn of(&self, plane: Plane, panels: &[usize], positions: &[Vector3<f64>]) -> Section {
+        let mut section = Section {
+            is_closed: true,
+            ..Section::default()
+        };
+        let above = |v: usize| (positions[v] - plane.point).dot(&plane.normal);
+        for &panel in panels {
+            let range = &self.scene.mesh.panels[panel];
+            for triangle in &self.scene.mesh.triangles[range.triangles.clone()] {
+                let crossed = crossed_edges(triangle, &above);
+                let [Some(one), Some(other)] = crossed else {
+                    continue;
+                };
+                section.add(self.piece(panel, positions, [one, other]));
+                section.is_closed &= [one, other]
+                    .iter()
+                    .all(|crossing| self.goes_on(crossing.edge, panels));
+            }
+        }
+        section.is_closed &= section.rest_m > 0.0;
+        section
+    }
+
+    /// Returns the lengths of the piece between two crossed edges of a triangle.
+    fn piece(&self, panel: usize, positions: &[Vector3<f64>], ends: [Crossing; 2]) -> Section {
+        let scene = self.scene;
+        let [rest, other_rest] = ends.map(|end| {
+            let [a, b] = end.edge.map(|v| nalgebra::Vector2::from(scene.mesh.uv[v]));
+            a.lerp(&b, end.share)
+        });
+        let [from, to] = ends.map(|end| {
+            let [a, b] = end.edge.map(|v| positions[v]);
+            a.lerp(&b, end.share)
+        });
+        let cut = &scene.cut[panel];
+        let along = other_rest - rest;
+        let from_warp = along.y.atan2(along.x) - cut.warp_angle;
+        let extension = scene.fabrics[cut.fabric].extension(from_warp);
+        Section {
+            rest_m: along.norm(),
+            shape_m: (to - from).norm(),
+            stretched_m: along.norm() * (1.0 + extension),
+            is_closed: true,
+        }
+    }
+
+    /// Returns true if the cloth goes on beyond an edge: inside of its panel, or on the panels of
+    /// `panels` that it is sewn to.
+    fn goes_on(&self, edge: [usize; 2], panels: &[usize]) -> bool {
+        let [a, b] = edge;
+        let is_sewn = |v: usize| {
+            let others = self.sewn_to.get(&v).into_iter().flatten();
+            others
+                .into_iter()
+                .any(|&other| panels.contains(&self.panel_of(other)))
+        };
+        !self.borders.contains(&[a.min(b), a.max(b)]) || (is_sewn(a) && is_sewn(b))
+    }
+
+    fn panel_of(&self, vertex: usize) -> usize {
+        let panels = &self.scene.mesh.panels;
+        panels.partition_point(|range| range.vertices.end <= vertex)
+    }
+}
+
+impl Section {
+    fn add(&mut self, piece: Self) {
+        self.rest_m += piece.rest_m;
+        self.shape_m += piece.shape_m;
+        self.stretched_m += piece.stretched_m;
+    }
+}
+
+/// An edge that a plane crosses, and the share of it from its first end to the plane.
+#[derive(Clone, Copy, Debug)]
+struct Crossing {
+    edge: [usize; 2],
+    share: f64,
+}
+
+fn crossed_edges(triangle: &[usize; 3], above: impl Fn(usize) -> f64) -> [Option<Crossing>; 2] {
+    let [a, b, c] = *triangle;
+    let mut crossed = [[a, b], [b, c], [c, a]].into_iter().filter_map(|edge| {
+        let [from, to] = edge.map(&above);
+        // A vertex in the plane counts as above it, so a triangle has two crossed edges or none.
+        ((from < 0.0) != (to < 0.0)).then(|| Crossing {
+            edge,
+            share: from / (from - to),
+        })
+    });
+    [crossed.next(), crossed.next()]
+}
+
+/// Returns the edges of one triangle alone, the smaller vertex first.
+fn borders(mesh: &ClothMesh) -> BTreeSet<[usize; 2]> {
+    let mut count: BTreeMap<[usize; 2], usize> = BTreeMap::new();
+    for &[a, b, c] in &mesh.triangles {
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            *count.entry([from.min(to), from.max(to)]).or_default() += 1;
+        }
+    }
+    let alone = count.into_iter().filter(|(_, count)| *count == 1);
+    alone.map(|(edge, _)| edge).collect()
+}
