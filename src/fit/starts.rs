@@ -42,19 +42,21 @@ fn warning(
     let id = &panel.panel.id;
     let pointer = format!("/panels/{}/placement", pointer_token(id));
     let stated = panel.placement.place(panel.panel, panel.face, avatar);
-    if placed.up_deg() != stated.up_deg() {
+    let moved_mm = (placed.middle() - stated.middle()).norm() * 1e3;
+    if panel.placement.is_about_other_body() {
+        return (moved_mm > 0.0).then(|| {
+            let detail = format!(
+                "panel `{id}` starts rolled about the arm of this body, {moved_mm:.0} mm from where its file puts it"
+            );
+            Warning::new(PlacementCode::Moved, pointer, detail)
+        });
+    }
+    (placed.up_deg() != stated.up_deg()).then(|| {
         let detail = format!(
             "panel `{id}` starts with {:.0} degrees on its drawing up: its seams are shorter so than as it is drawn",
             placed.up_deg()
         );
-        return Some(Warning::new(PlacementCode::Turned, pointer, detail));
-    }
-    let moved_mm = (placed.offset_m() - stated.offset_m()).norm() * 1e3;
-    (moved_mm > 0.0).then(|| {
-        let detail = format!(
-            "panel `{id}` starts {moved_mm:.0} mm from where its file puts it, about the arm of this body"
-        );
-        Warning::new(PlacementCode::Moved, pointer, detail)
+        Warning::new(PlacementCode::Turned, pointer, detail)
     })
 }
 

@@ -31,15 +31,15 @@ pub struct CoarserMesh {
     pub weights: Vec<[(usize, f64); 3]>,
 }
 
-/// Returns the next coarser mesh that keeps the vertices `fixed`; `None` if there is none worth
-/// having.
+/// Returns the next coarser mesh that keeps the vertices `fixed` and the panels that are marked in
+/// `whole`, all of them; `None` if there is none worth having.
 ///
 /// A panel whose thinned outline would cross itself keeps all its vertices.
-pub fn coarser(mesh: &ClothMesh, fixed: &[usize]) -> Option<CoarserMesh> {
+pub fn coarser(mesh: &ClothMesh, fixed: &[usize], whole: &[bool]) -> Option<CoarserMesh> {
     if mesh.uv.len() < FEWEST || mesh.triangles.is_empty() {
         return None;
     }
-    let mut whole = vec![false; mesh.panels.len()];
+    let mut whole = whole.to_vec();
     loop {
         let mut choice = Choice::new(mesh, fixed, &whole);
         let panels: Vec<_> = (0..mesh.panels.len())

@@ -52,7 +52,7 @@ impl AnchoredPlacement {
     }
 
     /// Returns true if a file puts the panel somewhere in space, about a body of its own.
-    pub(super) fn is_about_other_body(&self) -> bool {
+    pub fn is_about_other_body(&self) -> bool {
         self.is_of_file && self.anchor == PlacementAnchor::Origin
     }
 
@@ -175,7 +175,7 @@ pub(super) fn outline(panel: &Panel) -> impl Iterator<Item = [f64; 2]> {
 }
 
 /// Bounding box of a panel turned by `up`: `[[min x, max x], [min y, max y]]` \[m\].
-fn bounds(panel: &Panel, up: &Rotation2<f64>) -> [[f64; 2]; 2] {
+pub(super) fn bounds(panel: &Panel, up: &Rotation2<f64>) -> [[f64; 2]; 2] {
     let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     for point in outline(panel) {
         let turned = up * Vector2::from(point);

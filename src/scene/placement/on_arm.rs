@@ -1,10 +1,15 @@
-//! Panels that a file puts about the arms of its own body, moved to those of the body at hand.
+//! Panels that a file puts about the arms of its own body, rolled about those of the body at hand.
+//!
+//! Left flat, half a sleeve before an arm and half behind it close over it like two hands, and on a
+//! coarse mesh the edges of one cut through the arm. Rolled, they are round it from the start.
 
 use super::Placed;
-use super::anchored::outline;
-use crate::pattern::Panel;
+use super::anchored::{bounds, outline};
+use super::spot::ARM_CLEARANCE;
+use crate::pattern::{Panel, Wrap};
 use crate::scene::{Avatar, Limb};
-use nalgebra::Vector3;
+use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Distance from the middle beyond which all of a panel about an arm is \[m\].
 const BESIDE: f64 = 0.15;
@@ -12,10 +17,12 @@ const BESIDE: f64 = 0.15;
 const NEAR: f64 = 0.2;
 /// Least cosine between a side of its drawing and the arm: a panel beside the trunk hangs straight.
 const ALIKE: f64 = 0.9;
+/// Angle that a panel is rolled by \[rad\]: half a turn less a gap to the other half.
+const HALF: f64 = 0.9 * PI;
 
-/// Returns the start with its middle before or behind the axis of the arm, if the panel is one that
-/// stands about an arm and along it; else as it is. Its depth before or behind the arm stays.
-pub(super) fn onto_arm(mut placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed {
+/// Returns the start of a panel that stands about an arm and along it, rolled by half a turn about
+/// the arm, before or behind it and as far down as it was; any other is as it is.
+pub(super) fn onto_arm(placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed {
     let points: Vec<_> = outline(panel).map(|uv| placed.position(uv)).collect();
     let middle = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
     let side = middle.x.signum();
@@ -29,18 +36,67 @@ pub(super) fn onto_arm(mut placed: Placed, panel: &Panel, avatar: &Avatar) -> Pl
         return placed;
     };
     let (joint, direction) = arm.at(0.0);
-    let sides = [Vector3::x(), Vector3::y()].map(|side| placed.rotation * side);
-    if sides.iter().all(|side| side.dot(&direction).abs() < ALIKE) {
-        return placed;
-    }
-    let from_joint = middle - joint;
-    let along = from_joint.dot(&direction);
-    let mut across = direction * along - from_joint;
+    let along = (middle - joint).dot(&direction);
+    let mut across = joint + direction * along - middle;
+    let depth = -across.z;
     across.z = 0.0;
-    if (0.0..arm.length()).contains(&along) && across.norm() < NEAR {
-        placed.offset += across;
+    let is_near = (0.0..arm.length()).contains(&along) && across.norm() < NEAR;
+    let Some(up) = up_along(&placed, &-direction).filter(|_| is_near) else {
+        return placed;
+    };
+    let widest = arm.radii.iter().copied().fold(0.0, f64::max);
+    let pose = ArmPlace {
+        axis: joint + direction * along,
+        lean: direction.x.atan2(-direction.y),
+        outward: if depth > 0.0 { 0.0 } else { PI },
+        least_radius: widest + ARM_CLEARANCE,
+    };
+    rolled(&placed, panel, up, &pose)
+}
+
+/// Pose of a panel about an arm.
+struct ArmPlace {
+    /// Point of the axis beside the panel's middle \[m\].
+    axis: Vector3<f64>,
+    lean: f64,
+    outward: f64,
+    least_radius: f64,
+}
+
+/// Returns the turn of the drawing that takes the side of it which leads along `up` in space to +y,
+/// if one does.
+fn up_along(placed: &Placed, up: &Vector3<f64>) -> Option<Rotation2<f64>> {
+    let sides = [Vector2::x(), Vector2::y(), -Vector2::x(), -Vector2::y()];
+    let leads = |side: &&Vector2<f64>| {
+        let side = placed.up * **side;
+        (placed.rotation * Vector3::new(side.x, side.y, 0.0)).dot(up) >= ALIKE
+    };
+    let side = sides.iter().find(leads)?;
+    Some(Rotation2::new(FRAC_PI_2 - side.y.atan2(side.x)))
+}
+
+/// Returns the same panel rolled by half a turn at a place about an arm, its drawing turned by `up`.
+fn rolled(flat: &Placed, panel: &Panel, up: Rotation2<f64>, place: &ArmPlace) -> Placed {
+    let [[left, right], [bottom, top]] = bounds(panel, &up);
+    let center_y = 0.5 * (bottom + top);
+    // The drawing's own +x once it is turned, as it lay in space, against that of the roll.
+    let drawn = flat.up * (up.inverse() * Vector2::x());
+    let lay = flat.rotation * Vector3::new(drawn.x, drawn.y, 0.0);
+    let lean = Rotation3::new(Vector3::z() * place.lean);
+    let runs = lean * Vector3::new(place.outward.cos(), 0.0, -place.outward.sin());
+    Placed {
+        up,
+        key: [0.5 * (left + right), center_y],
+        center_y,
+        sense: lay.dot(&runs).signum(),
+        outward: place.outward,
+        axis: place.axis,
+        radius: ((right - left) / HALF).max(place.least_radius),
+        wrap: Wrap::Cylinder,
+        lean: place.lean,
+        rotation: Rotation3::identity(),
+        offset: Vector3::zeros(),
     }
-    placed
 }
 
 #[cfg(test)]
@@ -62,36 +118,51 @@ mod tests {
         form.build().expect("a body")
     }
 
-    /// The middle of a square of 20 cm, put at a place and turned, before and after it is moved
-    /// \[m\].
-    fn moved(at: [f64; 3], turned_deg: f64, avatar: &Avatar) -> [Vector3<f64>; 2] {
+    /// The start of a panel of this size put at a place and turned, before and after it is rolled
+    /// about the arm.
+    fn starts(size: [f64; 2], at: [f64; 3], turned_deg: f64, avatar: &Avatar) -> [Placed; 2] {
         let placement = Placement {
             at: Some(PlacementAnchor::Origin),
             offset_m: at,
             rotate_deg: [0.0, 0.0, turned_deg],
+            wrap: Some(Wrap::Flat),
             ..Placement::default()
         };
-        let panel = Panel::rectangle("half", [0.2, 0.2]);
+        let panel = Panel::rectangle("half", size);
         let anchored = AnchoredPlacement::new(&panel, Some(&placement)).expect("a place");
         let placed = anchored.place(&panel, Face::Up, None);
-        let after = onto_arm(placed.clone(), &panel, avatar);
-        [placed, after].map(|placed| placed.position([0.1, 0.1]))
+        [placed.clone(), onto_arm(placed, &panel, avatar)]
     }
 
+    /// Half a sleeve, 30 cm long and 20 cm wide, drawn with its length along x, before and behind
+    /// the left arm.
     #[test]
-    fn half_a_sleeve_is_moved_before_the_axis_of_the_arm() {
+    fn half_a_sleeve_is_round_its_half_of_the_arm() {
         let avatar = body();
-        let [_, after] = moved([0.5, 1.15, 0.15], -50.0, &avatar);
-        let (joint, direction) = avatar.limb(Limb::ArmLeft).expect("an arm").at(0.0);
-        let off = (after - joint).cross(&direction);
-        // Across the arm it is on the axis as seen from the front; its depth is as it was.
-        assert!(off.z.abs() < 1e-12, "{off}");
-        assert!((after.z - 0.15).abs() < 1e-12, "{after}");
+        let arm = avatar.limb(Limb::ArmLeft).expect("an arm");
+        let (joint, direction) = arm.at(0.0);
+        for depth in [0.15, -0.15] {
+            let [flat, rolled] = starts([0.3, 0.2], [0.42, 1.15, depth], -50.0, &avatar);
+            for uv in [[0.0, 0.0], [0.3, 0.0], [0.15, 0.1], [0.3, 0.2], [0.0, 0.2]] {
+                let (before, after) = (flat.position(uv), rolled.position(uv));
+                // As far down the arm, but for the angle between the drawing and the arm.
+                let along = |p: Vector3<f64>| (p - joint).dot(&direction);
+                assert!((along(before) - along(after)).abs() < 0.03, "{uv:?}");
+                // All of it on its own side, and clear of the arm.
+                let off = after - joint - direction * along(after);
+                assert!(off.z * depth > -1e-12 && off.norm() > 0.05, "{uv:?} {off}");
+                // Its upper edge stays above, its lower edge below.
+                let above = |p: Vector3<f64>| (p - joint - direction * along(p)).y;
+                let is_edge = uv[1] != 0.1;
+                assert!(!is_edge || above(before) * above(after) > 0.0, "{uv:?}");
+            }
+        }
     }
 
     #[test]
     fn a_side_panel_of_the_trunk_stays() {
-        let [before, after] = moved([0.3, 1.0, 0.15], 0.0, &body());
-        assert_eq!(before, after);
+        let [before, after] = starts([0.2, 0.2], [0.3, 1.0, 0.15], 0.0, &body());
+        assert_eq!(before.position([0.1, 0.1]), after.position([0.1, 0.1]));
+        assert_eq!(before.position([0.2, 0.0]), after.position([0.2, 0.0]));
     }
 }

@@ -48,9 +48,9 @@ impl Placed {
             .rem_euclid(360.0)
     }
 
-    /// Returns how far the start is moved from its key point, after all else \[m\].
-    pub fn offset_m(&self) -> Vector3<f64> {
-        self.offset
+    /// Returns where the middle of the panel's height starts, below its key point \[m\].
+    pub fn middle(&self) -> Vector3<f64> {
+        self.rolled(0.0, self.center_y - self.key[1]) + self.offset
     }
 
     /// Returns the same start further down a limb by as much as `ways` \[m\] lead on the whole;

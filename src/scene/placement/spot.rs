@@ -23,7 +23,7 @@ pub(super) const NO_BODY: BodyKeyPoints = BodyKeyPoints {
 const ARM_SPREAD: f64 = 0.7;
 
 /// Room left between an arm and a sleeve at the start \[m\].
-const ARM_CLEARANCE: f64 = 0.01;
+pub(super) const ARM_CLEARANCE: f64 = 0.01;
 
 /// The left arm as sleeves see it.
 #[derive(Clone, Copy, Debug)]

@@ -46,6 +46,10 @@ const LEAST_SLACK: f64 = 1e-3;
 /// again, and at least so much \[m\].
 const LEAST_MARGIN: f64 = 5e-4;
 
+/// Distance below which features have no direction in which to press each other apart \[m\]: they
+/// met in the first place.
+const NONE: f64 = 1e-15;
+
 /// Contact of a garment with itself, and with cloth that does not move.
 pub(crate) struct ClothContact {
     surface: ContactSurface,
@@ -141,7 +145,7 @@ impl ClothContact {
                 continue;
             }
             let proximity = pair.proximity(x);
-            if proximity.distance() < pair.thickness {
+            if (NONE..pair.thickness).contains(&proximity.distance()) {
                 run(pair, self.weights[k], &proximity);
             }
         }
