@@ -10,15 +10,17 @@
 //! vertices are numbered after the particles, and nothing is added for them to forces and Hessians
 //! (`fixed.rs`).
 //!
+//! Layers that touch stick to each other and slip (`friction.rs`), unless they have no friction.
+//!
 //! # Limitations
-//! Layers slide on each other without friction. Features that meet in the first place, and cannot
-//! be pulled apart, do not press on each other.
+//! Features that meet in the first place, and cannot be pulled apart, do not press on each other.
 
 mod advance;
 mod boxes;
 mod candidates;
 mod confine;
 mod fixed;
+mod friction;
 mod law;
 mod proximity;
 mod separate;
@@ -29,6 +31,7 @@ pub(crate) use self::surface::{ClothSurface, LayerOrder};
 
 use self::candidates::{Candidates, FeaturePair};
 use self::fixed::{edit_with_fixed, with_fixed};
+use self::friction::LayerFriction;
 use self::law::respond;
 use self::proximity::{Features, Proximity, sine_squared};
 use self::surface::ContactSurface;
@@ -64,6 +67,7 @@ pub(crate) struct ClothContact {
     touching: Vec<[usize; 4]>,
     /// Corners of the pairs that are coupled in the matrices.
     coupled: Vec<[usize; 4]>,
+    friction: Option<LayerFriction>,
     sparsity: Option<Sparsity>,
     has_outgrown: bool,
 }
@@ -81,9 +85,16 @@ impl ClothContact {
             active: vec![],
             touching: vec![],
             coupled: vec![],
+            friction: None,
             sparsity: None,
             has_outgrown: false,
         }
+    }
+
+    /// Returns the same contact with friction of this coefficient at each particle, if any.
+    pub(crate) fn with_friction(mut self, coefficient: Option<Vec<f64>>) -> Self {
+        self.friction = coefficient.map(LayerFriction::new);
+        self
     }
 
     /// Sees to it that all pairs are known that may meet between `from` and `to`.
@@ -145,6 +156,20 @@ impl ClothContact {
                 run(pair, self.weights[k], &proximity);
             }
         }
+    }
+
+    /// Ties the pairs that touch at `x`; returns true if any slipped on the way there.
+    fn tie(&mut self, x: &[Vector3<f64>]) -> bool {
+        let Some(mut friction) = self.friction.take() else {
+            return false;
+        };
+        let mut renewal = friction.renew(x);
+        self.for_each_touching(x, |pair, weight, proximity| {
+            renewal.tie(pair, weight, proximity);
+        });
+        let slipped = renewal.finish();
+        self.friction = Some(friction);
+        slipped
     }
 
     /// Takes stock of the pairs that touch at `x`, and of those that are to be coupled with them.
@@ -250,7 +275,7 @@ impl Potential for ClothContact {
         self.for_each_touching(x, |pair, weight, proximity| {
             sum += weight * respond(proximity.distance(), pair.thickness).energy;
         });
-        sum
+        sum + self.friction.as_ref().map_or(0.0, |f| f.energy(x))
     }
 
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
@@ -263,6 +288,9 @@ impl Potential for ClothContact {
                 }
             }
         });
+        if let Some(friction) = &self.friction {
+            friction.add_force(x, force);
+        }
     }
 
     fn add_hessian(
@@ -278,6 +306,9 @@ impl Potential for ClothContact {
             let touching = (pair, weight, proximity);
             add_pair(touching, hessian_modification, &sparsity, hessian);
         });
+        if let Some(friction) = &self.friction {
+            friction.add_hessian(x, &sparsity, hessian);
+        }
         self.sparsity = Some(sparsity);
     }
 
@@ -285,12 +316,16 @@ impl Potential for ClothContact {
         let fixed = vec![false; self.surface.fixed.len()];
         self.moving = moving.map(|moving| [moving, &fixed].concat());
         self.select();
+        if let Some(friction) = &mut self.friction {
+            friction.narrow(moving);
+        }
     }
 
     /// Adds nothing: in the rest shape nothing touches, and explicit steps have no such contact.
     fn add_stiffness_bound(&self, _stiffness: &mut [f64]) {}
 
-    /// Takes new weights; returns true if other pairs touch than before.
+    /// Takes new weights, and ties what touches; returns true if other pairs touch than before, or
+    /// any slipped.
     fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
         let x = &*with_fixed(x, &self.surface.fixed);
         self.accepted.clear();
@@ -299,7 +334,8 @@ impl Potential for ClothContact {
         self.weigh();
         let before = std::mem::take(&mut self.touching);
         self.couple(x);
-        self.touching != before
+        let slipped = self.tie(x);
+        slipped || self.touching != before
     }
 
     fn has_outgrown(&self) -> bool {
