@@ -12,7 +12,7 @@
 //! slid on by s, some micrometers.
 
 use super::candidates::FeaturePair;
-use super::is_coupled;
+use super::coupling::add_blocks;
 use super::law::respond;
 use super::proximity::{Features, Proximity};
 use crate::solver::forces::active_elements::ActiveElements;
@@ -110,22 +110,11 @@ fn tangential(v: &Vector3<f64>, normal: &Vector3<f64>) -> Vector3<f64> {
 /// Adds the second derivative of the energy of a tie to `hessian`: `block` by the vector between
 /// the points that it ties.
 fn add_tie(tie: &Tie, block: &Matrix3<f64>, sparsity: &Sparsity, hessian: &mut BlockMatrix) {
-    let is_coupled = is_coupled(sparsity, &tie.corners);
-    let ends = tie.corners.into_iter().zip(tie.coefficients);
-    // Nothing is laid out for cloth that does not move.
-    let ends = ends.filter(|(corner, _)| *corner < sparsity.particle_count());
-    for (k, (a, of_a)) in ends.clone().enumerate() {
-        // The bound of `add_pair` where nothing couples the corners.
-        let own = if is_coupled {
-            of_a * of_a
-        } else {
-            2.0 * of_a.abs()
-        };
-        hessian.add_diagonal(sparsity.diagonal(a), &(block * own));
-        for (b, of_b) in ends.clone().take(k).filter(|_| is_coupled) {
-            hessian.add(sparsity.slot(a, b), &(block * (of_a * of_b)));
-        }
-    }
+    let c = tie.coefficients;
+    let of_ends = |i: usize, j: usize| block * (c[i] * c[j]);
+    // The bound of `add_pair`.
+    let bound = |i: usize| block * (2.0 * c[i].abs());
+    add_blocks((sparsity, hessian), &tie.corners, of_ends, bound);
 }
 
 /// Returns axes that turn with the triangle, or with the two edges, of a pair.
@@ -154,7 +143,8 @@ impl LayerFriction {
     pub(super) fn narrow(&mut self, moving: Option<&[bool]>) {
         let ties = &self.ties;
         self.active.narrow(moving, ties.len(), |k, moving| {
-            ties[k].corners.iter().any(|&i| moving[i])
+            let corners = ties[k].corners.iter();
+            corners.copied().any(|i| moving.get(i) == Some(&true))
         });
     }
 
