@@ -25,7 +25,7 @@ pub struct Fabric {
     pub bending_warp_n_m: f64,
     /// Bending rigidity of a strip cut along the weft \[N m\].
     pub bending_weft_n_m: f64,
-    /// Coulomb coefficient against the body.
+    /// Coulomb coefficient against the body and other cloth: of two fabrics the smaller one counts.
     pub friction: f64,
     /// Share of critical damping.
     pub damping_ratio: f64,

@@ -7,7 +7,7 @@ use crate::solver::forces::contact::{BodyContact, Chord, ChordContact, ClothCont
 use crate::solver::forces::friction_anchors::FrictionAnchors;
 use crate::solver::forces::{BendForce, Gravity, Hold, ParticleHold, SewingForce, WindForce};
 use crate::solver::model::bending::bend_patches;
-use crate::solver::model::cloth_surface::cloth_surface;
+use crate::solver::model::cloth_surface::{cloth_surface, layer_friction};
 use crate::solver::model::dof_map::DofMap;
 use crate::solver::model::membrane::membrane_force;
 use crate::solver::model::rest_shape::{rest_area, vertex_areas};
@@ -114,7 +114,10 @@ pub(crate) fn build<'a>(
     }
     if let Some(least_thickness) = build_options.least_thickness {
         let (surface, area) = cloth_surface(scene, &dof_map, least_thickness);
-        forces.push(Box::new(ClothContact::new(surface, area)));
+        let friction = build_options.friction.is_some();
+        let friction = friction.then(|| layer_friction(scene, &dof_map)).flatten();
+        let contact = ClothContact::new(surface, area).with_friction(friction);
+        forces.push(Box::new(contact));
     }
     let terms = forces
         .into_iter()

@@ -75,6 +75,23 @@ fn add_fixed(fixed: &FixedCloth, least_thickness: f64, surface: &mut ClothSurfac
     surface.fixed.clone_from(&fixed.vertices);
 }
 
+/// Returns the coefficient of friction of the cloth at each particle and fixed vertex, the least of
+/// its fabrics'; none if the garment has no friction, whatever is beneath it.
+pub(crate) fn layer_friction(scene: &Scene, dof_map: &DofMap) -> Option<Vec<f64>> {
+    if scene.fabrics.iter().all(|fabric| fabric.friction == 0.0) {
+        return None;
+    }
+    let mut coefficient = vec![f64::INFINITY; dof_map.count];
+    for (t, fabric, _) in cut_triangles(scene) {
+        for particle in t.map(|v| dof_map.of_vertex[v]) {
+            coefficient[particle] = coefficient[particle].min(fabric.friction);
+        }
+    }
+    let fixed = scene.fixed_cloth.iter();
+    coefficient.extend(fixed.flat_map(|fixed| &fixed.friction));
+    Some(coefficient)
+}
+
 /// Returns the edges of the mesh between particles, with their rest lengths \[m\].
 fn rest_edges(scene: &Scene, dof_map: &DofMap) -> Vec<(usize, usize, f64)> {
     let edges = scene

@@ -222,7 +222,10 @@ fn skipped_terms(scene: &Scene, ran: &[TermTime]) -> Vec<SkippedTerm> {
     skip(TermKind::SelfContact.name(), because);
     if scene.body.is_none() {
         skip(TermKind::Contact.name(), "the scene has no avatar");
-        skip(FRICTION, "the scene has no avatar");
+        skip(
+            FRICTION,
+            "the scene has no avatar; that of layers is part of their contact",
+        );
     } else if scene.friction == 0.0 {
         skip(FRICTION, "the coefficient is 0");
     }

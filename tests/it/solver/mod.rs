@@ -6,6 +6,8 @@ mod contact;
 mod drape;
 mod estimates;
 mod hanging;
+mod hard_scenes;
+mod layer_friction;
 mod levels;
 mod motion_closed_forms;
 mod motion_order;

@@ -8,7 +8,7 @@ use seamster_fixtures::layers::together;
 use seamster_fixtures::sheet::{ClothSheet, SheetGrid, fabric, mean, settled};
 
 /// Pairs of triangles of a scene that meet.
-fn crossings(scene: &Scene, x: &[Vector3<f64>]) -> usize {
+pub(super) fn crossings(scene: &Scene, x: &[Vector3<f64>]) -> usize {
     #[expect(clippy::cast_possible_truncation, reason = "positions of a few meters")]
     let points: Vec<_> = x
         .iter()

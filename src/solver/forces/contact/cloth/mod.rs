@@ -10,15 +10,18 @@
 //! vertices are numbered after the particles, and nothing is added for them to forces and Hessians
 //! (`fixed.rs`).
 //!
+//! Layers that touch stick to each other and slip (`friction.rs`), unless they have no friction.
+//!
 //! # Limitations
-//! Layers slide on each other without friction. Features that meet in the first place, and cannot
-//! be pulled apart, do not press on each other.
+//! Features that meet in the first place, and cannot be pulled apart, do not press on each other.
 
 mod advance;
 mod boxes;
 mod candidates;
 mod confine;
+mod coupling;
 mod fixed;
+mod friction;
 mod law;
 mod proximity;
 mod separate;
@@ -28,7 +31,9 @@ mod untangle;
 pub(crate) use self::surface::{ClothSurface, LayerOrder};
 
 use self::candidates::{Candidates, FeaturePair};
-use self::fixed::{edit_with_fixed, with_fixed};
+use self::coupling::{add_blocks, is_coupled};
+use self::fixed::AllPositions;
+use self::friction::LayerFriction;
 use self::law::respond;
 use self::proximity::{Features, Proximity, sine_squared};
 use self::surface::ContactSurface;
@@ -53,6 +58,11 @@ const NONE: f64 = 1e-15;
 /// Contact of a garment with itself, and with cloth that does not move.
 pub(crate) struct ClothContact {
     surface: ContactSurface,
+    particle_count: usize,
+    /// Where a move begins, or the shape at hand, with fixed cloth.
+    at: AllPositions,
+    /// Where a move ends, with fixed cloth.
+    end: AllPositions,
     /// Cloth area of each particle \[m²\]; `#P + #F`.
     area: Vec<f64>,
     /// The last accepted shape \[m\], of which the weights are; `#P + #F`.
@@ -68,6 +78,7 @@ pub(crate) struct ClothContact {
     touching: Vec<[usize; 4]>,
     /// Corners of the pairs that are coupled in the matrices.
     coupled: Vec<[usize; 4]>,
+    friction: Option<LayerFriction>,
     sparsity: Option<Sparsity>,
     has_outgrown: bool,
 }
@@ -75,8 +86,13 @@ pub(crate) struct ClothContact {
 impl ClothContact {
     /// Returns the contact of a surface whose particles stand for `area` each \[m²\].
     pub(crate) fn new(surface: ClothSurface, area: Vec<f64>) -> Self {
+        let particles = area.len() - surface.fixed.len();
+        let positions = AllPositions::new(particles, &surface.fixed);
         Self {
             surface: ContactSurface::new(surface),
+            particle_count: particles,
+            at: positions.clone(),
+            end: positions,
             area,
             accepted: vec![],
             candidates: Candidates::default(),
@@ -85,9 +101,16 @@ impl ClothContact {
             active: vec![],
             touching: vec![],
             coupled: vec![],
+            friction: None,
             sparsity: None,
             has_outgrown: false,
         }
+    }
+
+    /// Returns the same contact with friction of this coefficient at each particle, if any.
+    pub(crate) fn with_friction(mut self, coefficient: Option<Vec<f64>>) -> Self {
+        self.friction = coefficient.map(LayerFriction::new);
+        self
     }
 
     /// Sees to it that all pairs are known that may meet between `from` and `to`.
@@ -124,10 +147,23 @@ impl ClothContact {
         let pairs = self.candidates.pairs.iter().enumerate();
         let moves = |pair: &FeaturePair| match &self.moving {
             None => true,
-            Some(moving) => pair.corners.iter().any(|&i| moving[i]),
+            // Fixed cloth, which comes after the particles, does not.
+            Some(moving) => pair.corners.iter().any(|&i| moving.get(i) == Some(&true)),
         };
         let active = pairs.filter(|(_, pair)| moves(pair));
         self.active = active.map(|(k, _)| k).collect();
+    }
+
+    /// Runs `look` on the positions of the particles, which are `x`, and of fixed cloth \[m\].
+    fn with_fixed<T>(
+        &mut self,
+        x: &[Vector3<f64>],
+        look: impl FnOnce(&mut Self, &[Vector3<f64>]) -> T,
+    ) -> T {
+        let mut at = std::mem::take(&mut self.at);
+        let result = look(self, at.with(x));
+        self.at = at;
+        result
     }
 
     /// Calls `run` with every acting pair that touches at `x`, its weight and its closest points.
@@ -136,7 +172,6 @@ impl ClothContact {
         x: &[Vector3<f64>],
         mut run: impl FnMut(&FeaturePair, f64, &Proximity),
     ) {
-        let x = &*with_fixed(x, &self.surface.fixed);
         self.cover(x, x);
         let moved = self.candidates.moved(x);
         for &k in &self.active {
@@ -149,6 +184,20 @@ impl ClothContact {
                 run(pair, self.weights[k], &proximity);
             }
         }
+    }
+
+    /// Ties the pairs that touch at `x`; returns true if any slipped on the way there.
+    fn tie(&mut self, x: &[Vector3<f64>]) -> bool {
+        let Some(mut friction) = self.friction.take() else {
+            return false;
+        };
+        let mut renewal = friction.renew(x);
+        self.for_each_touching(x, |pair, weight, proximity| {
+            renewal.tie(pair, weight, proximity);
+        });
+        let slipped = renewal.finish();
+        self.friction = Some(friction);
+        slipped
     }
 
     /// Takes stock of the pairs that touch at `x`, and of those that are to be coupled with them.
@@ -181,13 +230,6 @@ impl ClothContact {
     }
 }
 
-/// Returns true if `sparsity` has all blocks of those of these corners that are particles.
-fn is_coupled(sparsity: &Sparsity, corners: &[usize; 4]) -> bool {
-    let count = sparsity.particle_count();
-    let has = |a: usize, b: usize| a.max(b) >= count || sparsity.find(a, b).is_some();
-    (0..4).all(|i| (0..i).all(|j| has(corners[i], corners[j])))
-}
-
 /// Adds the second derivative of a pair's energy to `hessian`.
 fn add_pair(
     (pair, weight, proximity): (&FeaturePair, f64, &Proximity),
@@ -202,31 +244,14 @@ fn add_pair(
     let pushed = weight * response.pressure / proximity.distance();
     let bent = (1.0 - hessian_modification) * pushed;
     let c = proximity.coefficients;
-    let is_particle = |i: usize| i < sparsity.particle_count();
-    if !is_coupled(sparsity, &pair.corners) {
-        // A bound that couples nothing: (sum c_i d_i)² <= sum |c_i| sum |c_i| d_i², and the first
-        // sum is 2.
-        for (&i, c) in pair.corners.iter().zip(c).filter(|(i, _)| is_particle(**i)) {
-            hessian.add_diagonal(sparsity.diagonal(i), &(across * (2.0 * c.abs() * stiff)));
-        }
-        return;
-    }
-    for i in 0..4 {
-        for j in 0..=i {
-            let of_normal = across * (c[i] * c[j]);
-            let turning = proximity.half_square_block(i, j) - of_normal;
-            let block = of_normal * stiff - turning * bent;
-            let (a, b) = (pair.corners[i], pair.corners[j]);
-            if !is_particle(a.max(b)) {
-                continue;
-            }
-            if i == j {
-                hessian.add_diagonal(sparsity.diagonal(a), &block);
-            } else {
-                hessian.add(sparsity.slot(a, b), &block);
-            }
-        }
-    }
+    let block = |i: usize, j: usize| {
+        let of_normal = across * (c[i] * c[j]);
+        let turning = proximity.half_square_block(i, j) - of_normal;
+        of_normal * stiff - turning * bent
+    };
+    // (sum c_i d_i)² <= sum |c_i| sum |c_i| d_i², and the first sum is 2.
+    let bound = |i: usize| across * (2.0 * c[i].abs() * stiff);
+    add_blocks((sparsity, hessian), &pair.corners, block, bound);
 }
 
 impl Potential for ClothContact {
@@ -235,7 +260,7 @@ impl Potential for ClothContact {
     }
 
     fn add_coupled_pairs(&self, pairs: &mut Vec<(usize, usize)>) {
-        let count = self.area.len() - self.surface.fixed.len();
+        let count = self.particle_count;
         for corners in &self.coupled {
             for i in (0..4).filter(|i| corners[*i] < count) {
                 let others = corners[..i].iter().filter(|j| **j < count);
@@ -250,21 +275,28 @@ impl Potential for ClothContact {
     }
 
     fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
-        let mut sum = 0.0;
-        self.for_each_touching(x, |pair, weight, proximity| {
-            sum += weight * respond(proximity.distance(), pair.thickness).energy;
-        });
-        sum
+        self.with_fixed(x, |contact, x| {
+            let mut sum = 0.0;
+            contact.for_each_touching(x, |pair, weight, proximity| {
+                sum += weight * respond(proximity.distance(), pair.thickness).energy;
+            });
+            sum + contact.friction.as_ref().map_or(0.0, |f| f.energy(x))
+        })
     }
 
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
-        self.for_each_touching(x, |pair, weight, proximity| {
-            let pressure = respond(proximity.distance(), pair.thickness).pressure;
-            let push = proximity.normal() * (weight * pressure);
-            for (&i, c) in pair.corners.iter().zip(proximity.coefficients) {
-                if let Some(force) = force.get_mut(i) {
-                    *force += push * c;
+        self.with_fixed(x, |contact, x| {
+            contact.for_each_touching(x, |pair, weight, proximity| {
+                let pressure = respond(proximity.distance(), pair.thickness).pressure;
+                let push = proximity.normal() * (weight * pressure);
+                for (&i, c) in pair.corners.iter().zip(proximity.coefficients) {
+                    if let Some(force) = force.get_mut(i) {
+                        *force += push * c;
+                    }
                 }
+            });
+            if let Some(friction) = &contact.friction {
+                friction.add_force(x, force);
             }
         });
     }
@@ -278,32 +310,42 @@ impl Potential for ClothContact {
         let Some(sparsity) = self.sparsity.take() else {
             return;
         };
-        self.for_each_touching(x, |pair, weight, proximity| {
-            let touching = (pair, weight, proximity);
-            add_pair(touching, hessian_modification, &sparsity, hessian);
+        self.with_fixed(x, |contact, x| {
+            contact.for_each_touching(x, |pair, weight, proximity| {
+                let touching = (pair, weight, proximity);
+                add_pair(touching, hessian_modification, &sparsity, hessian);
+            });
+            if let Some(friction) = &contact.friction {
+                friction.add_hessian(x, &sparsity, hessian);
+            }
         });
         self.sparsity = Some(sparsity);
     }
 
     fn narrow(&mut self, moving: Option<&[bool]>) {
-        let fixed = vec![false; self.surface.fixed.len()];
-        self.moving = moving.map(|moving| [moving, &fixed].concat());
+        self.moving = moving.map(<[bool]>::to_vec);
         self.select();
+        if let Some(friction) = &mut self.friction {
+            friction.narrow(moving);
+        }
     }
 
     /// Adds nothing: in the rest shape nothing touches, and explicit steps have no such contact.
     fn add_stiffness_bound(&self, _stiffness: &mut [f64]) {}
 
-    /// Takes new weights; returns true if other pairs touch than before.
+    /// Takes new weights, and ties what touches; returns true if other pairs touch than before, or
+    /// any slipped.
     fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
-        let x = &*with_fixed(x, &self.surface.fixed);
-        self.accepted.clear();
-        self.accepted.extend_from_slice(x);
-        self.cover(x, x);
-        self.weigh();
-        let before = std::mem::take(&mut self.touching);
-        self.couple(x);
-        self.touching != before
+        self.with_fixed(x, |contact, x| {
+            contact.accepted.clear();
+            contact.accepted.extend_from_slice(x);
+            contact.cover(x, x);
+            contact.weigh();
+            let before = std::mem::take(&mut contact.touching);
+            contact.couple(x);
+            let slipped = contact.tie(x);
+            slipped || contact.touching != before
+        })
     }
 
     fn has_outgrown(&self) -> bool {
@@ -311,17 +353,22 @@ impl Potential for ClothContact {
     }
 
     fn confine(&mut self, from: &[Vector3<f64>], to: &mut [Vector3<f64>]) {
-        let from = &*with_fixed(from, &self.surface.fixed);
-        self.cover(from, &with_fixed(to, &self.surface.fixed));
-        edit_with_fixed(to, &self.surface.fixed, |to| {
-            confine::confine(&self.candidates, &self.active, from, to);
+        let mut end = std::mem::take(&mut self.end);
+        self.with_fixed(from, |contact, from| {
+            end.edit(to, |to| {
+                contact.cover(from, to);
+                confine::confine(&contact.candidates, &contact.active, from, to);
+            });
         });
+        self.end = end;
     }
 
     fn untangle(&mut self, x: &mut [Vector3<f64>], is_fixed: &[bool]) -> bool {
         let surface = &self.surface;
-        let is_fixed = &*[is_fixed, &vec![true; surface.fixed.len()]].concat();
-        edit_with_fixed(x, &surface.fixed, |x| {
+        let mut all_fixed = is_fixed.to_vec();
+        all_fixed.resize(self.area.len(), true);
+        let is_fixed = &*all_fixed;
+        self.end.edit(x, |x| {
             let was_tangled = untangle::untangle(surface, x, is_fixed);
             separate::separate(surface, x, is_fixed);
             was_tangled

@@ -12,7 +12,7 @@ use nalgebra::{Matrix3, Vector3};
 const PARALLEL: f64 = 1e-12;
 
 /// Two features of a surface that may meet.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Features {
     /// A vertex, and the triangle of the other three.
     VertexTriangle,

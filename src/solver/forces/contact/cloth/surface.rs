@@ -63,8 +63,6 @@ pub(super) struct ContactSurface {
     pub(super) thickness: Vec<f64>,
     /// Mean length of the edges that are not fixed \[m\].
     pub(super) edge_length: f64,
-    /// Positions of the vertices of fixed cloth \[m\]; `#F`.
-    pub(super) fixed: Vec<Vector3<f64>>,
     /// The order of layers, if there is one.
     pub(super) order: Option<LayerOrder>,
 }
@@ -125,7 +123,6 @@ impl ContactSurface {
             triangles,
             welded,
             thickness,
-            fixed,
             order,
         }
     }

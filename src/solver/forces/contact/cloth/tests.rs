@@ -85,15 +85,97 @@ fn crossings(surface: &ClothSurface, x: &[Vector3<f64>]) -> usize {
 #[test]
 fn forces_are_the_slope_of_the_energy_and_the_hessian_is_that_of_the_forces() {
     let (surface, x) = two_sheets([3, 2], |p| turned(p) + Vector3::z() * 0.6 * THICKNESS);
-    let count = x.len();
     let mut contact = contact(surface);
     contact.accept(&x);
+    assert_derivatives(&mut contact, &x);
+}
+
+/// Drawn out by less than the slip of some 30 micrometers at 100 Pa, and by more.
+#[test]
+fn friction_that_sticks_and_that_slips_has_the_derivatives_of_its_energy() {
+    let (_, x) = two_sheets([3, 2], |p| turned(p) + Vector3::z() * 0.6 * THICKNESS);
+    for shift in [5e-6, 2e-4] {
+        let mut contact = rubbing(0.3);
+        contact.accept(&x);
+        assert_derivatives(&mut contact, &shifted(&x, shift));
+    }
+}
+
+/// Two sheets of 9 and 4 cells with this coefficient of friction.
+fn rubbing(friction: f64) -> ClothContact {
+    let (surface, x) = two_sheets([3, 2], turned);
+    contact(surface).with_friction(Some(vec![friction; x.len()]))
+}
+
+/// The shape with the second sheet moved sideways \[m\].
+fn shifted(x: &[Vector3<f64>], by: f64) -> Vec<Vector3<f64>> {
+    let move_ = Vector3::new(0.6, 0.8, 0.0) * by;
+    let way = |(i, p): (usize, &Vector3<f64>)| if i < 16 { *p } else { p + move_ };
+    x.iter().enumerate().map(way).collect()
+}
+
+/// Force of friction on the second sheet \[N\].
+fn held(contact: &ClothContact, x: &[Vector3<f64>]) -> Vector3<f64> {
+    let mut force = vec![Vector3::zeros(); x.len()];
+    let friction = contact.friction.as_ref().expect("friction");
+    friction.add_force(x, &mut force);
+    force[16..].iter().sum()
+}
+
+/// What was drawn out in two steps holds as in one, and turned with both sheets.
+#[test]
+fn friction_remembers_how_far_layers_slid_and_turns_with_them() {
+    let (_, x) = two_sheets([3, 2], |p| turned(p) + Vector3::z() * 0.6 * THICKNESS);
+    let far = shifted(&x, 4e-6);
+    let mut once = rubbing(0.3);
+    once.accept(&x);
+    let at_once = held(&once, &far);
+    let mut twice = rubbing(0.3);
+    twice.accept(&x);
+    twice.accept(&shifted(&x, 2e-6));
+    twice.accept(&far);
+    let in_two = held(&twice, &far);
+    assert!(at_once.dot(&Vector3::new(0.6, 0.8, 0.0)) < 0.0);
+    // Closest points and distances change by 4 micrometers of a millimeter at most.
+    let off = (in_two - at_once).norm() / at_once.norm();
+    assert!(off < 1e-2, "{in_two} {at_once}");
+    let turn = nalgebra::Rotation3::new(Vector3::new(0.3, -0.8, 1.1));
+    let turned: Vec<_> = far.iter().map(|p| turn * p + Vector3::x()).collect();
+    twice.accept(&turned);
+    let after = held(&twice, &turned);
+    // Positions of 1 m are rounded by 1e-16 m, which is 1e-10 of what is drawn out.
+    assert!((after - turn * in_two).norm() < 1e-8 * in_two.norm());
+}
+
+/// Pairs yield after 33 micrometers and less; those that were tied a tenth of a millimeter ago hold
+/// what they can.
+#[test]
+fn layers_that_slid_hold_each_other_by_the_coefficient_times_the_normal_force() {
+    let (_, x) = two_sheets([3, 2], |p| turned(p) + Vector3::z() * 0.6 * THICKNESS);
+    let mut contact = rubbing(0.3);
+    contact.accept(&x);
+    let far = shifted(&x, 1e-4);
+    assert!(contact.accept(&far));
+    let mut held_most = 0.0;
+    contact.for_each_touching(&far, |pair, weight, proximity| {
+        let pressure = respond(proximity.distance(), pair.thickness).pressure;
+        held_most += 0.3 * weight * pressure;
+    });
+    let (way, force) = (Vector3::new(0.6, 0.8, 0.0), held(&contact, &far));
+    assert!(force.norm() <= held_most && force.dot(&way) < -0.9 * force.norm());
+    // A pair that came up on the way, a hundredth of a cell, holds nothing yet.
+    assert!(force.norm() > 0.8 * held_most, "{force} {held_most}");
+}
+
+/// Compares forces with differences of energies at `x`, and the Hessian with those of forces.
+fn assert_derivatives(contact: &mut ClothContact, x: &[Vector3<f64>]) {
+    let count = x.len();
     let mut pairs = vec![];
     contact.add_coupled_pairs(&mut pairs);
     let sparsity = Sparsity::from_pairs(count, pairs);
     contact.bind(&sparsity);
     let mut hessian = BlockMatrix::zeros(&sparsity);
-    contact.add_hessian(&x, 0.0, &mut hessian);
+    contact.add_hessian(x, 0.0, &mut hessian);
     let step = 1e-8;
     let mut stiffest: f64 = 0.0;
     let forces = |contact: &mut ClothContact, x: &[Vector3<f64>]| {
@@ -101,15 +183,15 @@ fn forces_are_the_slope_of_the_energy_and_the_hessian_is_that_of_the_forces() {
         contact.add_force(x, &mut force);
         force
     };
-    let here = forces(&mut contact, &x);
+    let here = forces(contact, x);
     let most = here.iter().map(Vector3::norm).fold(0.0, f64::max);
     assert!(most > 0.0);
     for i in 0..count {
         for axis in 0..3 {
             let mut moved = |by: f64| {
-                let mut y = x.clone();
+                let mut y = x.to_vec();
                 y[i][axis] += by;
-                (contact.energy(&y), forces(&mut contact, &y))
+                (contact.energy(&y), forces(contact, &y))
             };
             let ((low, before), (high, after)) = (moved(-step), moved(step));
             let slope = (low - high) / (2.0 * step);
@@ -273,20 +355,78 @@ fn fixed_cloth_acts_as_cloth_that_rests() {
     let mut beside = contact(surface);
     free.accept(&x);
     beside.accept(&x[..count]);
-    assert!(free.energy(&x) > 0.0);
+    assert_acts_alike(&mut beside, &mut free, &x, count);
+
+    // The first sheet does not get through the second.
+    let through = Vector3::z() * 10.0 * THICKNESS;
+    let mut to: Vec<_> = x[..count].iter().map(|p| p + through).collect();
+    beside.confine(&x[..count], &mut to);
+    assert!(
+        to.iter()
+            .zip(&x)
+            .any(|(end, from)| (end - from).norm() < through.norm())
+    );
+    let (surface, _) = two_sheets([3, 2], place);
+    assert_eq!(crossings(&surface, &[&to, &x[count..]].concat()), 0);
+}
+
+/// Friction too, by the smaller coefficient at each place: less and more than what ties hold.
+#[test]
+fn fixed_cloth_holds_as_cloth_that_rests() {
+    let place = |p: Vector3<f64>| turned(p) + Vector3::z() * 0.6 * THICKNESS;
+    let (_, x) = two_sheets([3, 2], place);
+    let count = 16;
+    let coefficient = |i: usize| {
+        if i < count {
+            0.3
+        } else {
+            0.05 * (i - count) as f64
+        }
+    };
+    let rubbing = |fixed: &[Vector3<f64>]| {
+        let (mut surface, _) = two_sheets([3, 2], place);
+        surface.fixed = fixed.to_vec();
+        contact(surface).with_friction(Some((0..x.len()).map(coefficient).collect()))
+    };
+    let (mut free, mut beside) = (rubbing(&[]), rubbing(&x[count..]));
+    free.accept(&x);
+    beside.accept(&x[..count]);
+    for by in [5e-6, 2e-4] {
+        let mut moved = x.clone();
+        let shift = Vector3::new(0.6, 0.8, 0.0) * by;
+        moved[..count].iter_mut().for_each(|p| *p += shift);
+        assert_acts_alike(&mut beside, &mut free, &moved, count);
+        let mut alone = rubbing(&[]);
+        alone.accept(&moved);
+        let held = free.energy(&moved) - alone.energy(&moved);
+        assert!(held > 0.0, "{held}");
+        // What slipped is remembered alike.
+        assert_eq!(free.accept(&moved), beside.accept(&moved[..count]));
+        assert_acts_alike(&mut beside, &mut free, &moved, count);
+    }
+}
+
+/// Compares energy, forces and Hessian of contact of which the vertices from `count` on are fixed
+/// with those of contact of which they are free, at `x`.
+fn assert_acts_alike(
+    beside: &mut ClothContact,
+    free: &mut ClothContact,
+    x: &[Vector3<f64>],
+    count: usize,
+) {
+    assert!(free.energy(x) > 0.0);
     // The pairs come in another order, so sums round otherwise.
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs().max(1e-12);
-    assert!(near(beside.energy(&x[..count]), free.energy(&x)));
+    assert!(near(beside.energy(&x[..count]), free.energy(x)));
     let (mut all, mut part) = (
         vec![Vector3::zeros(); x.len()],
         vec![Vector3::zeros(); count],
     );
-    free.add_force(&x, &mut all);
+    free.add_force(x, &mut all);
     beside.add_force(&x[..count], &mut part);
     for (a, b) in part.iter().zip(&all) {
         assert!((a - b).norm() <= 1e-12 * b.norm().max(1e-9), "{a} {b}");
     }
-
     let hessian = |contact: &mut ClothContact, x: &[Vector3<f64>]| {
         let mut pairs = vec![];
         contact.add_coupled_pairs(&mut pairs);
@@ -302,23 +442,11 @@ fn fixed_cloth_acts_as_cloth_that_rests() {
         };
         blocks.map(block).collect::<Vec<_>>()
     };
-    let whole = hessian(&mut free, &x);
+    let whole = hessian(free, x);
     let stiffest = whole.iter().map(Matrix3::norm).fold(0.0, f64::max);
-    for (a, b) in hessian(&mut beside, &x[..count]).iter().zip(&whole) {
+    for (a, b) in hessian(beside, &x[..count]).iter().zip(&whole) {
         assert!((a - b).norm() <= 1e-12 * stiffest, "{a} {b}");
     }
-
-    // The first sheet does not get through the second.
-    let through = Vector3::z() * 10.0 * THICKNESS;
-    let mut to: Vec<_> = x[..count].iter().map(|p| p + through).collect();
-    beside.confine(&x[..count], &mut to);
-    assert!(
-        to.iter()
-            .zip(&x)
-            .any(|(end, from)| (end - from).norm() < through.norm())
-    );
-    let (surface, _) = two_sheets([3, 2], place);
-    assert_eq!(crossings(&surface, &[&to, &x[count..]].concat()), 0);
 }
 
 /// A sheet most of which is beneath a fixed one comes out on the side of the body that its layer
