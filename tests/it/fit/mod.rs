@@ -5,6 +5,7 @@ mod layers;
 mod over;
 mod samples;
 mod seams;
+mod sizes;
 mod true_garments;
 mod verdict;
 
