@@ -6,6 +6,7 @@ mod ahead;
 mod crossings;
 mod garment;
 mod girths;
+mod harder;
 mod json_schema;
 mod layers;
 mod library;

@@ -1,8 +1,9 @@
 //! Sews and drapes a resolved garment.
 
-use super::crossings::{self, FoundCrossings};
+use super::crossings::FoundCrossings;
 use super::garment::{Garment, SelfContact};
 use super::girths;
+use super::harder;
 use super::layers;
 use super::resolve::ResolvedGarment;
 use super::starts;
@@ -37,17 +38,21 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
     let began = (context.cpu_s)();
     let cloth = triangulate(garment, context)?;
     let meshed = (context.cpu_s)();
-    let (scene, warnings) = assemble(garment, cloth)?;
+    let (mut scene, warnings) = assemble(garment, cloth)?;
     let assembled = (context.cpu_s)();
-    let drape = solver::drape(&scene, &less_spent(options, assembled - began), context);
+    let mut drape = solver::drape(&scene, &less_spent(options, assembled - began), context);
+    let names = garment.pattern.panels.iter().map(|panel| &*panel.id);
+    let names: Vec<_> = names.collect();
+    let mut found = None;
+    if !drape.canceled {
+        let left = less_spent(options, (context.cpu_s)() - began);
+        found = harder::settle(&mut scene, (&mut drape, &names), &left, context);
+    }
     let solved = (context.cpu_s)();
     let mesh = garment_mesh(garment, &scene, &drape.positions);
     let mut report = drape.report;
     if !drape.canceled {
         let pairs = context.limits.crossing_pairs;
-        let names = garment.pattern.panels.iter().map(|panel| &*panel.id);
-        let names: Vec<_> = names.collect();
-        let found = crossings::find(&scene, &names, &drape.positions, pairs);
         report.support = support::support(&scene, &names, &drape.positions, &report.support);
         report.layers_wrong_area_m2 = layers::wrong_area(&scene, &drape.positions, pairs);
         judge(garment, found, &mut report);

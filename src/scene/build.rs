@@ -75,6 +75,7 @@ pub fn build(parts: Parts) -> Scene {
         membrane: Membrane::Fabric,
         least_bending_n_m: 0.0,
         body,
+        body_hardness: 1.0,
         fixed_cloth: None,
         friction,
         gravity: GRAVITY,

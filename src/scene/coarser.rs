@@ -58,6 +58,7 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
         membrane: membrane(scene, &mesh, &weights),
         least_bending_n_m: least_bending(scene, &mesh),
         body: scene.body.clone(),
+        body_hardness: scene.body_hardness,
         fixed_cloth: scene.fixed_cloth.clone(),
         friction: scene.friction,
         gravity: scene.gravity,

@@ -50,6 +50,8 @@ pub struct Scene {
     pub least_bending_n_m: f64,
     /// The body, if there is one.
     pub body: Option<Body>,
+    /// Stiffness of the body's skin, as a multiple of the usual one.
+    pub body_hardness: f64,
     /// Cloth that does not move, worn beneath: on every level of a hierarchy the same.
     pub fixed_cloth: Option<Arc<FixedCloth>>,
     /// Coulomb coefficient between cloth and body.

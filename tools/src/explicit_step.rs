@@ -175,6 +175,7 @@ fn square(rows: usize) -> Scene {
         membrane: Membrane::Fabric,
         least_bending_n_m: 0.0,
         body: None,
+        body_hardness: 1.0,
         fixed_cloth: None,
         friction: 0.0,
         gravity: Vector3::new(0.0, 0.0, -9.81),

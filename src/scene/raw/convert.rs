@@ -46,6 +46,7 @@ impl RawScene {
             membrane: Membrane::Springs(self.springs),
             least_bending_n_m: 0.0,
             body: self.body.map(Body::Analytic),
+            body_hardness: 1.0,
             fixed_cloth: None,
             friction: self.friction,
             gravity: self.gravity_m_s2.into(),

@@ -27,7 +27,7 @@ pub(crate) fn measure_unrelaxed(
         friction: None,
         explicit: false,
         least_thickness: None,
-        chords: true,
+        finest: true,
     };
     let mut system = build(scene, options, &build_options, clock).system;
     let mut force = vec![Vector3::zeros(); x.len()];

@@ -50,7 +50,7 @@ pub(crate) fn relax(
         friction: Some(&level.anchors),
         explicit: level.options.method.is_explicit(),
         least_thickness: level.least_thickness(),
-        chords: level.is_finest,
+        finest: level.is_finest,
     };
     level.monitor.begin_stage();
     let Model {

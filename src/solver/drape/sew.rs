@@ -92,7 +92,7 @@ fn pull(
         friction: None,
         explicit: level.options.method.is_explicit(),
         least_thickness: level.least_thickness(),
-        chords: level.is_finest,
+        finest: level.is_finest,
     };
     let mut system = build(level.scene, level.options, &build_options, level.clock).system;
     let was_tangled = system.untangle(x);

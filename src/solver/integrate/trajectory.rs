@@ -47,7 +47,7 @@ pub fn trajectory(
         // Automatic methods may turn out to be explicit.
         explicit: options.method.is_explicit() || options.method == Method::Auto,
         least_thickness: None,
-        chords: true,
+        finest: true,
     };
     let Model {
         dof_map,

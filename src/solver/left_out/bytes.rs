@@ -26,7 +26,7 @@ fn assembled(scene: &Scene) -> AllocationInfo {
         friction: Some(&anchors),
         explicit: false,
         least_thickness: scene.self_contact.then_some(1e-4),
-        chords: false,
+        finest: false,
     };
     allocated(|| build(scene, &SolverOptions::default(), &build_options, &no_clock))
 }

@@ -48,7 +48,7 @@ fn a_system_has_the_terms_that_its_scene_needs_and_no_others() {
             friction: Some(&FrictionAnchors::default()),
             explicit: false,
             least_thickness: has.self_contact.then_some(1e-4),
-            chords: false,
+            finest: false,
         };
         let system = build(&scene, &SolverOptions::default(), &build_options, &|| 0.0).system;
         let holds = system.anchors() != FrictionAnchors::default();

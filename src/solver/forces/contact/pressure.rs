@@ -20,7 +20,8 @@ pub fn contact_force(scene: &Scene, positions: &[Vector3<f64>]) -> Vec<Vector3<f
     };
     let press = |p: &Vector3<f64>, offset: f64, area: f64| match body.sample(p) {
         Some(near) if near.distance < offset => {
-            near.normal * (area * layer::pressure(offset - near.distance))
+            let pressure = scene.body_hardness * layer::pressure(offset - near.distance);
+            near.normal * (area * pressure)
         }
         _ => Vector3::zeros(),
     };

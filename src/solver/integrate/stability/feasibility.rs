@@ -72,7 +72,7 @@ fn stable_step(scene: &Scene, options: &SolverOptions, clock: &dyn Fn() -> f64) 
         friction: None,
         explicit: false,
         least_thickness: None,
-        chords: true,
+        finest: true,
     };
     let mut system = build(scene, options, &build_options, clock).system;
     let flat: Vec<_> = if scene.mesh.triangles.is_empty() {

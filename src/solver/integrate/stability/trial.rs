@@ -318,7 +318,7 @@ impl StabilityTrial<'_, '_, '_> {
             friction: Some(self.anchors),
             explicit: self.options.method.is_explicit(),
             least_thickness: None,
-            chords: true,
+            finest: true,
         };
         let Model {
             dof_map,
