@@ -84,6 +84,7 @@ pub(crate) fn scene(has: Has, cells: usize) -> Scene {
         membrane: Membrane::Fabric,
         least_bending_n_m: 0.0,
         body: has.body.then_some(Body::Analytic(ball)),
+        body_hardness: 1.0,
         fixed_cloth: None,
         friction: if has.friction { 0.3 } else { 0.0 },
         gravity: Vector3::y() * if has.gravity { -9.80665 } else { 0.0 },
