@@ -1,37 +1,47 @@
 //! The body that a garment is draped on: its surface, its landmarks and its signed distance.
 
 mod arm;
-mod dress_form_cache;
+mod cache;
 mod exact;
 mod field;
 mod figure;
 mod form;
 mod half_mesh;
+mod hull;
 mod lattice;
 mod leg;
 mod limb;
 mod mannequin;
+mod measured;
 mod measures;
 mod node_distances;
+mod own;
 mod proportions;
 mod rings;
 mod section;
 mod slice;
+mod source;
 mod spline;
 mod surface;
 mod torso;
 mod tree;
 mod tube;
+mod winding;
 
-pub use dress_form_cache::DressFormCache;
+pub use cache::AvatarCache;
 pub use field::BodySample;
 pub use form::{DressForm, Limbs, Pose, Sex};
 pub use limb::{Limb, LimbAxis};
+pub use own::{
+    BodyFormat, BodyImport, BodyImportOptions, BodyUnits, FileAxis, OwnBody, import_body,
+};
+pub use source::BodySource;
 pub use surface::TriangleMesh;
 
 use crate::fault::Faults;
 use exact::ExactDistance;
 use field::DistanceField;
+use hull::hull;
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
@@ -107,6 +117,37 @@ impl Avatar {
             exact,
             field,
         })
+    }
+
+    /// An avatar of a closed surface that may cross itself: its distances are those of the outside.
+    ///
+    /// # Errors
+    /// As [`Avatar::from_surface`], and `avatar/crossing` if it crosses itself in too many places.
+    fn from_crossing_surface(
+        name: &str,
+        surface: TriangleMesh,
+        landmarks: BTreeMap<String, Vector3<f64>>,
+    ) -> Result<Self, Faults> {
+        Faults(surface.check()).or(())?;
+        let Some(hull) = hull(&surface)? else {
+            return Self::from_surface(name, surface, landmarks);
+        };
+        let outside = hull.surface.clone();
+        let exact = ExactDistance::of_hull(hull);
+        let field = DistanceField::new(&outside, &exact, REACH);
+        Ok(Self {
+            name: name.to_owned(),
+            surface,
+            landmarks,
+            limbs: BTreeMap::new(),
+            exact,
+            field,
+        })
+    }
+
+    /// Returns true if the surface crosses itself, so that not all of it is the outside.
+    pub fn crosses_itself(&self) -> bool {
+        self.exact.is_hull()
     }
 
     /// Returns the axis of a limb, if the body has it and it is known.
