@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 
 /// Most pairs of triangles that cross, and pairs that are looked at.
 const CROSSINGS: usize = 200_000;
-const PAIRS: usize = 100_000_000;
+const PAIRS: usize = 20_000_000;
 /// Planes that a triangle is cut along, at most: the parts grow with their square.
 const CUTS: usize = 24;
 /// Distance before and behind a part at which winding numbers are taken \[m\].

@@ -23,15 +23,6 @@ impl TriangleMesh {
         self.triangles[t].map(|v| self.vertices[v])
     }
 
-    /// Area \[m²\].
-    pub(super) fn area(&self) -> f64 {
-        let doubled = (0..self.triangles.len()).map(|t| {
-            let [a, b, c] = self.corners(t);
-            (b - a).cross(&(c - a)).norm()
-        });
-        0.5 * doubled.sum::<f64>()
-    }
-
     /// Enclosed volume \[m³\], negative where the surface is inside out (divergence theorem).
     pub fn volume(&self) -> f64 {
         let six_fold: f64 = (0..self.triangles.len())

@@ -22,6 +22,9 @@ pub struct OwnBody {
     pub landmarks: BTreeMap<String, [f64; 3]>,
 }
 
+/// Sum over the triangles of the sides of their boxes, at most \[m²\]; a body has some 10.
+const SPREAD: f64 = 100.0;
+
 /// Joints of a limb, from the trunk on.
 const JOINTS: [(Limb, [&str; 3]); 4] = [
     (Limb::ArmLeft, ["shoulder_joint_l", "elbow_l", "wrist_l"]),
@@ -51,7 +54,11 @@ impl OwnBody {
     /// Returns what is wrong with its surface and its landmarks.
     pub(in super::super) fn check(&self) -> Vec<Fault> {
         let mut faults = self.landmark_faults();
-        faults.extend(self.surface().check());
+        let surface = self.surface();
+        faults.extend(surface.check());
+        if faults.is_empty() {
+            faults.extend(too_spread(&surface));
+        }
         faults
     }
 
@@ -95,6 +102,24 @@ impl OwnBody {
         }
         faults
     }
+}
+
+/// Returns the fault of a surface whose triangles cover more space than those of any body: the work
+/// of its distances grows with that.
+pub(super) fn too_spread(surface: &TriangleMesh) -> Option<Fault> {
+    let boxes = (0..surface.triangles.len()).map(|t| {
+        let [a, b, c] = surface.corners(t);
+        let size = a.sup(&b).sup(&c) - a.inf(&b).inf(&c);
+        size.x * size.y + size.y * size.z + size.z * size.x
+    });
+    let spread: f64 = boxes.sum();
+    (spread > SPREAD).then(|| {
+        let detail = format!(
+            "the triangles' boxes have {spread:.0} m² of sides together; those of a body have some 10"
+        );
+        Fault::new(AvatarCode::TooLarge, "", detail)
+            .fix("leave out what is inside or beside the body, and long thin triangles")
+    })
 }
 
 /// The axis of a limb through its joints; radii as of its girths there.

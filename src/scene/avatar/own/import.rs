@@ -1,6 +1,6 @@
 //! From the bytes of a file to a body that is kept, with what was found, mended and left open.
 
-use super::body::OwnBody;
+use super::body::{OwnBody, too_spread};
 use super::landmarks::{self, Found, Missing};
 use super::mend;
 use super::read::{self, BodyFormat};
@@ -18,7 +18,7 @@ use utoipa::ToSchema;
 const CENTERED: f64 = 0.002;
 /// Distance of a body from z = 0 of the file up to which it stays where it is \[m\].
 const NEAR: f64 = 0.3;
-/// Places after the point of stored coordinates [m]: a micrometer.
+/// Places after the point of stored coordinates \[m\]: a micrometer.
 const PLACES: f64 = 1e6;
 
 /// An axis of a file, or its opposite.
@@ -112,6 +112,11 @@ pub fn import_body(
     let mut whole = mend::main_pieces(&place.moved(welded), &mut warnings)?;
     mend::close(&mut whole, &mut warnings).map_err(Faults)?;
     finish(&mut whole);
+    let mut faults = whole.check();
+    if faults.is_empty() {
+        faults.extend(too_spread(&whole));
+    }
+    Faults(faults).or(())?;
     let given = given_landmarks(options, &place, &whole)?;
     let (landmarks, missing) = landmarks::find(&whole, &given).map_err(not_found)?;
     warnings.extend(missing.into_iter().map(|Missing(name, why)| {

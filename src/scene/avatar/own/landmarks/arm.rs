@@ -9,6 +9,8 @@ use nalgebra::Vector3;
 /// Shares of the height of a person between which the wrist is from the tip of the hand, along the
 /// skin.
 const WRIST: [f64; 2] = [0.095, 0.135];
+/// Length of an arm with its hand along the skin, as a share of the height, at least.
+const ARM: f64 = 0.3;
 /// Rings between two places.
 const RINGS: usize = 24;
 /// Shares of the arm between which the elbow is looked for, and where it is in a straight arm.
@@ -90,7 +92,7 @@ pub(super) fn elbow_and_wrist(
     };
     let ring = |at: f64| middle_of_ring(surface, &distance, at);
     let [low, high] = WRIST.map(|share| share * height);
-    if end < 2.0 * high {
+    if end < ARM * height {
         return None;
     }
     let wrists = (0..=RINGS).filter_map(|k| {

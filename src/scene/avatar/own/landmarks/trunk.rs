@@ -14,6 +14,8 @@ const CROTCH: [f64; 2] = [0.30, 0.65];
 const LEG: f64 = 0.75;
 /// Distance of the legs at the crotch \[m\]: cloth does not go higher between them.
 const APART: f64 = 0.012;
+/// Points of a loop that are looked at for the distance of two.
+const LOOP_POINTS: usize = 400;
 /// Outward leap of the trunk's side where the arm joins it, at least, as a share of the height.
 const ARM: f64 = 0.018;
 /// Height over which the outline under an arm turns outward by more than 45 degrees \[m\].
@@ -83,8 +85,14 @@ fn between_legs(surface: &TriangleMesh, y: f64) -> Option<(f64, Vector3<f64>)> {
     loops.sort_by(|a, b| b.area.total_cmp(&a.area));
     let [one, two] = [loops.first()?, loops.get(1)?];
     let mut best = (f64::INFINITY, Vector3::zeros());
-    for p in &one.points {
-        for q in &two.points {
+    let some = |found: &LevelLoop| {
+        let step = found.points.len().div_ceil(LOOP_POINTS);
+        let points = found.points.iter().step_by(step.max(1));
+        points.copied().collect::<Vec<_>>()
+    };
+    let (one, two) = (some(one), some(two));
+    for p in &one {
+        for q in &two {
             let apart = (p[0] - q[0]).hypot(p[1] - q[1]);
             if apart < best.0 {
                 best = (apart, Vector3::new(0.0, y, 0.5 * (p[1] + q[1])));

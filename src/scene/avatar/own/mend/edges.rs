@@ -1,4 +1,4 @@
-//! Which triangles meet at each edge.
+//! Edges, each with the triangles that meet at it.
 
 use crate::scene::avatar::TriangleMesh;
 

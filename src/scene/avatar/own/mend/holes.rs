@@ -4,7 +4,7 @@ use super::edges::{by_edge, edge_uses};
 use crate::fault::{AvatarCode, Fault, Warning};
 use crate::scene::avatar::TriangleMesh;
 use nalgebra::{Matrix3, SymmetricEigen, Vector3};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// Longest edge and largest width of a hole that is mended \[m\]: those of a palm.
 const EDGE: f64 = 0.36;
@@ -15,6 +15,8 @@ const CUT: f64 = 0.75;
 const FLAT: f64 = 0.03;
 /// Rings of vertices between the edge of a hole and its middle, at most.
 const RINGS: usize = 30;
+/// Triangles of a surface beyond which holes are closed as plainly as can be.
+const MOST: usize = 500_000;
 /// Holes that are told one by one.
 const TOLD: usize = 8;
 
@@ -147,6 +149,7 @@ fn holes(surface: &TriangleMesh) -> Vec<Hole> {
     let mut holes = Vec::new();
     while let Some((&first, _)) = next.first_key_value() {
         let mut path = vec![first];
+        let mut place_on_path = HashMap::from([(first, 0)]);
         while let Some(&here) = path.last() {
             let Some(after) = next.get_mut(&here).and_then(Vec::pop) else {
                 break;
@@ -155,15 +158,18 @@ fn holes(surface: &TriangleMesh) -> Vec<Hole> {
                 next.remove(&here);
             }
             // where the path meets itself, a hole is complete
-            if let Some(begin) = path.iter().position(|v| *v == after) {
-                holes.push(Hole::new(surface, path.split_off(begin)));
-                path.push(after);
+            if let Some(begin) = place_on_path.get(&after).copied() {
+                let edge = path.split_off(begin);
+                for v in &edge {
+                    place_on_path.remove(v);
+                }
+                holes.push(Hole::new(surface, edge));
                 if begin == 0 {
                     break;
                 }
-            } else {
-                path.push(after);
             }
+            place_on_path.insert(after, path.len());
+            path.push(after);
         }
     }
     holes
@@ -185,6 +191,8 @@ fn fill(surface: &mut TriangleMesh, hole: &Hole) {
         reason = "a number of rings, clamped"
     )]
     let rings = ((0.5 * hole.width / step) as usize).clamp(1, RINGS);
+    let room = MOST.saturating_sub(surface.triangles.len()) / (2 * count);
+    let rings = rings.min(room.max(1));
     let mut outer = hole.edge.clone();
     for ring in 1..rings {
         let share = ring as f64 / rings as f64;

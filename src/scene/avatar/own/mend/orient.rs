@@ -4,6 +4,9 @@ use super::edges::{EdgeUse, by_edge, edge_uses};
 use crate::fault::{AvatarCode, Fault};
 use crate::scene::avatar::TriangleMesh;
 
+/// Rows of triangles of a fin, at most.
+const FIN_ROWS: usize = 16;
+
 /// Returns a piece with all triangles of the sense of the first.
 ///
 /// # Errors
@@ -73,7 +76,7 @@ fn turned(neighbors: &[[Option<(usize, bool)>; 3]]) -> Vec<bool> {
 /// Returns a piece without the triangles that stand out of it like fins: free on one edge at
 /// least, and at an edge of more than two triangles.
 fn without_fins(mut piece: TriangleMesh) -> TriangleMesh {
-    loop {
+    for _ in 0..FIN_ROWS {
         let uses = edge_uses(&piece);
         let mut is_free = vec![false; piece.triangles.len()];
         let mut is_crowded = vec![false; piece.triangles.len()];
@@ -90,9 +93,10 @@ fn without_fins(mut piece: TriangleMesh) -> TriangleMesh {
             !(is_free[place - 1] && is_crowded[place - 1])
         });
         if piece.triangles.len() == before {
-            return piece;
+            break;
         }
     }
+    piece
 }
 
 fn not_manifold(piece: &TriangleMesh, edge: EdgeUse, what: &str) -> Fault {

@@ -5,6 +5,7 @@ use super::orient::oriented;
 use super::weld::compact;
 use crate::fault::{AvatarCode, Fault, Warning};
 use crate::scene::avatar::TriangleMesh;
+use nalgebra::Vector3;
 
 /// Share of the area of the largest piece below which another one is left out: eyes, teeth,
 /// lashes.
@@ -14,7 +15,7 @@ const SMALL_AND_OPEN: f64 = 0.25;
 
 /// A piece of a surface.
 struct Piece {
-    surface: TriangleMesh,
+    triangles: Vec<[usize; 3]>,
     area: f64,
     is_open: bool,
 }
@@ -28,7 +29,7 @@ pub(in super::super) fn largest_piece(surface: &TriangleMesh) -> Result<Triangle
     if pieces.is_empty() {
         return Err(Fault::new(AvatarCode::Empty, "", "no triangle has an area"));
     }
-    oriented(pieces.swap_remove(0).surface)
+    oriented(compact(&surface.vertices, &pieces.swap_remove(0).triangles))
 }
 
 /// Returns the pieces of a surface that are part of the body as one surface, each of one sense;
@@ -50,7 +51,7 @@ pub(in super::super) fn main_pieces(
             left_out.push(piece);
             continue;
         }
-        let piece = oriented(piece.surface)?;
+        let piece = oriented(compact(&surface.vertices, &piece.triangles))?;
         let first = kept.vertices.len();
         kept.vertices.extend(piece.vertices);
         let triangles = piece.triangles.into_iter();
@@ -64,7 +65,7 @@ pub(in super::super) fn main_pieces(
 }
 
 fn left_out_warning(left_out: &[Piece]) -> Warning {
-    let triangles: usize = left_out.iter().map(|p| p.surface.triangles.len()).sum();
+    let triangles: usize = left_out.iter().map(|piece| piece.triangles.len()).sum();
     let largest = left_out.iter().map(|piece| piece.area).fold(0.0, f64::max);
     let detail = format!(
         "{} separate pieces of {triangles} triangles were left out, the largest of {:.0} cm²: eyes, teeth, lashes or hair",
@@ -95,21 +96,24 @@ fn pieces(surface: &TriangleMesh) -> Vec<Piece> {
     let found = of_root.into_iter().zip(is_open);
     let found = found.filter(|(triangles, _)| !triangles.is_empty());
     let mut pieces: Vec<_> = found
-        .map(|(triangles, is_open)| {
-            let piece = compact(&TriangleMesh {
-                vertices: surface.vertices.clone(),
-                triangles,
-            });
-            Piece {
-                area: piece.area(),
-                surface: piece,
-                is_open,
-            }
+        .map(|(triangles, is_open)| Piece {
+            area: area(&surface.vertices, &triangles),
+            triangles,
+            is_open,
         })
         .filter(|piece| piece.area > 0.0)
         .collect();
     pieces.sort_by(|a, b| b.area.total_cmp(&a.area));
     pieces
+}
+
+/// Area of triangles \[m²\].
+fn area(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> f64 {
+    let doubled = triangles.iter().map(|t| {
+        let [a, b, c] = t.map(|v| vertices[v]);
+        (b - a).cross(&(c - a)).norm()
+    });
+    0.5 * doubled.sum::<f64>()
 }
 
 /// The lowest triangle that hangs together with `t`.

@@ -1,6 +1,7 @@
 //! Vertices at one place made one: files split them where texture coordinates or normals differ.
 
 use crate::scene::avatar::TriangleMesh;
+use nalgebra::Vector3;
 use std::collections::HashSet;
 
 /// Returns the surface with equal vertices made one, without the triangles that then have a corner
@@ -17,31 +18,25 @@ pub(in super::super) fn weld(surface: &TriangleMesh) -> TriangleMesh {
             triangles.push([a, b, c]);
         }
     }
-    compact(&TriangleMesh {
-        vertices: surface.vertices.clone(),
-        triangles,
-    })
+    compact(&surface.vertices, &triangles)
 }
 
-/// Returns the surface without vertices that no triangle has.
-pub(super) fn compact(surface: &TriangleMesh) -> TriangleMesh {
+/// Returns the surface of triangles, without the vertices that none of them has.
+pub(super) fn compact(vertices: &[Vector3<f64>], triangles: &[[usize; 3]]) -> TriangleMesh {
     const UNUSED: usize = usize::MAX;
-    let mut number = vec![UNUSED; surface.vertices.len()];
-    let mut vertices = Vec::new();
-    let mut triangles = Vec::with_capacity(surface.triangles.len());
-    for triangle in &surface.triangles {
-        triangles.push(triangle.map(|v| {
+    let mut number = vec![UNUSED; vertices.len()];
+    let mut surface = TriangleMesh::default();
+    for triangle in triangles {
+        let corners = triangle.map(|v| {
             if number[v] == UNUSED {
-                number[v] = vertices.len();
-                vertices.push(surface.vertices[v]);
+                number[v] = surface.vertices.len();
+                surface.vertices.push(vertices[v]);
             }
             number[v]
-        }));
+        });
+        surface.triangles.push(corners);
     }
-    TriangleMesh {
-        vertices,
-        triangles,
-    }
+    surface
 }
 
 /// The first vertex at the place of each one.

@@ -34,7 +34,7 @@ impl<'a> SurfaceBuilder<'a> {
             return Err(unreadable(place(), "a coordinate is not a finite number"));
         }
         if self.surface.vertices.len() == self.limits.body_vertices {
-            return Err(self.too_large(place(), "vertices", self.limits.body_vertices));
+            return Err(too_large(place(), "vertices", self.limits.body_vertices));
         }
         self.surface.vertices.push(point);
         Ok(())
@@ -53,7 +53,7 @@ impl<'a> SurfaceBuilder<'a> {
         }
         let more = corners.len().saturating_sub(2);
         if self.surface.triangles.len() + more > self.limits.body_triangles {
-            return Err(self.too_large(place(), "triangles", self.limits.body_triangles));
+            return Err(too_large(place(), "triangles", self.limits.body_triangles));
         }
         let fan = corners.windows(2).skip(1);
         let fan = fan.map(|pair| [corners[0], pair[0], pair[1]]);
@@ -65,11 +65,10 @@ impl<'a> SurfaceBuilder<'a> {
     pub(super) fn finish(self) -> TriangleMesh {
         self.surface
     }
+}
 
-    #[expect(clippy::unused_self, reason = "reads as the others")]
-    fn too_large(&self, place: String, of: &str, most: usize) -> Fault {
-        let detail = format!("the body has more than {most} {of}");
-        Fault::new(AvatarCode::TooLarge, place, detail)
-            .fix("simplify the surface: 100 000 triangles show a body to the millimeter")
-    }
+fn too_large(place: String, of: &str, most: usize) -> Fault {
+    let detail = format!("the body has more than {most} {of}");
+    Fault::new(AvatarCode::TooLarge, place, detail)
+        .fix("simplify the surface: 100 000 triangles show a body to the millimeter")
 }
