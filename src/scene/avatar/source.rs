@@ -1,10 +1,10 @@
-//! What a body is made from.
+//! Sources of bodies: measurements, or surfaces.
 
 use super::{Avatar, DressForm, OwnBody};
 use crate::fault::{Fault, Faults};
 use std::sync::Arc;
 
-/// What a body is made from: measurements, or a surface of its own.
+/// Source of a body: measurements, or a surface of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub enum BodySource {
     /// A dress form of these measurements.
