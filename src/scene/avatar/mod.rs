@@ -48,6 +48,11 @@ use std::collections::BTreeMap;
 /// Distance outside the surface up to which the smooth distance is offered \[m\]: more than cloth,
 /// its thickness and one Newton move.
 const REACH: f64 = 0.04;
+/// Spacing of the grid of distances about a dress form \[m\]: about the edges of its mesh, so that
+/// its facets are not resolved but smoothed.
+const SPACING: f64 = 0.009;
+/// The same about a body from a file \[m\], whose details are its own: errors go with its square.
+const OWN_SPACING: f64 = 0.006;
 
 /// A closed body with what is needed to place and drape on it: y up, facing +z, its left at +x,
 /// floor at y = 0 \[m\].
@@ -108,7 +113,7 @@ impl Avatar {
     ) -> Result<Self, Faults> {
         Faults(surface.check()).or(())?;
         let exact = ExactDistance::new(&surface);
-        let field = DistanceField::new(&surface, &exact, REACH);
+        let field = DistanceField::new((&surface, &exact), REACH, SPACING);
         Ok(Self {
             name: name.to_owned(),
             surface,
@@ -129,12 +134,19 @@ impl Avatar {
         landmarks: BTreeMap<String, Vector3<f64>>,
     ) -> Result<Self, Faults> {
         Faults(surface.check()).or(())?;
-        let Some(hull) = hull(&surface)? else {
-            return Self::from_surface(name, surface, landmarks);
+        let (exact, field) = match hull(&surface)? {
+            None => {
+                let exact = ExactDistance::new(&surface);
+                let field = DistanceField::new((&surface, &exact), REACH, OWN_SPACING);
+                (exact, field)
+            }
+            Some(hull) => {
+                let outside = hull.surface.clone();
+                let exact = ExactDistance::of_hull(hull);
+                let field = DistanceField::new((&outside, &exact), REACH, OWN_SPACING);
+                (exact, field)
+            }
         };
-        let outside = hull.surface.clone();
-        let exact = ExactDistance::of_hull(hull);
-        let field = DistanceField::new(&outside, &exact, REACH);
         Ok(Self {
             name: name.to_owned(),
             surface,

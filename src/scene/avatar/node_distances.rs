@@ -184,7 +184,8 @@ impl Front<'_> {
     }
 
     /// Goes on to adjacent triangles while they are nearer: to those beyond the edges, and where a
-    /// corner is nearest, to all around it. Triangles of a hull have no neighbors: they are searched.
+    /// corner is nearest, to all around it. Triangles of a hull have no neighbors: all are
+    /// searched.
     fn climb(&mut self, index: usize) {
         let place = self.lattice.place(self.lattice.node(index));
         if self.exact.is_hull() {

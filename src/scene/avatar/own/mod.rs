@@ -2,8 +2,8 @@
 //! draped on.
 //!
 //! 1. [`read`]: bytes to triangles.
-//! 2. [`mend`]: vertices at one place made one, small pieces left out, triangles of one sense, holes
-//!    closed.
+//! 2. [`mend`]: vertices at one place made one, small pieces left out, triangles of one sense,
+//!    holes closed.
 //! 3. [`upright`] and [`scale`]: the way up and ahead, and the unit, by the body's own shape.
 //! 4. [`landmarks`]: on the surface and beneath it.
 

@@ -11,8 +11,8 @@ use std::f64::consts::FRAC_PI_2;
 const STEP: f64 = 0.002;
 /// Height over which the slope of the outline is taken \[m\].
 const SPAN: f64 = 0.004;
-/// Depth of the pit of the neck below its sides, as a share of the height of a person: it is that of
-/// the joint of the collarbones.
+/// Depth of the pit of the neck below its sides, as a share of the height of a person: it is that
+/// of the joint of the collarbones.
 const PIT: f64 = 0.0455;
 /// Height above the armpits over which the neck is looked for, as a share of the same.
 const REACH: f64 = 0.16;
