@@ -79,9 +79,10 @@ async function showResult(fit) {
   showError(fit, report);
   update({ report });
   if (!report) return;
-  // The saved garment says which limbs its body has.
+  // The saved garment says which limbs its body has; a body of one's own it has whole.
   const { avatar } = await getJson(`${fitPath(fit.id)}/garment`);
-  await showOutcome(fit.id, avatar, report.intersections ?? []);
+  const shown = avatar?.body ? state.garment.avatar : avatar;
+  await showOutcome(fit.id, shown, report.intersections ?? []);
 }
 
 async function watchFit(fit) {

@@ -1,9 +1,10 @@
 /** Fabric of each panel, measurements of the dress form, fineness of the mesh. */
 
-import { getJson } from "./api.js";
+import { call, getJson } from "./api.js";
 import { byId, el, replaceChildren, setOptions } from "./dom.js";
 import { panelsShown, titleOf } from "./panels.js";
 import { changeGarment, DEFAULT_FORM, state, update, watch } from "./state.js";
+import { plural, problemItems } from "./words.js";
 
 /** Measurements in the order in which they are asked, with what a person may have [cm]. */
 const MEASURES = [
@@ -80,6 +81,28 @@ function drawBody() {
   if (form) replaceChildren(byId("measures"), MEASURES.map(measure));
 }
 
+/** Sends the file of a body, which then is the garment's; its faults and remarks are shown beside it. */
+async function uploadBody(event) {
+  const [file] = event.target.files;
+  if (!file) return;
+  const note = byId("body-note");
+  note.textContent = "Reading the body…";
+  try {
+    const body = new FormData();
+    body.append("file", file, file.name);
+    const avatar = await (await call("/v1/avatars", { method: "POST", body })).json();
+    changeGarment({ avatar: avatar.id });
+    const { bust_m: bust, waist_m: waist, hip_m: hip } = avatar.girths;
+    const girths = [["bust", bust], ["waist", waist], ["hip", hip]].map(([name, girth]) => `${name} ${(girth * 100).toFixed(1)} cm`);
+    const remarks = avatar.file.warnings.map((warning) => el("li", {}, warning.detail));
+    replaceChildren(note, [`${file.name}: ${plural(avatar.file.triangle_count, "triangle")}, ${girths.join(", ")}.`, el("ul", {}, ...remarks)]);
+  } catch (problem) {
+    replaceChildren(note, [el("ul", {}, ...problemItems(problem))]);
+  } finally {
+    event.target.value = "";
+  }
+}
+
 function drawMesh() {
   const value = String(state.garment.simulate?.edge_length_m ?? 0.012);
   const select = byId("edge-length");
@@ -92,6 +115,7 @@ function drawMesh() {
 export function startSettings() {
   byId("default-fabric").addEventListener("change", (event) => changeGarment({ default_fabric: event.target.value }));
   byId("use-form").addEventListener("click", () => changeGarment({ avatar: { form: { ...DEFAULT_FORM } } }));
+  byId("body-file").addEventListener("change", uploadBody);
   byId("edge-length").addEventListener("change", (event) =>
     changeGarment({ simulate: { ...state.garment.simulate, edge_length_m: Number(event.target.value) } }));
   watch(["fabrics", "garment", "pattern", "check"], drawFabric);

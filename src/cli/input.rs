@@ -4,12 +4,14 @@ use super::faults;
 use clap::Args;
 use seamster::config::Limits;
 use seamster::fault::{Fault, Faults, FileCode, FitCode};
-use seamster::fit::{self, Garment, PatternRef};
+use seamster::fit::{self, AvatarRef, Garment, PatternRef};
 use seamster::pattern::{self, ImportOptions, Pattern, RotationOrder, Units};
+use seamster::scene::{self, BodyImportOptions, BodySource, BodyUnits};
 use serde::de::DeserializeOwned;
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// A garment, with its pattern or beside it, and how to read that.
 #[derive(Args)]
@@ -28,6 +30,12 @@ pub(super) struct Input {
     /// writes) or zyx
     #[arg(long, value_parser = parse_word::<RotationOrder>)]
     rotation_order: Option<RotationOrder>,
+    /// Body to sew on instead of the garment's: an OBJ, a binary glTF 2.0 or a PLY
+    #[arg(long, value_name = "BODY.obj")]
+    avatar: Option<PathBuf>,
+    /// Unit of the body's coordinates, by its height if not given: m, cm, mm, inch, dm or ft
+    #[arg(long, requires = "avatar", value_parser = parse_word::<BodyUnits>)]
+    avatar_units: Option<BodyUnits>,
 }
 
 /// Reads a value by the word that it has in JSON.
@@ -67,7 +75,23 @@ impl Input {
             faults::print_warnings(pattern_file, &pattern.warnings);
             garment.pattern = Some(PatternRef::Whole(Box::new(pattern)));
         }
+        if let Some(body_file) = &self.avatar {
+            let body = self.read_body(body_file, limits);
+            let body = body.map_err(|faults| (&**body_file, faults))?;
+            garment.avatar = Some(AvatarRef::whole(body));
+        }
         Ok(garment)
+    }
+
+    fn read_body(&self, file: &Path, limits: &Limits) -> Result<BodySource, Faults> {
+        let bytes = read_file(file, limits.body_bytes)?;
+        let options = BodyImportOptions {
+            units: self.avatar_units,
+            ..BodyImportOptions::default()
+        };
+        let import = scene::import_body(&bytes, &options, limits)?;
+        faults::print_warnings(file, &import.warnings);
+        Ok(BodySource::Own(Arc::new(import.body)))
     }
 
     fn read_pattern(&self, file: &Path, limits: &Limits) -> Result<Pattern, Faults> {

@@ -25,6 +25,12 @@ pub struct Limits {
     pub suggested_panels: usize,
     /// Bytes of one JSON request.
     pub json_bytes: usize,
+    /// Bytes of the file of a body.
+    pub body_bytes: usize,
+    /// Vertices of the file of a body, copies at seams of its texture included.
+    pub body_vertices: usize,
+    /// Triangles of the file of a body.
+    pub body_triangles: usize,
     /// Characters of a name.
     pub name_chars: usize,
     /// Vertices of one garment's mesh.
@@ -73,6 +79,9 @@ impl Default for Limits {
             seams: 2_000,
             suggested_panels: 100,
             json_bytes: 32 << 20,
+            body_bytes: 64 << 20,
+            body_vertices: 1_000_000,
+            body_triangles: 500_000,
             name_chars: 256,
             mesh_vertices: 300_000,
             edge_length_m: [0.002, 0.1],

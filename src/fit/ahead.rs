@@ -8,7 +8,7 @@ use crate::config::Limits;
 use crate::fault::Warning;
 use crate::pattern::Pattern;
 use crate::progress::CancelToken;
-use crate::scene::DressFormCache;
+use crate::scene::AvatarCache;
 use crate::solver::Context;
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ const EDGE_LENGTH: f64 = 0.03;
 pub(crate) fn size_warnings(
     mut garment: Garment,
     pattern: &Pattern,
-    assets: (&dyn AssetLibrary, &Arc<DressFormCache>),
+    assets: (&dyn AssetLibrary, &Arc<AvatarCache>),
     limits: &Limits,
 ) -> Vec<Warning> {
     if garment.avatar.is_none() {
@@ -29,11 +29,11 @@ pub(crate) fn size_warnings(
     }
     garment.pattern = Some(PatternRef::Whole(Box::new(pattern.clone())));
     garment.simulate.edge_length_m = EDGE_LENGTH;
-    let (library, dress_forms) = assets;
+    let (library, bodies) = assets;
     let Ok(resolved) = resolve(garment, library, limits) else {
         return vec![];
     };
-    let resolved = resolved.with_dress_forms(dress_forms);
+    let resolved = resolved.with_bodies(bodies);
     let context = Context {
         cpu_s: &|| 0.0,
         cancel: &CancelToken::new(),

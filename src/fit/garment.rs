@@ -1,11 +1,12 @@
 //! The garment file: all that a fit needs, as JSON (P6).
 
 use crate::pattern::{Pattern, Placement, SeamPair};
-use crate::scene::{DressForm, Fabric};
+use crate::scene::{BodySource, DressForm, Fabric, OwnBody};
 use crate::seam::FaceRequest;
 use crate::solver::SolverOptions;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+use std::sync::Arc;
 use utoipa::ToSchema;
 use utoipa::openapi::schema::{Array, ArrayBuilder, ObjectBuilder, Type};
 use uuid::Uuid;
@@ -42,7 +43,7 @@ pub struct Garment {
     /// Fabrics of one's own, by id.
     #[serde(default)]
     pub fabrics: BTreeMap<String, Fabric>,
-    /// The body: an id, measurements, or null for none. The default dress form if absent.
+    /// The body: an id, measurements, a body of one's own, or null for none. The default dress form if absent.
     #[serde(default = "AvatarRef::default_form")]
     pub avatar: Option<AvatarRef>,
     /// Corners that do not move.
@@ -154,12 +155,24 @@ pub enum AvatarRef {
     Id(Uuid),
     /// A dress form made from measurements.
     Form(DressFormSpec),
+    /// A body of one's own, whole.
+    Own(OwnBodySpec),
 }
 
 impl AvatarRef {
     /// Returns the reference to a dress form made from measurements.
     pub fn form(form: DressForm) -> Self {
         Self::Form(DressFormSpec { form })
+    }
+
+    /// Returns the reference to a body as it is saved.
+    pub fn whole(body: BodySource) -> Self {
+        match body {
+            BodySource::Form(form) => Self::form(form),
+            BodySource::Own(body) => Self::Own(OwnBodySpec {
+                body: Box::new(Arc::unwrap_or_clone(body)),
+            }),
+        }
     }
 
     #[expect(clippy::unnecessary_wraps, reason = "serde wants the field's own type")]
@@ -175,6 +188,15 @@ impl AvatarRef {
 pub struct DressFormSpec {
     /// The measurements.
     pub form: DressForm,
+}
+
+/// A body of one's own, whole.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+#[schema(as = BodyAsked)]
+pub struct OwnBodySpec {
+    /// Its surface and landmarks, as a saved file has them.
+    pub body: Box<OwnBody>,
 }
 
 /// A garment that another one is worn over.

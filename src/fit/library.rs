@@ -3,7 +3,7 @@
 use super::garment::Garment;
 use crate::export::GarmentMesh;
 use crate::pattern::Pattern;
-use crate::scene::{self, DressForm, Fabric};
+use crate::scene::{self, BodySource, Fabric};
 use std::sync::Arc;
 use uuid::Uuid;
 
@@ -11,8 +11,8 @@ use uuid::Uuid;
 pub trait AssetLibrary: Sync {
     /// Returns a stored pattern.
     fn pattern(&self, id: Uuid) -> Option<Arc<Pattern>>;
-    /// Returns the measurements of a stored avatar.
-    fn form(&self, id: Uuid) -> Option<DressForm>;
+    /// Returns what a stored avatar is made from.
+    fn body(&self, id: Uuid) -> Option<BodySource>;
     /// Returns a fabric, shipped or stored.
     fn fabric(&self, id: &str) -> Option<Fabric>;
     /// Returns a fit that has succeeded.
@@ -51,7 +51,7 @@ impl AssetLibrary for ShippedAssets {
         None
     }
 
-    fn form(&self, _id: Uuid) -> Option<DressForm> {
+    fn body(&self, _id: Uuid) -> Option<BodySource> {
         None
     }
 

@@ -33,7 +33,8 @@ mod verdict;
 pub(crate) use ahead::size_warnings;
 pub use garment::{
     AvatarRef, DressFormSpec, Elastic, Garment, InnerGarment, InnerPanel, MapKind, OverRef,
-    PanelSpec, PatternRef, Pin, SCHEMA, SeamsKeyword, SeamsSpec, SelfContact, WindSpec,
+    OwnBodySpec, PanelSpec, PatternRef, Pin, SCHEMA, SeamsKeyword, SeamsSpec, SelfContact,
+    WindSpec,
 };
 pub use json_schema::garment_schema_json;
 pub use library::{AssetLibrary, FinishedFit, NoFinishedFit, ShippedAssets};

@@ -97,14 +97,16 @@ fn refused(id: Uuid, none: NoFinishedFit) -> Fault {
     }
 }
 
-/// Returns the body without its limbs, of which each garment has its own.
-fn torso(avatar: &AvatarRef) -> AvatarRef {
-    match avatar {
-        AvatarRef::Id(id) => AvatarRef::Id(*id),
-        AvatarRef::Form(spec) => AvatarRef::form(DressForm {
-            limbs: None,
-            ..spec.form
-        }),
+/// Returns true if two references are to one body, but for the limbs of a form, of which each
+/// garment has its own.
+fn is_same_body(one: &AvatarRef, other: &AvatarRef) -> bool {
+    let torso = |form: DressForm| DressForm {
+        limbs: None,
+        ..form
+    };
+    match (one, other) {
+        (AvatarRef::Form(one), AvatarRef::Form(other)) => torso(one.form) == torso(other.form),
+        _ => one == other,
     }
 }
 
@@ -115,7 +117,7 @@ fn check_avatar(avatar: Option<&AvatarRef>, inner: &InnerGarment) -> Result<(), 
         (Some(_), None) => "the garment beneath is worn on no avatar",
         // An avatar that is not known is a fault of its own.
         (Some(AvatarRef::Id(_)), _) => return Ok(()),
-        (Some(own), Some(inner)) if torso(own) != torso(inner) => {
+        (Some(own), Some(inner)) if !is_same_body(own, inner) => {
             "the garment beneath is worn on another avatar"
         }
         _ => return Ok(()),

@@ -6,7 +6,7 @@ use super::unsupported::escape;
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, GarmentCode};
 use crate::pattern::{self, Pattern};
-use crate::scene::{DressForm, Fabric};
+use crate::scene::{BodySource, Fabric};
 use std::sync::Arc;
 
 /// A fabric with the id that the garment gives it.
@@ -56,30 +56,35 @@ pub(super) fn find_pattern(
     }
 }
 
-/// Finds the measurements of the body and puts them into the garment; none for a garment without a
+/// Finds what the body is made from and puts it into the garment; none for a garment without a
 /// body.
 pub(super) fn inline_avatar(
     garment: &mut Garment,
     library: &dyn AssetLibrary,
     faults: &mut Vec<Fault>,
-) -> Option<DressForm> {
-    let form = match garment.avatar.as_ref()? {
+) -> Option<BodySource> {
+    let body = match garment.avatar.take()? {
         AvatarRef::Id(id) => {
-            let form = library.form(*id);
-            if form.is_none() {
+            garment.avatar = Some(AvatarRef::Id(id));
+            let body = library.body(id);
+            if body.is_none() {
                 let detail = format!("no avatar has the id {id}");
                 let fault = Fault::new(GarmentCode::AvatarUnknown, "/avatar", detail);
                 faults.push(fault.fix("make it first: POST /v1/avatars"));
             }
-            form?
+            body?
         }
-        AvatarRef::Form(spec) => {
-            faults.extend(Faults(spec.form.check()).under("/avatar/form").0);
-            spec.form
-        }
+        AvatarRef::Form(spec) => given(BodySource::Form(spec.form), faults),
+        AvatarRef::Own(spec) => given(BodySource::Own(Arc::new(*spec.body)), faults),
     };
-    garment.avatar = Some(AvatarRef::form(form));
-    Some(form)
+    garment.avatar = Some(AvatarRef::whole(body.clone()));
+    Some(body)
+}
+
+/// Returns a body that the garment has whole, checked.
+fn given(body: BodySource, faults: &mut Vec<Fault>) -> BodySource {
+    faults.extend(Faults(body.check()).under("/avatar").0);
+    body
 }
 
 /// Puts the fabrics that are used into the garment, so that it is complete in itself; those that

@@ -14,7 +14,7 @@ use super::validate::{self, PinnedCorner};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, Warning};
 use crate::pattern::{Panel, Pattern};
-use crate::scene::{AnchoredPlacement, Cut, DressForm, DressFormCache, FixedCloth, Wind};
+use crate::scene::{AnchoredPlacement, AvatarCache, BodySource, Cut, FixedCloth, Wind};
 use crate::seam::suggest::SuggestedSeam;
 use crate::seam::{Face, SeamCheckInput, SeamSet};
 use crate::solver::SolverOptions;
@@ -38,11 +38,11 @@ pub struct ResolvedGarment {
     /// The fabrics in use, in the order in which panels are cut from them.
     pub(super) fabrics: Vec<NamedFabric>,
     /// The body, if there is one.
-    pub(super) avatar: Option<DressForm>,
+    pub(super) avatar: Option<BodySource>,
     /// The garments that it is worn over, if there are any.
     pub(super) over: Option<Arc<FixedCloth>>,
     /// Bodies made before.
-    pub(super) dress_forms: Arc<DressFormCache>,
+    pub(super) bodies: Arc<AvatarCache>,
     /// The layer of each panel, counted from the body outwards; empty where they have no order.
     pub(super) layers: Vec<usize>,
     /// The corners that do not move.
@@ -65,10 +65,10 @@ pub(super) struct ResolvedPanel {
 }
 
 impl ResolvedGarment {
-    /// Returns the same garment, which takes its body from `dress_forms` if it was made before.
+    /// Returns the same garment, which takes its body from `bodies` if it was made before.
     #[must_use]
-    pub fn with_dress_forms(mut self, dress_forms: &Arc<DressFormCache>) -> Self {
-        self.dress_forms = Arc::clone(dress_forms);
+    pub fn with_bodies(mut self, bodies: &Arc<AvatarCache>) -> Self {
+        self.bodies = Arc::clone(bodies);
         self
     }
 
@@ -131,17 +131,18 @@ pub fn resolve(
         return Err(Faults(faults));
     };
     let panels = resolve_panels(&pattern, &specs, &seams.faces, (&fabrics, placements))?;
-    let avatar = avatar.map(|form| {
-        let panels = pattern.panels.iter().zip(&panels);
-        limbs::with_limbs(
-            form,
-            panels.map(|(outline, panel)| (outline, &panel.placement)),
-        )
+    let avatar = avatar.map(|body| match body {
+        BodySource::Form(form) => {
+            let panels = pattern.panels.iter().zip(&panels);
+            let panels = panels.map(|(outline, panel)| (outline, &panel.placement));
+            BodySource::Form(limbs::with_limbs(form, panels))
+        }
+        BodySource::Own(_) => body,
     });
     let of_seams = check.seams.into_iter().flat_map(|seam| seam.warnings);
     let warnings = suggest::warnings(&pattern).into_iter();
     let warnings = warnings.chain(check.warnings).chain(of_seams).collect();
-    garment.avatar = avatar.map(AvatarRef::form);
+    garment.avatar = avatar.clone().map(AvatarRef::whole);
     garment.seams = SeamsSpec::Pairs(pairs);
     garment.pattern = Some(PatternRef::Whole(Box::new(whole)));
     Ok(ResolvedGarment {
@@ -152,7 +153,7 @@ pub fn resolve(
         avatar,
         over,
         layers: layers::ranks(&specs),
-        dress_forms: Arc::default(),
+        bodies: Arc::default(),
         pins,
         wind: garment.wind.map(wind),
         suggested,

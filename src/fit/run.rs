@@ -13,7 +13,7 @@ use crate::export::{DrapedPanel, GarmentMesh};
 use crate::fault::{Faults, Warning};
 use crate::memory;
 use crate::mesh::{self, ClothMesh, PanelRange};
-use crate::scene::{self, Avatar, Body, Limbs, PanelParts, Parts, Scene};
+use crate::scene::{self, Avatar, Body, BodySource, Limbs, PanelParts, Parts, Scene};
 use crate::solver::{self, Analysis, Context, DrapeReport, SkippedTerm, SolverOptions};
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -100,8 +100,10 @@ fn judge(garment: &ResolvedGarment, found: Option<FoundCrossings>, report: &mut 
 
 /// Returns the limbs that the body does without.
 fn left_out_limbs(garment: &ResolvedGarment) -> Vec<SkippedTerm> {
-    let limbs = garment.avatar.and_then(|form| form.limbs);
-    let Some(Limbs { arms, legs }) = limbs else {
+    let Some(BodySource::Form(form)) = &garment.avatar else {
+        return vec![];
+    };
+    let Some(Limbs { arms, legs }) = form.limbs else {
         return vec![];
     };
     let parts = [("arms", arms), ("legs", legs)].into_iter();
@@ -136,9 +138,9 @@ pub fn scene(garment: &ResolvedGarment, context: &Context<'_>) -> Result<Scene, 
 /// # Errors
 /// Measurements outside what a person has.
 pub(super) fn avatar(garment: &ResolvedGarment) -> Result<Option<Arc<Avatar>>, Faults> {
-    let make = |form| garment.dress_forms.build(form);
+    let make = |body| garment.bodies.build(body);
     let avatar = garment.avatar.as_ref().map(make).transpose();
-    avatar.map_err(|faults| faults.under("/avatar/form"))
+    avatar.map_err(|faults| faults.under("/avatar"))
 }
 
 fn triangulate(garment: &ResolvedGarment, context: &Context<'_>) -> Result<ClothMesh, Faults> {

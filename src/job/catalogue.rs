@@ -1,25 +1,64 @@
 //! Stored patterns, avatars and fabrics, which garments refer to.
 
 use super::store::{DocumentKind, Documents, Page, PageRequest, StoreError};
+use crate::fault::Warning;
 use crate::fit::AssetLibrary;
 use crate::pattern::Pattern;
-use crate::scene::{self, DressForm, DressFormCache, Fabric};
+use crate::scene::{
+    self, AvatarCache, BodyFormat, BodyImport, BodySource, BodyUnits, DressForm, Fabric, OwnBody,
+};
 use jiff::Timestamp;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use utoipa::ToSchema;
 use uuid::Uuid;
 
-/// An avatar as it was requested.
+/// A dress form as it is requested.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
-pub struct AvatarRecord {
+pub struct AvatarRequest {
     /// Name for a person.
     #[serde(default)]
     pub name: Option<String>,
     /// The measurements it is made from.
     pub form: DressForm,
+}
+
+/// An avatar as it is kept: its form, or what is known of its file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AvatarRecord {
+    /// Name for a person.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// The measurements it is made from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub form: Option<DressForm>,
+    /// The file it was read from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub file: Option<BodyFile>,
+}
+
+/// The file that a body was read from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct BodyFile {
+    /// Its format.
+    pub format: BodyFormat,
+    /// Unit of its coordinates.
+    pub units: BodyUnits,
+    /// Rows of the map from its coordinates to those of the avatar \[m\]: three factors and an
+    /// addend each.
+    #[schema(value_type = Vec<Vec<f64>>)]
+    pub from_file: [[f64; 4]; 3],
+    /// Vertices of the body.
+    pub vertex_count: usize,
+    /// Triangles of the body.
+    pub triangle_count: usize,
+    /// Remarks: what was found, mended and left out.
+    pub warnings: Vec<Warning>,
+    /// Key of its surface, made of that.
+    pub surface: Uuid,
 }
 
 /// A stored thing.
@@ -36,7 +75,7 @@ pub struct Stored<T> {
 /// Stored patterns, avatars and fabrics. All calls block.
 pub struct Catalogue {
     documents: Arc<dyn Documents>,
-    dress_forms: Arc<DressFormCache>,
+    bodies: Arc<AvatarCache>,
 }
 
 impl Catalogue {
@@ -44,13 +83,13 @@ impl Catalogue {
     pub fn new(documents: Arc<dyn Documents>) -> Self {
         Self {
             documents,
-            dress_forms: Arc::default(),
+            bodies: Arc::default(),
         }
     }
 
-    /// Returns the dress forms made lately.
-    pub fn dress_forms(&self) -> &Arc<DressFormCache> {
-        &self.dress_forms
+    /// Returns the bodies made lately.
+    pub fn bodies(&self) -> &Arc<AvatarCache> {
+        &self.bodies
     }
 
     /// Stores a pattern, checked before, and gives it its id.
@@ -63,12 +102,91 @@ impl Catalogue {
         self.add(DocumentKind::Pattern, id, pattern)
     }
 
-    /// Stores an avatar, checked before.
+    /// Stores a dress form, checked before.
     ///
     /// # Errors
     /// If nothing could be written.
-    pub fn add_avatar(&self, avatar: AvatarRecord) -> Result<Stored<AvatarRecord>, StoreError> {
-        self.add(DocumentKind::Avatar, Uuid::now_v7(), avatar)
+    pub fn add_form(&self, form: AvatarRequest) -> Result<Stored<AvatarRecord>, StoreError> {
+        let record = AvatarRecord {
+            name: form.name,
+            form: Some(form.form),
+            file: None,
+        };
+        self.add(DocumentKind::Avatar, Uuid::now_v7(), record)
+    }
+
+    /// Stores a body read from a file, checked before; its surface once, whatever avatars have it.
+    ///
+    /// # Errors
+    /// If nothing could be written.
+    pub fn add_body(
+        &self,
+        name: Option<String>,
+        import: &BodyImport,
+    ) -> Result<Stored<AvatarRecord>, StoreError> {
+        let body = &import.body;
+        let bytes = serde_json::to_vec(body)
+            .map_err(|cause| StoreError::new("writing a body".to_owned(), cause))?;
+        let surface = content_id(&bytes);
+        if self.documents.get(DocumentKind::Body, surface)?.is_none() {
+            self.documents.put(DocumentKind::Body, surface, &bytes)?;
+        }
+        let file = BodyFile {
+            format: import.format,
+            units: import.units,
+            from_file: import.from_file,
+            vertex_count: body.vertices.len(),
+            triangle_count: body.triangles.len(),
+            warnings: import.warnings.clone(),
+            surface,
+        };
+        let record = AvatarRecord {
+            name,
+            form: None,
+            file: Some(file),
+        };
+        self.add(DocumentKind::Avatar, Uuid::now_v7(), record)
+    }
+
+    /// Finds what an avatar is made from.
+    ///
+    /// # Errors
+    /// If nothing could be read, or its surface is not there.
+    pub fn source(&self, avatar: &AvatarRecord) -> Result<BodySource, StoreError> {
+        if let Some(form) = avatar.form {
+            return Ok(BodySource::Form(form));
+        }
+        let lost = || StoreError::new("reading an avatar".to_owned(), "it has no surface");
+        let key = avatar.file.as_ref().ok_or_else(lost)?.surface;
+        let bytes = self.documents.get(DocumentKind::Body, key)?;
+        let body: OwnBody = serde_json::from_slice(&bytes.ok_or_else(lost)?)
+            .map_err(|cause| StoreError::new(format!("reading the body {key}"), cause))?;
+        Ok(BodySource::Own(Arc::new(body)))
+    }
+
+    /// Removes an avatar, and its surface if no other one has it; returns true if it was there.
+    /// Fits keep their own copy.
+    ///
+    /// # Errors
+    /// If nothing could be written.
+    pub fn remove_avatar(&self, id: Uuid) -> Result<bool, StoreError> {
+        let found = self.find_avatar(id)?;
+        let removed = self.documents.delete(DocumentKind::Avatar, id)?;
+        let Some(file) = found.and_then(|stored| stored.value.file) else {
+            return Ok(removed);
+        };
+        let others = self.avatars(&PageRequest {
+            limit: usize::MAX,
+            ..PageRequest::default()
+        })?;
+        let has_it = |other: &Stored<AvatarRecord>| {
+            let own = other.value.file.as_ref();
+            own.is_some_and(|own| own.surface == file.surface)
+        };
+        if !others.items.iter().any(has_it) {
+            self.documents.delete(DocumentKind::Body, file.surface)?;
+        }
+        Ok(removed)
     }
 
     /// Stores a fabric, checked before. Garments refer to it by its id in text.
@@ -130,7 +248,7 @@ impl Catalogue {
         Ok(fabrics)
     }
 
-    /// Removes a pattern, an avatar or a fabric; returns true if it was there. Fits keep their own
+    /// Removes a pattern or a fabric; returns true if it was there. Fits keep their own
     /// copy.
     ///
     /// # Errors
@@ -183,6 +301,16 @@ impl Catalogue {
     }
 }
 
+/// The id of bytes by their SHA-256 (RFC 9562, version 8).
+fn content_id(bytes: &[u8]) -> Uuid {
+    let digest: [u8; 32] = Sha256::digest(bytes).into();
+    let mut first = [0; 16];
+    first.copy_from_slice(&digest[..16]);
+    first[6] = (first[6] & 0x0f) | 0x80;
+    first[8] = (first[8] & 0x3f) | 0x80;
+    Uuid::from_bytes(first)
+}
+
 fn read<T: DeserializeOwned>(
     kind: DocumentKind,
     id: Uuid,
@@ -198,8 +326,9 @@ impl AssetLibrary for Catalogue {
         logged(self.find_pattern(id)).map(|stored| Arc::new(stored.value))
     }
 
-    fn form(&self, id: Uuid) -> Option<DressForm> {
-        logged(self.find_avatar(id)).map(|stored| stored.value.form)
+    fn body(&self, id: Uuid) -> Option<BodySource> {
+        let stored = logged(self.find_avatar(id))?;
+        logged(self.source(&stored.value).map(Some))
     }
 
     fn fabric(&self, id: &str) -> Option<Fabric> {

@@ -8,7 +8,7 @@ use super::status::JobStatus;
 use super::store::StoreError;
 use crate::fit::{AssetLibrary, FinishedFit, NoFinishedFit};
 use crate::pattern::Pattern;
-use crate::scene::{DressForm, Fabric};
+use crate::scene::{BodySource, Fabric};
 use std::sync::Arc;
 use uuid::Uuid;
 
@@ -18,8 +18,8 @@ impl AssetLibrary for Queue {
         self.catalogue().pattern(id)
     }
 
-    fn form(&self, id: Uuid) -> Option<DressForm> {
-        self.catalogue().form(id)
+    fn body(&self, id: Uuid) -> Option<BodySource> {
+        self.catalogue().body(id)
     }
 
     fn fabric(&self, id: &str) -> Option<Fabric> {

@@ -32,7 +32,7 @@ mod store;
 mod worker;
 
 pub use blobs::{Blobs, FileBlobs};
-pub use catalogue::{AvatarRecord, Catalogue, Stored};
+pub use catalogue::{AvatarRecord, AvatarRequest, BodyFile, Catalogue, Stored};
 pub use clock::{Clock, ManualClock, SystemClock, thread_cpu_s};
 pub use events::{JobEvent, JobEventKind, JobEvents};
 pub use failure::JobFailure;

@@ -214,6 +214,8 @@ pub enum DocumentKind {
     Avatar,
     /// A fabric.
     Fabric,
+    /// The surface of an avatar, by its content.
+    Body,
 }
 
 /// Small documents by id, written once. Ids are `UUIDv7`, so that newest first is the order of ids,

@@ -12,8 +12,9 @@ mod raw;
 mod wind;
 
 pub use avatar::{
-    Avatar, BodySample, DressForm, DressFormCache, LANDMARKS, Limb, LimbAxis, Limbs, Pose, Sex,
-    TriangleMesh,
+    Avatar, AvatarCache, BodyFormat, BodyImport, BodyImportOptions, BodySample, BodySource,
+    BodyUnits, DressForm, FileAxis, LANDMARKS, Limb, LimbAxis, Limbs, OwnBody, Pose, Sex,
+    TriangleMesh, import_body,
 };
 pub use body::{Analytic, Body};
 pub use coarser::{CoarserScene, coarser};

@@ -5,7 +5,7 @@ use super::validate;
 use crate::config::Limits;
 use crate::fault::{Faults, Warning};
 use crate::fit::{self, AssetLibrary, Garment, ResolvedGarment};
-use crate::scene::DressFormCache;
+use crate::scene::AvatarCache;
 use crate::seam::suggest::SuggestedSeam;
 use crate::solver::{Analysis, Method, SolverOptions};
 use std::sync::Arc;
@@ -38,11 +38,11 @@ pub struct ResolvedStudy {
 }
 
 impl ResolvedStudy {
-    /// Returns the same study, whose garments take their body from `dress_forms` if it was made
+    /// Returns the same study, whose garments take their body from `bodies` if it was made
     /// before.
     #[must_use]
-    pub fn with_dress_forms(self, dress_forms: &Arc<DressFormCache>) -> Self {
-        let with = |garment: ResolvedGarment| garment.with_dress_forms(dress_forms);
+    pub fn with_bodies(self, bodies: &Arc<AvatarCache>) -> Self {
+        let with = |garment: ResolvedGarment| garment.with_bodies(bodies);
         Self {
             request: self.request,
             first: with(self.first),

@@ -5,7 +5,7 @@ use crate::config::Limits;
 use crate::fit::{self, Garment, ReadError, RequestSchema};
 use crate::http::respond::Problem;
 use crate::http::state::AppState;
-use crate::job::AvatarRecord;
+use crate::job::AvatarRequest;
 use crate::scene::Fabric;
 use crate::study::{self, StudyRequest};
 use axum::extract::{FromRequest, Request};
@@ -48,10 +48,10 @@ impl JsonBody for StudyRequest {
     }
 }
 
-impl JsonBody for AvatarRecord {
+impl JsonBody for AvatarRequest {
     fn read(bytes: &[u8]) -> Result<Self, ReadError> {
         // Made of the type alone, once.
-        static SCHEMA: LazyLock<RequestSchema> = LazyLock::new(RequestSchema::of::<AvatarRecord>);
+        static SCHEMA: LazyLock<RequestSchema> = LazyLock::new(RequestSchema::of::<AvatarRequest>);
         SCHEMA.read(bytes)
     }
 }
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn every_shape_can_be_made() {
         assert!(Garment::read(br#"{"seams": []}"#).is_ok());
-        assert!(AvatarRecord::read(b"[]").is_err());
+        assert!(AvatarRequest::read(b"[]").is_err());
         assert!(Fabric::read(b"[]").is_err());
         assert!(StudyRequest::read(br#"{"garment": {"seams": []}}"#).is_ok());
     }

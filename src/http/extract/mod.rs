@@ -1,6 +1,7 @@
 //! Requests, checked: bodies, queries, paths and headers become types that cannot be wrong.
 
 mod accept;
+mod avatar_upload;
 mod body;
 mod fit_request;
 mod idempotency_key;
@@ -13,6 +14,7 @@ mod query;
 mod upload;
 
 pub(super) use accept::preferred_type;
+pub(super) use avatar_upload::{AvatarUpload, BodyQuery, BodyUpload};
 pub(super) use fit_request::FitRequest;
 pub(super) use idempotency_key::idempotency_key;
 pub(super) use json::{JsonBody, JsonWithDigest, OptionalJson, ValidatedJson};

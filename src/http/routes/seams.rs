@@ -47,10 +47,7 @@ pub(super) async fn check(
         .run_compute(move |app| {
             let mut check = fit::check_seams(&garment, &pattern, app.limits())?;
             if check.ok {
-                let assets = (
-                    &*app.queue as &dyn AssetLibrary,
-                    app.catalogue().dress_forms(),
-                );
+                let assets = (&*app.queue as &dyn AssetLibrary, app.catalogue().bodies());
                 let sizes = fit::size_warnings(garment, &pattern, assets, app.limits());
                 check.warnings.extend(sizes);
             }

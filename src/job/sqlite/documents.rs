@@ -54,5 +54,6 @@ fn kind_name(kind: DocumentKind) -> &'static str {
         DocumentKind::Pattern => "pattern",
         DocumentKind::Avatar => "avatar",
         DocumentKind::Fabric => "fabric",
+        DocumentKind::Body => "body",
     }
 }

@@ -54,13 +54,13 @@ impl Runner for SolverRunner {
         match request {
             JobRequest::Fit(garment) => {
                 let resolved = fit::resolve(*garment, library, limits)?;
-                let resolved = resolved.with_dress_forms(library.dress_forms());
+                let resolved = resolved.with_bodies(library.bodies());
                 let outcome = fit::run(&resolved, &mut context)?;
                 Ok(JobOutcome::Fit(Box::new(outcome)))
             }
             JobRequest::Study(request) => {
                 let resolved = study::resolve(*request, library, limits)?;
-                let resolved = resolved.with_dress_forms(library.dress_forms());
+                let resolved = resolved.with_bodies(library.bodies());
                 let study = study::run(&resolved, &mut context)?;
                 Ok(JobOutcome::Study(Box::new(study)))
             }

@@ -1,7 +1,9 @@
 //! The exact signed distance of a closed surface.
 
 use super::TriangleMesh;
+use super::hull::Hull;
 use super::tree::{Feature, Nearest, Tree};
+use super::winding::Winding;
 use nalgebra::Vector3;
 
 /// Distances by the nearest point, signs by angle-weighted pseudonormals, which tell inside from
@@ -14,6 +16,8 @@ pub(super) struct ExactDistance {
     /// The triangle beyond each edge of a triangle.
     neighbors: Vec<[usize; 3]>,
     bounds: [Vector3<f64>; 2],
+    /// Of a surface that crosses itself: they tell inside from outside.
+    winding: Option<Winding>,
 }
 
 /// Outward directions of a triangle; only their signs against a vector matter, so the edges' are
@@ -43,7 +47,38 @@ impl ExactDistance {
             normals,
             neighbors,
             bounds: [lower, upper],
+            winding: None,
         }
+    }
+
+    /// For the outside of a surface that crosses itself.
+    pub(super) fn of_hull(hull: Hull) -> Self {
+        let corners = || {
+            let corners = hull.surface.triangles.iter().flatten();
+            corners.map(|&v| hull.surface.vertices[v])
+        };
+        let lower = corners().fold(Vector3::repeat(f64::INFINITY), |l, v| l.inf(&v));
+        let upper = corners().fold(Vector3::repeat(f64::NEG_INFINITY), |u, v| u.sup(&v));
+        Self {
+            tree: Tree::new(&hull.surface),
+            normals: Vec::new(),
+            neighbors: Vec::new(),
+            bounds: [lower, upper],
+            winding: Some(hull.winding),
+        }
+    }
+
+    /// Returns the triangle of a hull that is nearer to `p` than `squared` \[m²\], with its own
+    /// squared distance; none if none is, or if triangles have neighbors to search along.
+    pub(super) fn nearer_on_hull(&self, p: &Vector3<f64>, squared: f64) -> Option<(usize, f64)> {
+        self.winding.as_ref()?;
+        let nearest = self.tree.nearest(p, squared.sqrt())?;
+        Some((nearest.triangle, nearest.distance_squared))
+    }
+
+    /// Returns true if triangles have no neighbors.
+    pub(super) fn is_hull(&self) -> bool {
+        self.winding.is_some()
     }
 
     /// Lowest and highest coordinates of the surface \[m\].
@@ -69,6 +104,9 @@ impl ExactDistance {
         p: &Vector3<f64>,
         (triangle, feature, point): (usize, Feature, Vector3<f64>),
     ) -> bool {
+        if let Some(winding) = &self.winding {
+            return winding.number(p) > 0;
+        }
         self.normal(triangle, feature).dot(&(p - point)) < 0.0
     }
 
@@ -78,6 +116,10 @@ impl ExactDistance {
     }
 
     fn sign(&self, p: &Vector3<f64>, nearest: &Nearest) -> f64 {
+        if let Some(winding) = &self.winding {
+            let side = if winding.number(p) > 0 { -1.0 } else { 1.0 };
+            return side * nearest.distance_squared.sqrt();
+        }
         let normal = self.normal(nearest.triangle, nearest.feature);
         nearest
             .distance_squared

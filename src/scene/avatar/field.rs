@@ -7,9 +7,6 @@ use super::node_distances::node_distances;
 use super::spline::{bends, interpolate, pivots, slopes, weights};
 use nalgebra::{Matrix3, Vector3};
 
-/// Spacing of the grid \[m\]: about the mesh edges of a body, so that its facets are not resolved
-/// but smoothed.
-const SPACING: f64 = 0.009;
 /// Most nodes of the box about a body; one that would need more gets a wider spacing.
 const NODES: f64 = 5.0e6;
 /// Nodes beyond the reach on each side: there the free ends of the spline are felt by less than
@@ -57,9 +54,13 @@ struct Cell {
 }
 
 impl DistanceField {
-    /// The field about a surface up to `reach` outside \[m\].
-    pub(super) fn new(surface: &TriangleMesh, exact: &ExactDistance, reach: f64) -> Self {
-        let lattice = layout(exact.bounds(), reach);
+    /// The field about a surface up to `reach` outside, on a grid of this `spacing` \[m\].
+    pub(super) fn new(
+        (surface, exact): (&TriangleMesh, &ExactDistance),
+        reach: f64,
+        spacing: f64,
+    ) -> Self {
+        let lattice = layout(exact.bounds(), reach, spacing);
         let limit = reach + COMPUTED * lattice.spacing;
         let mut nodes = node_distances(&lattice, (surface, exact), limit);
         let offered = lattice.spacing.mul_add(1.8, reach);
@@ -209,12 +210,12 @@ impl DistanceField {
     }
 }
 
-fn layout([lower, upper]: [Vector3<f64>; 2], reach: f64) -> Lattice {
+fn layout([lower, upper]: [Vector3<f64>; 2], reach: f64, finest: f64) -> Lattice {
     let nodes = |spacing: f64| {
         let pad = 2.0 * (reach + MARGIN * spacing);
         (upper - lower).map(|width| ((width + pad) / spacing).ceil() + 1.0)
     };
-    let mut spacing = SPACING;
+    let mut spacing = finest;
     while nodes(spacing).product() > NODES {
         spacing *= 1.05;
     }

@@ -1,43 +1,58 @@
 //! The body that a garment is draped on: its surface, its landmarks and its signed distance.
 
 mod arm;
-mod dress_form_cache;
+mod cache;
 mod exact;
 mod field;
 mod figure;
 mod form;
 mod half_mesh;
+mod hull;
 mod lattice;
 mod leg;
 mod limb;
 mod mannequin;
+mod measured;
 mod measures;
 mod node_distances;
+mod own;
 mod proportions;
 mod rings;
 mod section;
 mod slice;
+mod source;
 mod spline;
 mod surface;
 mod torso;
 mod tree;
 mod tube;
+mod winding;
 
-pub use dress_form_cache::DressFormCache;
+pub use cache::AvatarCache;
 pub use field::BodySample;
 pub use form::{DressForm, Limbs, Pose, Sex};
 pub use limb::{Limb, LimbAxis};
+pub use own::{
+    BodyFormat, BodyImport, BodyImportOptions, BodyUnits, FileAxis, OwnBody, import_body,
+};
+pub use source::BodySource;
 pub use surface::TriangleMesh;
 
 use crate::fault::Faults;
 use exact::ExactDistance;
 use field::DistanceField;
+use hull::hull;
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
 /// Distance outside the surface up to which the smooth distance is offered \[m\]: more than cloth,
 /// its thickness and one Newton move.
 const REACH: f64 = 0.04;
+/// Spacing of the grid of distances about a dress form \[m\]: about the edges of its mesh, so that
+/// its facets are not resolved but smoothed.
+const SPACING: f64 = 0.009;
+/// The same about a body from a file \[m\], whose details are its own: errors go with its square.
+const OWN_SPACING: f64 = 0.006;
 
 /// A closed body with what is needed to place and drape on it: y up, facing +z, its left at +x,
 /// floor at y = 0 \[m\].
@@ -98,7 +113,7 @@ impl Avatar {
     ) -> Result<Self, Faults> {
         Faults(surface.check()).or(())?;
         let exact = ExactDistance::new(&surface);
-        let field = DistanceField::new(&surface, &exact, REACH);
+        let field = DistanceField::new((&surface, &exact), REACH, SPACING);
         Ok(Self {
             name: name.to_owned(),
             surface,
@@ -107,6 +122,44 @@ impl Avatar {
             exact,
             field,
         })
+    }
+
+    /// An avatar of a closed surface that may cross itself: its distances are those of the outside.
+    ///
+    /// # Errors
+    /// As [`Avatar::from_surface`], and `avatar/crossing` if it crosses itself in too many places.
+    fn from_crossing_surface(
+        name: &str,
+        surface: TriangleMesh,
+        landmarks: BTreeMap<String, Vector3<f64>>,
+    ) -> Result<Self, Faults> {
+        Faults(surface.check()).or(())?;
+        let (exact, field) = match hull(&surface)? {
+            None => {
+                let exact = ExactDistance::new(&surface);
+                let field = DistanceField::new((&surface, &exact), REACH, OWN_SPACING);
+                (exact, field)
+            }
+            Some(hull) => {
+                let outside = hull.surface.clone();
+                let exact = ExactDistance::of_hull(hull);
+                let field = DistanceField::new((&outside, &exact), REACH, OWN_SPACING);
+                (exact, field)
+            }
+        };
+        Ok(Self {
+            name: name.to_owned(),
+            surface,
+            landmarks,
+            limbs: BTreeMap::new(),
+            exact,
+            field,
+        })
+    }
+
+    /// Returns true if the surface crosses itself, so that not all of it is the outside.
+    pub fn crosses_itself(&self) -> bool {
+        self.exact.is_hull()
     }
 
     /// Returns the axis of a limb, if the body has it and it is known.

@@ -184,9 +184,18 @@ impl Front<'_> {
     }
 
     /// Goes on to adjacent triangles while they are nearer: to those beyond the edges, and where a
-    /// corner is nearest, to all around it.
+    /// corner is nearest, to all around it. Triangles of a hull have no neighbors: all are
+    /// searched.
     fn climb(&mut self, index: usize) {
         let place = self.lattice.place(self.lattice.node(index));
+        if self.exact.is_hull() {
+            let nearer = self.exact.nearer_on_hull(&place, self.squared[index]);
+            if let Some((t, squared)) = nearer {
+                self.squared[index] = squared;
+                self.triangle[index] = index32(t);
+            }
+            return;
+        }
         loop {
             let current = self.triangle[index] as usize;
             let (_, feature) = nearest_in_triangle(&place, &self.surface.corners(current));

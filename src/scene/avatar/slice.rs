@@ -1,6 +1,7 @@
 //! Plane slices of a surface: their loops, and the girth that a tape would read.
 
 use super::TriangleMesh;
+use super::tube::Frame;
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
@@ -132,10 +133,43 @@ pub(super) fn girth(surface: &TriangleMesh, y: f64) -> Option<f64> {
     tape(torso(surface, y).concat())
 }
 
+/// Mean girth of a tape about each of the two legs at height `y`: the largest loop of each side
+/// \[m\].
+pub(super) fn leg_girth(surface: &TriangleMesh, y: f64) -> Option<f64> {
+    let loops = Plane::level(y).loops(surface);
+    let girths = [1.0, -1.0].map(|side| {
+        let middle = |points: &Vec<[f64; 2]>| {
+            let sum: f64 = points.iter().map(|p| p[0] * side).sum();
+            sum / points.len() as f64
+        };
+        let own = loops.iter().filter(|points| middle(points) > 0.0);
+        own.filter_map(|points| tape(points.clone()))
+            .max_by(f64::total_cmp)
+    });
+    let [left, right] = girths;
+    left.zip(right).map(|(left, right)| 0.5 * (left + right))
+}
+
 /// Girth of a tape about the loop of a slice that is round the point of the plane \[m\].
 pub(super) fn girth_around(surface: &TriangleMesh, plane: &Plane) -> Option<f64> {
     let loops = plane.loops(surface);
     tape(loops.into_iter().find(|points| is_around(points))?)
+}
+
+/// Girth of a tape about the loop round a point, normal to a direction \[m\].
+pub(super) fn girth_across(
+    surface: &TriangleMesh,
+    point: &Vector3<f64>,
+    direction: &Vector3<f64>,
+) -> Option<f64> {
+    let direction = direction.try_normalize(1e-9)?;
+    let frame = Frame::normal_to(direction, *point);
+    let plane = Plane {
+        point: *point,
+        across: frame.outward,
+        along: frame.forward,
+    };
+    girth_around(surface, &plane)
 }
 
 /// Returns true if a loop goes round the origin.
@@ -152,7 +186,7 @@ fn is_around(points: &[[f64; 2]]) -> bool {
 }
 
 /// Perimeter of the convex hull of points, `None` where there are none \[m\].
-fn tape(points: Vec<[f64; 2]>) -> Option<f64> {
+pub(super) fn tape(points: Vec<[f64; 2]>) -> Option<f64> {
     let hull = hull(points);
     let next = hull.iter().cycle().skip(1);
     let girth = hull

@@ -288,3 +288,45 @@ fn girth_of_a_sphere_is_that_of_its_circle() {
     let [[left, right], _] = avatar.section_bounds(1e-9).expect("a slice");
     assert!((right - left - 0.2).abs() < 2.0 * depth);
 }
+
+/// Two balls of 10 cm whose middles are 12 cm apart: their walls inside do not count.
+#[test]
+fn distances_of_a_surface_that_crosses_itself_are_those_of_its_outside() {
+    let (radius, half) = (0.1, 0.06);
+    let mut both = sphere(radius, 5);
+    let count = both.vertices.len();
+    let right = both.clone();
+    both.vertices.iter_mut().for_each(|p| p.x -= half);
+    both.vertices
+        .extend(right.vertices.iter().map(|p| p + Vector3::x() * half));
+    let triangles = right.triangles.iter().map(|t| t.map(|v| v + count));
+    both.triangles.extend(triangles);
+    let avatar = Avatar::from_crossing_surface("balls", both, BTreeMap::new()).expect("closed");
+    assert!(avatar.crosses_itself());
+    let to_left = |p: &Vector3<f64>| (p + Vector3::x() * half).norm() - radius;
+    let to_right = |p: &Vector3<f64>| (p - Vector3::x() * half).norm() - radius;
+    // chords of a quarter in 32 parts, the longest up to 1.6 times the mean: 8 mm
+    let slack = 0.008_f64.powi(2) / (8.0 * radius) * 2.0;
+    for (x, y) in [
+        (-0.2, 0.0),
+        (0.0, 0.12),
+        (0.03, 0.1),
+        (0.17, 0.02),
+        (0.0, 0.09),
+    ] {
+        let p = Vector3::new(x, y, 0.004);
+        let truth = to_left(&p).min(to_right(&p));
+        let off = avatar.exact_distance(&p) - truth;
+        assert!(off.abs() < slack, "{off} at {p}");
+        let smooth = avatar.distance(&p);
+        if smooth.is_finite() && truth > 0.01 {
+            assert!((smooth - truth).abs() < 1e-3, "{smooth} {truth} at {p}");
+        }
+    }
+    // in the middle of both, the nearest place is the circle where they meet
+    let crease = -(radius * radius - half * half).sqrt();
+    let found = avatar.exact_distance(&Vector3::zeros());
+    assert!((found - crease).abs() < 1e-3, "{found} {crease}");
+    let smooth = avatar.distance(&Vector3::zeros());
+    assert!((smooth - crease).abs() < 2e-3, "{smooth} {crease}");
+}

@@ -1,4 +1,5 @@
 //! Tests of `scene`: bodies, raw scenes of particles and springs.
 
 mod bodies;
+mod own_bodies;
 mod raw;
