@@ -310,7 +310,7 @@ impl LaidBand {
     }
 
     /// Returns the other long edge, in the same direction.
-    fn free(&self) -> Option<EdgeChain> {
+    pub(super) fn free(&self) -> Option<EdgeChain> {
         let forward = self.chain.first()?.forward;
         let chain = self.band.chain(self.neighbor(true, 2)?);
         Some(if forward { reversed(&chain) } else { chain })

@@ -1,0 +1,64 @@
+//! Armholes: what front, side panels, back and yoke make of them together.
+
+use super::side;
+use crate::seam::suggest::edge_chain::EdgeChain;
+use crate::seam::suggest::garment_model::GarmentModel;
+use crate::seam::suggest::labeled_panel::LabeledPanel;
+use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
+
+/// An armhole from the shoulder down the front, then up the back to the shoulder.
+pub(super) struct Armhole {
+    pub(super) down: EdgeChain,
+    pub(super) up: EdgeChain,
+}
+
+impl Armhole {
+    /// Returns the armhole from the shoulder down the front and up the back.
+    pub(super) fn from_shoulder(&self) -> EdgeChain {
+        [self.down.clone(), self.up.clone()].concat()
+    }
+
+    /// Returns the armhole from the underarm up the back and down the front.
+    pub(super) fn from_underarm(&self) -> EdgeChain {
+        [self.up.clone(), self.down.clone()].concat()
+    }
+}
+
+/// Returns the armhole of one side of the wearer.
+pub(super) fn of(garment: &GarmentModel, laterality: Laterality) -> Option<Armhole> {
+    let place = (EdgeRole::Armhole, laterality);
+    let row = side::row(garment, laterality);
+    let part = |front_back, from| garment.chain(PanelKind::Bodice, front_back, place, from);
+    let front = part(FrontBack::Front, EdgeRole::Shoulder);
+    let back = part(FrontBack::Back, EdgeRole::Side);
+    if row.is_empty() && (front.is_none() || back.is_none()) {
+        return None;
+    }
+    let mut down = front.unwrap_or_default();
+    let mut up = EdgeChain::new();
+    for laid in &row {
+        let chain = laid.armhole().unwrap_or_default();
+        if laid.panel.front_back == Some(FrontBack::Back) {
+            up.extend(chain);
+        } else {
+            down.extend(chain);
+        }
+    }
+    up.extend(back.unwrap_or_default());
+    if let Some(yoke) = yoke(garment) {
+        up.extend(over_the_shoulder(yoke, laterality)?);
+    }
+    (!down.is_empty() && !up.is_empty()).then_some(Armhole { down, up })
+}
+
+/// Returns the yoke of the back.
+pub(super) fn yoke(garment: &GarmentModel) -> Option<&LabeledPanel> {
+    let of_back = |p: &&LabeledPanel| p.front_back != Some(FrontBack::Front);
+    garment.parts_of(PanelKind::Yoke).find(of_back)
+}
+
+/// Returns the armhole of a yoke from the back up to the shoulder.
+fn over_the_shoulder(yoke: &LabeledPanel, laterality: Laterality) -> Option<EdgeChain> {
+    let side = yoke.drawn_side_of(laterality);
+    yoke.role_chain(EdgeRole::Armhole, Some(side), EdgeRole::Hem)
+}
