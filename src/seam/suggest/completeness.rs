@@ -71,7 +71,9 @@ impl Completeness {
             .map(|i| {
                 (
                     i,
-                    form_of(garment, &sewn, i).unwrap_or_else(|| reason(pattern, hints, &sewn, i)),
+                    form_of(garment, &sewn, i)
+                        .or_else(|| band_of(garment, &sewn, i))
+                        .unwrap_or_else(|| reason(pattern, hints, &sewn, i)),
                 )
             })
             .collect();
@@ -158,6 +160,15 @@ fn told<'a>(panel: &str, reason: &Loose, id: impl Fn(&usize) -> &'a str) -> Stri
             "no seam is suggested for panel `{panel}`: what it is was not recognised, or it is not needed"
         ),
     }
+}
+
+/// Returns the neck band that is sewn in the place of panel `i`, if that is another one.
+fn band_of(garment: &GarmentModel, sewn: &BTreeSet<usize>, i: usize) -> Option<Loose> {
+    let is_band = |p: &LabeledPanel| p.kind == PanelKind::NeckBand;
+    garment.parts.iter().find(|p| p.panel == i && is_band(p))?;
+    let mut others = garment.parts.iter().filter(|p| is_band(p));
+    let other = others.find(|p| sewn.contains(&p.panel))?;
+    Some(Loose::Alternative(other.panel))
 }
 
 /// Returns the sewn panel that panel `i`, whose name does not say what it is, was taken for a form

@@ -3,7 +3,6 @@
 use super::side;
 use crate::seam::suggest::edge_chain::EdgeChain;
 use crate::seam::suggest::garment_model::GarmentModel;
-use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 
 /// An armhole from the shoulder down the front, then up the back to the shoulder.
@@ -45,20 +44,9 @@ pub(super) fn of(garment: &GarmentModel, laterality: Laterality) -> Option<Armho
         }
     }
     up.extend(back.unwrap_or_default());
-    if let Some(yoke) = yoke(garment) {
-        up.extend(over_the_shoulder(yoke, laterality)?);
+    if garment.has(PanelKind::Yoke) {
+        let over = garment.chain(PanelKind::Yoke, FrontBack::Back, place, EdgeRole::Hem);
+        up.extend(over.unwrap_or_default());
     }
     (!down.is_empty() && !up.is_empty()).then_some(Armhole { down, up })
-}
-
-/// Returns the yoke of the back.
-pub(super) fn yoke(garment: &GarmentModel) -> Option<&LabeledPanel> {
-    let of_back = |p: &&LabeledPanel| p.front_back != Some(FrontBack::Front);
-    garment.parts_of(PanelKind::Yoke).find(of_back)
-}
-
-/// Returns the armhole of a yoke from the back up to the shoulder.
-fn over_the_shoulder(yoke: &LabeledPanel, laterality: Laterality) -> Option<EdgeChain> {
-    let side = yoke.drawn_side_of(laterality);
-    yoke.role_chain(EdgeRole::Armhole, Some(side), EdgeRole::Hem)
 }
