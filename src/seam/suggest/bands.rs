@@ -169,7 +169,7 @@ fn label_long_edges(part: &mut LabeledPanel, openings: &[BandOpening]) {
         fits[0]
     };
     let role = |k: usize| {
-        if (k % 2 == 0) == first_is_long {
+        if k.is_multiple_of(2) == first_is_long {
             EdgeRole::Long
         } else {
             EdgeRole::End

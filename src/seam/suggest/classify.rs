@@ -2,7 +2,7 @@
 
 use super::figures::Figures;
 use super::labeled_panel::LabeledPanel;
-use super::labels::{Laterality, PanelKind};
+use super::labels::{FrontBack, Laterality, PanelKind};
 use super::lexicon::Lexicon;
 use super::outline_features::OutlineFeatures;
 use super::penalties::{drawing_penalty, half_penalty, upright};
@@ -106,7 +106,12 @@ fn candidates(
     let symmetric = features.is_symmetric();
     let mut found: Vec<LabeledPanel> = vec![];
     for kind in kinds {
-        let beside = kinds_named.iter().filter(|_| kind == PanelKind::Bodice);
+        // A yoke takes the shoulders of the back; the front keeps its own.
+        let takes = |other: &&PanelKind| {
+            let back = hints.front_back == Some(FrontBack::Back);
+            kind == PanelKind::Bodice && (**other != PanelKind::Yoke || back)
+        };
+        let beside = kinds_named.iter().filter(takes);
         let beside = beside.flat_map(|other| figures.beside(*other));
         for template in figures.templates(kind).chain(beside) {
             let against = template.rarity

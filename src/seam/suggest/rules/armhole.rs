@@ -13,12 +13,12 @@ pub(super) struct Armhole {
 
 impl Armhole {
     /// Returns the armhole from the shoulder down the front and up the back.
-    pub(super) fn from_shoulder(&self) -> EdgeChain {
+    pub(super) fn around_from_shoulder(&self) -> EdgeChain {
         [self.down.clone(), self.up.clone()].concat()
     }
 
     /// Returns the armhole from the underarm up the back and down the front.
-    pub(super) fn from_underarm(&self) -> EdgeChain {
+    pub(super) fn around_from_underarm(&self) -> EdgeChain {
         [self.up.clone(), self.down.clone()].concat()
     }
 }

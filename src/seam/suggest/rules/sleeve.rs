@@ -8,6 +8,9 @@ use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, P
 /// Sews the sleeves and sets them in.
 pub(super) fn sew(garment: &mut GarmentModel) {
     assign_left_right(garment);
+    if garment.has(PanelKind::UnderSleeve) {
+        two_part_sleeve::assign_left_right(garment);
+    }
     for (laterality, side) in [(Laterality::Left, "left"), (Laterality::Right, "right")] {
         if garment
             .part(PanelKind::Sleeve, FrontBack::Front, laterality)
@@ -82,7 +85,7 @@ fn halves(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
         )?);
         Some(cap)
     });
-    let hole = armhole::of(garment, laterality).map(|hole| hole.from_shoulder());
+    let hole = armhole::of(garment, laterality).map(|hole| hole.around_from_shoulder());
     set_in(garment, side, hole, cap);
 }
 
@@ -120,7 +123,7 @@ fn whole(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
         return;
     }
     let front = usual_front_side(laterality);
-    let hole = armhole::of(garment, laterality).map(|hole| hole.from_underarm());
+    let hole = armhole::of(garment, laterality).map(|hole| hole.around_from_underarm());
     let cap = part.segment(EdgeRole::Cap, None).map(|segment| {
         let chain = part.chain(segment);
         if part.first_drawn_side() == front {

@@ -11,6 +11,20 @@ use crate::seam::suggest::labels::{DrawnSide, EdgeRole, Laterality, PanelKind};
 /// \[m\].
 const CORNER_TOLERANCE_M: f64 = 0.004;
 
+/// Gives upper sleeves that are called neither left nor right the side of the wearer that their front
+/// belongs to: the left if it lies on the left of the drawing.
+pub(super) fn assign_left_right(garment: &mut GarmentModel) {
+    let is_upper = |p: &&mut LabeledPanel| p.kind == PanelKind::Sleeve && !p.half;
+    for part in garment.parts.iter_mut().filter(is_upper) {
+        if let (Some(side), false) = (front_side(part), part.laterality_named) {
+            part.laterality = Some(match side {
+                DrawnSide::Left => Laterality::Left,
+                DrawnSide::Right => Laterality::Right,
+            });
+        }
+    }
+}
+
 /// Sews the two parts of a sleeve to each other and into the armhole.
 pub(super) fn sew(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
     let find = |kind| {
@@ -45,15 +59,14 @@ pub(super) fn sew(garment: &mut GarmentModel, laterality: Laterality, side: &str
     }
     let hole = armhole::of(garment, laterality);
     let hole = hole.map(|hole| {
-        // The middle of the under sleeve lies at the underarm, where the way up the back begins;
-        // the cap begins half the under sleeve's width before that, on the front.
-        let ring = reversed(&hole.from_underarm());
-        let before = 0.5 * length(&below) * length(&ring)
-            / (length(&below) + length(&over)).max(f64::MIN_POSITIVE);
-        beginning_at(&ring, length(&ring) - before, CORNER_TOLERANCE_M)
+        // Up the front and down the back. The middle of the under sleeve lies at the underarm, so
+        // that the seam in front of the arm meets the armhole half its width up the front.
+        let ring = reversed(&hole.around_from_underarm());
+        let whole = (length(&below) + length(&over)).max(f64::MIN_POSITIVE);
+        let before = 0.5 * length(&below) / whole * length(&ring);
+        beginning_at(&ring, before, CORNER_TOLERANCE_M)
     });
-    let hole = hole.map(|hole| reversed(&hole));
-    let cap = reversed(&[over, below].concat());
+    let cap = [over, below].concat();
     sleeve::set_in(garment, side, hole, Some(cap));
 }
 

@@ -20,15 +20,11 @@ pub(super) fn sew(garment: &mut GarmentModel, laterality: Laterality, side: &str
         let hem = garment.half_ring(PanelKind::Yoke, EdgeRole::Hem, FrontBack::Back);
         let rationale = SeamRationale::new("yoke", "the back hangs from the yoke").gathered();
         garment.sew(rationale, back, hem);
-        if let Some(part) = garment.part(PanelKind::Yoke, FrontBack::Back, laterality) {
-            if part.half {
-                halves(garment);
-            }
-        }
+        halves(garment);
     }
 }
 
-/// Sews the two halves of a yoke to each other.
+/// Sews the two halves of a yoke to each other; one drawn whole has no center.
 fn halves(garment: &mut GarmentModel) {
     let [a, b] = [Laterality::Left, Laterality::Right].map(|laterality| {
         let place = (EdgeRole::Center, laterality);
