@@ -2,7 +2,7 @@
 
 use super::band::{self, BandEdge, BandSet, LaidBand, Opening};
 use super::{raglan, yoke};
-use crate::seam::suggest::edge_chain::EdgeChain;
+use crate::seam::suggest::edge_chain::{EdgeChain, EdgeStep, length, reversed, up_to};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
@@ -15,6 +15,8 @@ const ROUND_NECKS: [PanelKind; 3] = [
 ];
 /// A band may be shorter than the neck by this, to be stretched on.
 const MAX_EASE: f64 = 0.36;
+/// A stand that reaches less beyond its collar ends with it \[m\].
+const MIN_BEYOND_M: f64 = 0.004;
 /// Weight of a band's misfit against ease.
 const MISFIT_WEIGHT: f64 = 0.05;
 
@@ -84,8 +86,9 @@ fn collar_on_stand(garment: &mut GarmentModel, neck: &Opening) -> bool {
         let whole = |p: &&LabeledPanel| p.front_back.is_none() && p.laterality.is_none();
         garment.parts_of(kind).find(whole).cloned()
     };
-    let (Some(stand), Some(collar)) = (find(PanelKind::CollarStand), find(PanelKind::Collar))
-    else {
+    // Some names call a collar by the word for anything at the neck.
+    let collar = find(PanelKind::Collar).or_else(|| find(PanelKind::NeckBand));
+    let (Some(stand), Some(collar)) = (find(PanelKind::CollarStand), collar) else {
         return false;
     };
     let neck = from_opening(garment, neck);
@@ -97,9 +100,21 @@ fn collar_on_stand(garment: &mut GarmentModel, neck: &Opening) -> bool {
     let Some(free) = laid.free() else { return true };
     if let Some(fall) = band::lay(garment, &free, &collar, BandEdge::Lower) {
         let rationale = SeamRationale::new("collar", "the collar is sewn to its stand").gathered();
+        let free = middle(&free, length(&fall.chain));
         garment.sew(rationale, Some(free), Some(fall.chain));
     }
     true
+}
+
+/// Returns the middle of a chain, of this length \[m\]: a stand reaches beyond its collar at both
+/// ends, where it is buttoned. All of a chain that is not longer.
+fn middle(chain: &[EdgeStep], wanted: f64) -> EdgeChain {
+    let beyond = 0.5 * (length(chain) - wanted);
+    if beyond <= MIN_BEYOND_M {
+        return chain.to_vec();
+    }
+    let to_end = up_to(chain, length(chain) - beyond);
+    reversed(&up_to(&reversed(&to_end), wanted))
 }
 
 /// Returns the neck from the center front on where the front is of two halves.
