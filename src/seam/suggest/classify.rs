@@ -2,12 +2,13 @@
 
 use super::figures::Figures;
 use super::labeled_panel::LabeledPanel;
-use super::labels::{Laterality, PanelKind};
+use super::labels::{FrontBack, Laterality, PanelKind};
 use super::lexicon::Lexicon;
 use super::outline_features::OutlineFeatures;
 use super::penalties::{drawing_penalty, half_penalty, upright};
-use super::{align, assignment, names, orientation};
+use super::{align, assignment, bands, names, orientation};
 use crate::pattern::Pattern;
+use std::collections::BTreeSet;
 use std::rc::Rc;
 
 const UNNAMED_KINDS: [PanelKind; 5] = [
@@ -22,8 +23,16 @@ const EXTRA_KINDS: [PanelKind; 2] = [PanelKind::Sleeve, PanelKind::NeckBand];
 /// Number of labelings of a panel that are weighed.
 const MAX_LABELINGS: usize = 16;
 
+/// Panels with their labels, and the hints of the names of all panels.
+pub(super) struct Classification {
+    /// Panels that were recognized, with the mirrored copies that the suggestion adds.
+    pub(super) parts: Vec<LabeledPanel>,
+    /// Hints of the names, in the order of the panels.
+    pub(super) hints: Vec<names::NameHints>,
+}
+
 /// Labels the panels of a pattern.
-pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
+pub(super) fn label_panels(pattern: &Pattern) -> Classification {
     let names: Vec<&str> = pattern.panels.iter().map(|p| p.name.as_str()).collect();
     let common = names::common_start(&names);
     let shared = names::shared(&names);
@@ -50,6 +59,7 @@ pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
     let telling = hints.iter().any(|s| {
         s.front_back.is_some() || s.kind.is_some_and(|kind| PanelKind::BODY.contains(&kind))
     });
+    let kinds_named: BTreeSet<PanelKind> = hints.iter().filter_map(|s| s.kind).collect();
     let candidates: Vec<Vec<LabeledPanel>> = (0..names.len())
         .map(|index| {
             let panel = &pattern.panels[index];
@@ -58,7 +68,7 @@ pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
                 &figures,
                 (index, Rc::new(OutlineFeatures::of(panel, slits))),
                 hints,
-                (upright(panel), telling),
+                (upright(panel), telling, &kinds_named),
             )
         })
         .collect();
@@ -71,8 +81,9 @@ pub(super) fn label_panels(pattern: &Pattern) -> Vec<LabeledPanel> {
     for (part, turned) in parts.iter_mut().zip(turned) {
         part.drawn_from_inside = turned;
     }
+    bands::assign_openings(&mut parts);
     orientation::assign_left_right(pattern, &mut parts);
-    parts
+    Classification { parts, hints }
 }
 
 /// Returns the labelings of a panel, the likeliest first.
@@ -80,10 +91,13 @@ fn candidates(
     figures: &Figures,
     (panel, features): (usize, Rc<OutlineFeatures>),
     hints: &names::NameHints,
-    (upright, telling): (Option<bool>, bool),
+    (upright, telling, kinds_named): (Option<bool>, bool, &BTreeSet<PanelKind>),
 ) -> Vec<LabeledPanel> {
+    let of_bodice = BTreeSet::from([PanelKind::Side, PanelKind::Yoke, PanelKind::UnderSleeve]);
     let kinds: Vec<PanelKind> = match (hints.kind, hints.front_back) {
+        (Some(PanelKind::Side), Some(_)) => vec![PanelKind::Side, PanelKind::Bodice],
         (Some(kind), _) => vec![kind],
+        (None, Some(_)) if !of_bodice.is_disjoint(kinds_named) => vec![PanelKind::Bodice],
         (None, Some(_)) => PanelKind::BODY.to_vec(),
         (None, None) if telling => EXTRA_KINDS.to_vec(),
         (None, None) => UNNAMED_KINDS.to_vec(),
@@ -92,7 +106,14 @@ fn candidates(
     let symmetric = features.is_symmetric();
     let mut found: Vec<LabeledPanel> = vec![];
     for kind in kinds {
-        for template in figures.templates(kind) {
+        // A yoke takes the shoulders of the back; the front keeps its own.
+        let takes = |other: &&PanelKind| {
+            let back = hints.front_back == Some(FrontBack::Back);
+            kind == PanelKind::Bodice && (**other != PanelKind::Yoke || back)
+        };
+        let beside = kinds_named.iter().filter(takes);
+        let beside = beside.flat_map(|other| figures.beside(*other));
+        for template in figures.templates(kind).chain(beside) {
             let against = template.rarity
                 + half_penalty((kind, template.half), hints, symmetric, &figures.penalties);
             for alignment in align::align(&features, template, &figures.alignment)

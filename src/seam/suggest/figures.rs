@@ -18,6 +18,7 @@ pub(super) struct Figures {
     _provenance: Vec<String>,
     templates: BTreeMap<String, PanelTemplate>,
     kinds: BTreeMap<PanelKind, Vec<String>>,
+    companions: BTreeMap<PanelKind, Vec<String>>,
     pub(super) recognition: RecognitionLimits,
     pub(super) alignment: AlignmentWeights,
     pub(super) penalties: PenaltyWeights,
@@ -41,6 +42,12 @@ impl Figures {
             .expect("the embedded figures are valid, as their test shows")
     }
 
+    /// Returns the templates of a bodice that is sewn to panels of a kind.
+    pub(super) fn beside(&self, kind: PanelKind) -> impl Iterator<Item = &PanelTemplate> {
+        let names = self.companions.get(&kind).into_iter().flatten();
+        names.filter_map(|name| self.templates.get(name))
+    }
+
     /// Returns the templates of a kind, in the order in which they are tried.
     pub(super) fn templates(&self, kind: PanelKind) -> impl Iterator<Item = &PanelTemplate> {
         let names = self.kinds.get(&kind).into_iter().flatten();
@@ -55,7 +62,8 @@ mod tests {
     #[test]
     fn every_template_named_is_there_and_used() {
         let figures = Figures::embedded();
-        let named: Vec<&String> = figures.kinds.values().flatten().collect();
+        let lists = figures.kinds.values().chain(figures.companions.values());
+        let named: Vec<&String> = lists.flatten().collect();
         assert!(
             named
                 .iter()

@@ -137,7 +137,7 @@ impl GarmentModel {
             let outer = |role| {
                 matches!(
                     role,
-                    EdgeRole::Side | EdgeRole::Shoulder | EdgeRole::Underarm
+                    EdgeRole::Side | EdgeRole::Shoulder | EdgeRole::Underarm | EdgeRole::Armhole
                 )
             };
             let begins_outside = outer(segment.before);

@@ -130,6 +130,7 @@ mod tests {
             edge,
             forward: true,
             length,
+            span: crate::seam::suggest::edge_chain::WHOLE,
         };
         lengths.iter().enumerate().map(step).collect()
     }

@@ -1,7 +1,7 @@
 //! A panel as a part of a garment: its kind, and which of its edges are its hem, its side, its
 //! armhole.
 
-use super::edge_chain::{EdgeChain, EdgeStep, reversed};
+use super::edge_chain::{EdgeChain, EdgeStep, WHOLE, reversed};
 use super::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
 use super::outline_features::OutlineFeatures;
 use std::rc::Rc;
@@ -99,6 +99,7 @@ impl LabeledPanel {
             edge,
             forward: true,
             length: self.features.edges[edge].length,
+            span: WHOLE,
         };
         segment.edges.iter().map(step).collect()
     }
@@ -131,7 +132,22 @@ impl LabeledPanel {
             edge,
             forward,
             length: self.features.edges[edge].length,
+            span: WHOLE,
         }]
+    }
+
+    /// Returns the segments on both sides of a segment: the one that it begins at in order of
+    /// numbers, and the one that it ends at.
+    pub(super) fn beside(&self, segment: &RoleSegment) -> Option<[&RoleSegment; 2]> {
+        let count = self.segments.len();
+        let at = self
+            .segments
+            .iter()
+            .position(|s| s.edges == segment.edges)?;
+        Some([
+            &self.segments[(at + count - 1) % count],
+            &self.segments[(at + 1) % count],
+        ])
     }
 
     /// Returns all edges of a role.

@@ -10,6 +10,11 @@ pub(super) enum PanelKind {
     Skirt,
     Trouser,
     Sleeve,
+    /// The lower part of a sleeve of two parts.
+    UnderSleeve,
+    /// Between front and back: a side panel, or the outer part of a front or back with a princess
+    /// seam.
+    Side,
     Yoke,
     Hood,
     Collar,

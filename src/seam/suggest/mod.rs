@@ -14,7 +14,9 @@
 
 mod align;
 mod assignment;
+mod bands;
 mod classify;
+mod completeness;
 mod edge_chain;
 mod edge_templates;
 mod figures;
@@ -40,6 +42,8 @@ pub use suggestion::{SuggestedPanel, SuggestedSeam, Suggestion};
 use crate::config::Limits;
 use crate::fault::{SeamCode, Warning};
 use crate::pattern::Pattern;
+use classify::Classification;
+use completeness::Completeness;
 use garment_model::GarmentModel;
 use seam_pairs::SeamPairWriter;
 use std::collections::BTreeSet;
@@ -58,8 +62,9 @@ pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
     if pattern.panels.len() > limits.suggested_panels {
         return too_many(pattern.panels.len(), limits.suggested_panels);
     }
+    let Classification { parts, hints } = classify::label_panels(pattern);
     let mut garment = GarmentModel {
-        parts: classify::label_panels(pattern),
+        parts,
         proposed: vec![],
     };
     rules::sew(&mut garment, pattern);
@@ -69,7 +74,7 @@ pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
         .iter()
         .map(|seam| writer.seam(seam))
         .collect();
-    let seams = select::select_compatible(pattern, seams, limits);
+    let mut seams = select::select_compatible(pattern, seams, limits);
     let sewn: BTreeSet<&str> = seams
         .iter()
         .flat_map(|s| s.pair.a.runs().iter().chain(s.pair.b.runs()))
@@ -81,16 +86,11 @@ pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
     let panels = stands
         .filter(|(id, _)| sewn.contains(id.as_str()))
         .collect();
-    let loose = pattern
-        .panels
-        .iter()
-        .filter(|panel| !sewn.contains(panel.id.as_str()));
-    let warnings = loose
-        .map(|panel| {
-            let detail = format!("no seam is suggested for panel `{}`: what it is was not recognised, or it is not needed", panel.id);
-            Warning::new(SeamCode::NotSuggested, "/seams", detail)
-        })
-        .collect();
+    let completeness = Completeness::of(pattern, &garment, &hints, &seams);
+    for seam in &mut seams {
+        seam.confidence = (1e3 * seam.confidence * completeness.trust()).round() / 1e3;
+    }
+    let warnings = completeness.warnings(pattern);
     Suggestion {
         seams,
         panels,

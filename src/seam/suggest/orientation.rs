@@ -7,6 +7,8 @@ use std::rc::Rc;
 
 /// Lengths of two panels that mirror each other agree to this share.
 const TWIN_LENGTH_SHARE: f64 = 0.01;
+/// Sewn edges of panels that are forms of each other, or front and back, agree to this share.
+const FORM_LENGTH_SHARE: f64 = 0.06;
 
 /// Returns true if a panel is drawn as seen through the body: as the names of halves like it say,
 /// or its file. Else backs that are drawn whole are taken to be drawn in one view with their
@@ -61,9 +63,12 @@ pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
                 p.kind == kind && p.front_back.is_none() && !p.features.mirrored
             })
             .collect();
-        let length = |i: usize| -> f64 {
-            let p: &LabeledPanel = &parts[i];
-            p.role_length(role)
+        let length = |i: usize| role_of_one_side(&parts[i], role);
+        let forms = unsaid.clone();
+        let unsaid = if unsaid.len() > 2 && kind != PanelKind::Skirt {
+            pair_of_forms(parts, &unsaid, role)
+        } else {
+            unsaid
         };
         if unsaid.len() != 2 {
             continue;
@@ -88,9 +93,21 @@ pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
                 )
             })
             .collect();
-        for (i, front_back) in sides {
-            parts[i].front_back = Some(front_back);
+        for (i, front_back) in &sides {
+            parts[*i].front_back = Some(*front_back);
         }
+        for i in forms {
+            if parts[i].front_back.is_some() {
+                continue;
+            }
+            let own = role_of_one_side(&parts[i], role);
+            let off = |j: usize| (role_of_one_side(&parts[j], role) - own).abs();
+            let nearest = sides.iter().min_by(|a, b| off(a.0).total_cmp(&off(b.0)));
+            parts[i].front_back = nearest.map(|(_, front_back)| *front_back);
+        }
+    }
+    for part in parts.iter_mut().filter(|p| p.kind == PanelKind::Yoke) {
+        part.front_back = part.front_back.or(Some(FrontBack::Back));
     }
     // A mirrored copy of the file's own is what its source is.
     for i in 0..parts.len() {
@@ -99,6 +116,39 @@ pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
         let front_back = source.and_then(|at| parts.iter().find(|p| p.panel == at)?.front_back);
         parts[i].front_back = parts[i].front_back.or(front_back);
     }
+}
+
+/// Returns the length that a panel has of a role on one side of the wearer \[m\].
+fn role_of_one_side(part: &LabeledPanel, role: EdgeRole) -> f64 {
+    part.role_length(role) / if part.half { 1.0 } else { 2.0 }
+}
+
+/// Returns, of several panels of one kind that could all be front or back of each other, the two
+/// that differ most in `role`: the rest are other forms of these. Nothing where their sides are not
+/// as long as each other.
+fn pair_of_forms(parts: &[LabeledPanel], unsaid: &[usize], role: EdgeRole) -> Vec<usize> {
+    let sewn = [EdgeRole::Side, EdgeRole::Shoulder, EdgeRole::Inseam];
+    let is_like = |i: usize, j: usize| {
+        let (a, b) = (&parts[i], &parts[j]);
+        let share = |p: &LabeledPanel, role| {
+            p.role_length(role) / p.segments_of(role).count().max(1) as f64
+        };
+        sewn.iter().all(|role| {
+            let (x, y) = (share(a, *role), share(b, *role));
+            (x - y).abs() <= FORM_LENGTH_SHARE * x.max(y)
+        })
+    };
+    let first = unsaid[0];
+    if !unsaid.iter().all(|i| is_like(first, *i)) {
+        return vec![];
+    }
+    let own = |i: &usize| role_of_one_side(&parts[*i], role);
+    let by_length = |a: &&usize, b: &&usize| own(a).total_cmp(&own(b));
+    let least = unsaid.iter().min_by(by_length).copied();
+    let most = unsaid.iter().max_by(by_length).copied();
+    let mut pair: Vec<usize> = least.into_iter().chain(most).collect();
+    pair.sort_unstable();
+    pair
 }
 
 /// Gives every half a side of the wearer, adding the mirrored copy of those that are drawn once. Of
@@ -164,7 +214,11 @@ pub(super) fn assign_left_right(pattern: &Pattern, parts: &mut Vec<LabeledPanel>
 fn is_drawn_once(part: &LabeledPanel) -> bool {
     matches!(
         part.kind,
-        PanelKind::Sleeve | PanelKind::Cuff | PanelKind::ArmBand
+        PanelKind::Sleeve
+            | PanelKind::UnderSleeve
+            | PanelKind::Side
+            | PanelKind::Cuff
+            | PanelKind::ArmBand
     )
 }
 

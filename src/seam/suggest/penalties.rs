@@ -70,7 +70,10 @@ pub(super) fn drawing_penalty(
     if part.kind == PanelKind::Sleeve || lower.is_empty() {
         return cost;
     }
-    if upright.is_some_and(|upright| part.features.is_level(&lower) != upright) {
+    // Bands are cut along the grain or across it.
+    let is_band = part.segment(EdgeRole::Long, None).is_some() || part.kind == PanelKind::Cuff;
+    let lies = upright.is_some_and(|upright| part.features.is_level(&lower) != upright);
+    if lies && !is_band {
         cost += weights.on_its_side;
     }
     let hem = part.role_edges(EdgeRole::Hem);

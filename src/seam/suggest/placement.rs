@@ -25,7 +25,7 @@ fn placement(garment: &GarmentModel, part: &LabeledPanel) -> Option<Placement> {
         None => 0.0,
     };
     let (at, offset_m) = match part.kind {
-        PanelKind::Bodice | PanelKind::Yoke => {
+        PanelKind::Bodice | PanelKind::Yoke | PanelKind::Side => {
             (pick(behind, TorsoFront, TorsoBack), beside(part, side))
         }
         PanelKind::Skirt if is_all_round(garment, part) => (SkirtFront, [0.0; 3]),
@@ -51,7 +51,7 @@ fn placement(garment: &GarmentModel, part: &LabeledPanel) -> Option<Placement> {
                 },
             )
         }
-        PanelKind::Sleeve | PanelKind::ArmBand => (arm(part)?, [0.0; 3]),
+        PanelKind::Sleeve | PanelKind::UnderSleeve | PanelKind::ArmBand => (arm(part)?, [0.0; 3]),
         PanelKind::Cuff if on_leg(garment, part) => {
             let at = pick(behind, SkirtFront, SkirtBack);
             let leg = tallest(garment, PanelKind::Trouser);

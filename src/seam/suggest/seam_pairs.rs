@@ -55,7 +55,11 @@ impl SeamPairWriter<'_> {
         } else {
             last.edge + count - 1
         } % count;
-        last.panel == next.panel && last.forward == next.forward && next.edge == expected
+        let whole_between = share(last, false) == 1.0 && share(next, true) == 0.0;
+        last.panel == next.panel
+            && last.forward == next.forward
+            && next.edge == expected
+            && whole_between
     }
 
     fn edge_count(&self, step: &EdgeStep) -> usize {
@@ -67,13 +71,21 @@ impl SeamPairWriter<'_> {
 
     fn run(&self, first: &EdgeStep, last: &EdgeStep) -> OutlineRun {
         let count = self.edge_count(first);
-        let corner = |edge: usize, forward: bool| {
-            Place::Corner(if forward { edge } else { (edge + 1) % count })
+        let place = |step: &EdgeStep, begins: bool| {
+            let gone = share(step, begins);
+            let at = if step.forward { gone } else { 1.0 - gone };
+            if gone > 0.0 && gone < 1.0 {
+                return Place::OnEdge {
+                    edge: step.edge,
+                    at,
+                };
+            }
+            Place::Corner((step.edge + usize::from(at > 0.5)) % count)
         };
         OutlineRun {
             panel: self.panel_id(first.panel),
-            from: corner(first.edge, first.forward),
-            to: corner(last.edge, !last.forward),
+            from: place(first, true),
+            to: place(last, false),
             direction: Some(if first.forward {
                 Direction::Cw
             } else {
@@ -89,5 +101,16 @@ impl SeamPairWriter<'_> {
             Some(panel) => panel.id.clone(),
             None => format!("{}~mirror", self.0.panels[panel - count].id),
         }
+    }
+}
+
+/// Returns where a step begins or ends as a share of its edge, counted the way it is gone.
+fn share(step: &EdgeStep, begins: bool) -> f64 {
+    let [from, to] = step.span;
+    match (step.forward, begins) {
+        (true, true) => from,
+        (true, false) => to,
+        (false, true) => 1.0 - to,
+        (false, false) => 1.0 - from,
     }
 }

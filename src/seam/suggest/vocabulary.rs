@@ -69,7 +69,7 @@ impl Vocabulary {
 
 /// Kinds in the order in which a name that says several is decided: the first counts, so that
 /// "collar interfacing" is no collar and "arm binding" no sleeve.
-pub(super) const PRECEDENCE: [PanelKind; 16] = [
+pub(super) const PRECEDENCE: [PanelKind; 18] = [
     PanelKind::Layer,
     PanelKind::Godet,
     PanelKind::Pocket,
@@ -82,8 +82,10 @@ pub(super) const PRECEDENCE: [PanelKind; 16] = [
     PanelKind::CollarStand,
     PanelKind::Collar,
     PanelKind::Yoke,
+    PanelKind::UnderSleeve,
     PanelKind::Sleeve,
     PanelKind::Trouser,
     PanelKind::Skirt,
     PanelKind::Bodice,
+    PanelKind::Side,
 ];

@@ -5,5 +5,6 @@ mod drafts;
 mod likely_reversed;
 mod notches;
 mod suggest;
+mod suggest_kinds;
 mod tracks;
 mod truth;

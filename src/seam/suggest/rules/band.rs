@@ -310,9 +310,11 @@ impl LaidBand {
     }
 
     /// Returns the other long edge, in the same direction.
-    fn free(&self) -> Option<EdgeChain> {
+    pub(super) fn free(&self) -> Option<EdgeChain> {
         let forward = self.chain.first()?.forward;
-        let chain = self.band.chain(self.neighbor(true, 2)?);
+        // A stand with round ends has but its two long edges.
+        let apart = if self.band.segments.len() > 2 { 2 } else { 1 };
+        let chain = self.band.chain(self.neighbor(true, apart)?);
         Some(if forward { reversed(&chain) } else { chain })
     }
 

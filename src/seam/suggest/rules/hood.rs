@@ -1,9 +1,12 @@
 //! Hoods: two halves sewn together over the head, and to the neck.
 
-use crate::seam::suggest::edge_chain::EdgeChain;
-use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
+use crate::seam::suggest::edge_chain::{EdgeChain, length, reversed, up_to};
+use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
+
+/// The edge that looks like the face is that at the neck if it fits by this much ease better.
+const MIN_BETTER: f64 = 0.1;
 
 /// Sews the hood.
 pub(super) fn sew(garment: &mut GarmentModel) {
@@ -20,7 +23,8 @@ pub(super) fn sew(garment: &mut GarmentModel) {
         return;
     };
     let rationale = SeamRationale::new("hood-centre", "the halves of the hood meet over the head");
-    let [a, b] = [&left, &right].map(|p| edge(p, EdgeRole::Center));
+    let neck_role = neck_role(garment, &left);
+    let [a, b] = [&left, &right].map(|p| edge(p, EdgeRole::Center, neck_role));
     garment.sew(rationale, a, b);
     for (part, laterality, id) in [
         (&left, Laterality::Left, "hood-left"),
@@ -28,24 +32,54 @@ pub(super) fn sew(garment: &mut GarmentModel) {
     ] {
         let rationale = SeamRationale::new(id, "the hood is sewn to the neck").gathered();
         let neck = neck(garment, laterality);
-        garment.sew(rationale, neck, edge(part, EdgeRole::Neck));
+        garment.sew(rationale, neck, edge(part, neck_role, neck_role));
     }
 }
 
-/// Returns an edge of half a hood from the face on.
-fn edge(part: &LabeledPanel, role: EdgeRole) -> Option<EdgeChain> {
-    part.role_chain(role, None, EdgeRole::Hem)
+/// Returns the role of the edge of a hood that fits the neck: its face and its neck look alike.
+fn neck_role(garment: &GarmentModel, part: &LabeledPanel) -> EdgeRole {
+    let neck = neck(garment, Laterality::Left).unwrap_or_default();
+    let off = |role| {
+        let chain = edge(part, role, role).unwrap_or_default();
+        ease(&neck, &chain)
+    };
+    if off(EdgeRole::Hem) + MIN_BETTER < off(EdgeRole::Neck) {
+        EdgeRole::Hem
+    } else {
+        EdgeRole::Neck
+    }
+}
+
+/// Returns an edge of half a hood from the face on, `neck` being the role of its edge at the neck.
+fn edge(part: &LabeledPanel, role: EdgeRole, neck: EdgeRole) -> Option<EdgeChain> {
+    let face = if neck == EdgeRole::Neck {
+        EdgeRole::Hem
+    } else {
+        EdgeRole::Neck
+    };
+    part.role_chain(role, None, face)
+}
+
+/// Returns the half of a neck that lies on both sides, from the shoulder to the center.
+fn from_shoulder(
+    garment: &GarmentModel,
+    front_back: FrontBack,
+    laterality: Laterality,
+) -> Option<EdgeChain> {
+    let part = garment.part(PanelKind::Bodice, front_back, laterality)?;
+    let chain = garment.across(part, part.segment(EdgeRole::Neck, None)?, laterality);
+    Some(up_to(&chain, 0.5 * length(&chain)))
 }
 
 /// Returns one half of the neck from the center front over the shoulder to the center back.
 fn neck(garment: &GarmentModel, laterality: Laterality) -> Option<EdgeChain> {
     let place = (EdgeRole::Neck, laterality);
-    let mut neck = garment.chain(PanelKind::Bodice, FrontBack::Front, place, EdgeRole::Center)?;
-    neck.extend(garment.chain(
-        PanelKind::Bodice,
-        FrontBack::Back,
-        place,
-        EdgeRole::Shoulder,
-    )?);
-    Some(neck)
+    let half = |front_back, from| {
+        let chain = garment.chain(PanelKind::Bodice, front_back, place, from);
+        chain.or_else(|| from_shoulder(garment, front_back, laterality))
+    };
+    let mut front = half(FrontBack::Front, EdgeRole::Shoulder)?;
+    front = reversed(&front);
+    front.extend(half(FrontBack::Back, EdgeRole::Shoulder)?);
+    Some(front)
 }

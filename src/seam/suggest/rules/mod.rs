@@ -1,5 +1,6 @@
 //! Rules of each class of garment: which edge roles are sewn together.
 
+mod armhole;
 mod band;
 mod cuff;
 mod dart;
@@ -7,12 +8,15 @@ mod godet;
 mod hood;
 mod neck;
 mod raglan;
+mod side;
 mod skirt;
 mod sleeve;
 mod sleeve_cap;
 mod top;
 mod trousers;
+mod two_part_sleeve;
 mod waist;
+mod yoke;
 
 use super::garment_model::GarmentModel;
 use crate::pattern::Pattern;

@@ -1,7 +1,8 @@
 //! Necks and armholes: bands, bindings and collars round them.
 
 use super::band::{self, BandEdge, BandSet, LaidBand, Opening};
-use super::raglan;
+use super::{raglan, yoke};
+use crate::seam::suggest::edge_chain::{EdgeChain, EdgeStep, length, reversed, up_to};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
@@ -14,6 +15,8 @@ const ROUND_NECKS: [PanelKind; 3] = [
 ];
 /// A band may be shorter than the neck by this, to be stretched on.
 const MAX_EASE: f64 = 0.36;
+/// A stand that reaches less beyond its collar ends with it \[m\].
+const MIN_BEYOND_M: f64 = 0.004;
 /// Weight of a band's misfit against ease.
 const MISFIT_WEIGHT: f64 = 0.05;
 
@@ -35,7 +38,8 @@ fn neck(garment: &GarmentModel) -> Option<Opening> {
     let both = [FrontBack::Front, FrontBack::Back]
         .map(|front_back| garment.half_ring(PanelKind::Bodice, EdgeRole::Neck, front_back));
     match both {
-        [Some(front), Some(back)] => Some([front, back]),
+        [Some(front), Some(back)] => Some([front, yoke::neck(garment).unwrap_or(back)]),
+        [Some(front), None] => Some([front, yoke::neck(garment)?]),
         _ => None,
     }
 }
@@ -44,6 +48,9 @@ fn neck(garment: &GarmentModel) -> Option<Opening> {
 fn neckband(garment: &mut GarmentModel) {
     let Some(neck) = neck(garment) else { return };
     let whole = neck.concat();
+    if collar_on_stand(garment, &neck) {
+        return;
+    }
     let mut found: Vec<(f64, &LabeledPanel)> = vec![];
     for kind in ROUND_NECKS {
         for part in garment.parts_of(kind).filter(|p| p.front_back.is_none()) {
@@ -70,6 +77,54 @@ fn neckband(garment: &mut GarmentModel) {
             BandEdge::Lower,
         );
     }
+}
+
+/// Sews a stand to the neck and a collar to the stand; returns true if there are both. Their ends
+/// stay free: they lie at the front edges.
+fn collar_on_stand(garment: &mut GarmentModel, neck: &Opening) -> bool {
+    let find = |kind| {
+        let whole = |p: &&LabeledPanel| p.front_back.is_none() && p.laterality.is_none();
+        garment.parts_of(kind).find(whole).cloned()
+    };
+    // Some names call a collar by the word for anything at the neck.
+    let collar = find(PanelKind::Collar).or_else(|| find(PanelKind::NeckBand));
+    let (Some(stand), Some(collar)) = (find(PanelKind::CollarStand), collar) else {
+        return false;
+    };
+    let neck = from_opening(garment, neck);
+    let Some(laid) = band::lay(garment, &neck, &stand, BandEdge::Lower) else {
+        return false;
+    };
+    let rationale = SeamRationale::new("collar-stand", "the stand goes round the neck").gathered();
+    garment.sew(rationale, Some(neck), Some(laid.chain.clone()));
+    let Some(free) = laid.free() else { return true };
+    if let Some(fall) = band::lay(garment, &free, &collar, BandEdge::Lower) {
+        let rationale = SeamRationale::new("collar", "the collar is sewn to its stand").gathered();
+        let free = middle(&free, length(&fall.chain));
+        garment.sew(rationale, Some(free), Some(fall.chain));
+    }
+    true
+}
+
+/// Returns the middle of a chain, of this length \[m\]: a stand reaches beyond its collar at both
+/// ends, where it is buttoned. All of a chain that is not longer.
+fn middle(chain: &[EdgeStep], wanted: f64) -> EdgeChain {
+    let beyond = 0.5 * (length(chain) - wanted);
+    if beyond <= MIN_BEYOND_M {
+        return chain.to_vec();
+    }
+    let to_end = up_to(chain, length(chain) - beyond);
+    reversed(&up_to(&reversed(&to_end), wanted))
+}
+
+/// Returns the neck from the center front on where the front is of two halves.
+fn from_opening(garment: &GarmentModel, neck: &Opening) -> EdgeChain {
+    let mut ring = neck.concat();
+    let left = garment.part(PanelKind::Bodice, FrontBack::Front, Laterality::Left);
+    if let Some(left) = left.filter(|left| left.half) {
+        ring.rotate_left(left.role_edges(EdgeRole::Neck).len());
+    }
+    ring
 }
 
 /// Sews a collar of four parts: left and right, front and back; returns true if there is one.
@@ -129,25 +184,18 @@ fn quarters(garment: &mut GarmentModel) -> bool {
 }
 
 fn armhole(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
-    let place = (EdgeRole::Armhole, laterality);
-    let front = garment.chain(
-        PanelKind::Bodice,
-        FrontBack::Front,
-        place,
-        EdgeRole::Shoulder,
-    );
-    let back = garment.chain(PanelKind::Bodice, FrontBack::Back, place, EdgeRole::Side);
+    let hole = super::armhole::of(garment, laterality);
     let band = garment
         .parts_of(PanelKind::ArmBand)
         .find(|p| p.laterality == Some(laterality))
         .cloned();
-    if let (Some(front), Some(back), Some(band)) = (front, back, band) {
+    if let (Some(hole), Some(band)) = (hole, band) {
         let id = format!("armband-{side}");
         let rationale = SeamRationale::new(&id, "the band goes round the armhole").gathered();
         band::sew_around(
             garment,
             rationale,
-            &[front, back],
+            &[hole.down, hole.up],
             &BandSet::One(Box::new(band)),
             BandEdge::Lower,
         );

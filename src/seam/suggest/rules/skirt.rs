@@ -3,11 +3,13 @@
 
 use super::band::Opening;
 use super::top;
-use crate::seam::suggest::edge_chain::EdgeChain;
+use crate::seam::suggest::edge_chain::{EdgeChain, length};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
 
+/// A skirt is gathered to the bodice that it hangs from, and eased at most this far to a wider one.
+const MIN_WAIST_TO_HEM: f64 = 0.7;
 /// Least number of gores.
 const MIN_GORES: usize = 3;
 
@@ -129,13 +131,25 @@ fn gores(garment: &mut GarmentModel) {
     }
 }
 
+/// Returns true unless a bodice is there to whose hem the waist of a skirt cannot be gathered.
+fn hangs_from_bodice(garment: &GarmentModel, part: &LabeledPanel) -> bool {
+    let hem = |front_back| {
+        let chain = garment.half_ring(PanelKind::Bodice, EdgeRole::Hem, front_back);
+        chain.map(|chain| length(&chain))
+    };
+    let (Some(front), Some(back)) = (hem(FrontBack::Front), hem(FrontBack::Back)) else {
+        return true;
+    };
+    part.role_length(EdgeRole::Waist) >= MIN_WAIST_TO_HEM * (front + back)
+}
+
 /// Closes a skirt of one panel on itself.
 fn on_itself(garment: &mut GarmentModel) {
     let panels: Vec<LabeledPanel> = garment.parts_of(PanelKind::Skirt).cloned().collect();
     let [part] = panels.as_slice() else {
         return;
     };
-    if part.half {
+    if part.half || !hangs_from_bodice(garment, part) {
         return;
     }
     let [a, b] = [DrawnSide::Left, DrawnSide::Right]

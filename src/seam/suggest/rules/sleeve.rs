@@ -1,6 +1,6 @@
 //! Sleeves: closed under the arm, set into the armhole that front and back make.
 
-use super::sleeve_cap;
+use super::{armhole, sleeve_cap, two_part_sleeve};
 use crate::seam::suggest::edge_chain::{EdgeChain, reversed};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
@@ -8,12 +8,17 @@ use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, P
 /// Sews the sleeves and sets them in.
 pub(super) fn sew(garment: &mut GarmentModel) {
     assign_left_right(garment);
+    if garment.has(PanelKind::UnderSleeve) {
+        two_part_sleeve::assign_left_right(garment);
+    }
     for (laterality, side) in [(Laterality::Left, "left"), (Laterality::Right, "right")] {
         if garment
             .part(PanelKind::Sleeve, FrontBack::Front, laterality)
             .is_some()
         {
             halves(garment, laterality, side);
+        } else if garment.has(PanelKind::UnderSleeve) {
+            two_part_sleeve::sew(garment, laterality, side);
         } else {
             whole(garment, laterality, side);
         }
@@ -50,19 +55,6 @@ fn assign_left_right(garment: &mut GarmentModel) {
     }
 }
 
-/// The armhole from the shoulder down the front and up the back.
-fn armhole(garment: &GarmentModel, laterality: Laterality) -> Option<EdgeChain> {
-    let place = (EdgeRole::Armhole, laterality);
-    let mut ring = garment.chain(
-        PanelKind::Bodice,
-        FrontBack::Front,
-        place,
-        EdgeRole::Shoulder,
-    )?;
-    ring.extend(garment.chain(PanelKind::Bodice, FrontBack::Back, place, EdgeRole::Side)?);
-    Some(ring)
-}
-
 /// Sews a sleeve of a front and a back half.
 fn halves(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
     let part = |garment: &GarmentModel, front_back, role, from| {
@@ -93,11 +85,16 @@ fn halves(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
         )?);
         Some(cap)
     });
-    let hole = armhole(garment, laterality);
+    let hole = armhole::of(garment, laterality).map(|hole| hole.around_from_shoulder());
     set_in(garment, side, hole, cap);
 }
 
-fn set_in(garment: &mut GarmentModel, side: &str, hole: Option<EdgeChain>, cap: Option<EdgeChain>) {
+pub(super) fn set_in(
+    garment: &mut GarmentModel,
+    side: &str,
+    hole: Option<EdgeChain>,
+    cap: Option<EdgeChain>,
+) {
     let id = format!("armhole-{side}");
     let because = "the sleeve is set into the armhole, front to front and underarm to underarm";
     garment.sew_ring(SeamRationale::new(&id, because).gathered(), hole, cap);
@@ -126,7 +123,7 @@ fn whole(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
         return;
     }
     let front = usual_front_side(laterality);
-    let hole = armhole(garment, laterality);
+    let hole = armhole::of(garment, laterality).map(|hole| hole.around_from_underarm());
     let cap = part.segment(EdgeRole::Cap, None).map(|segment| {
         let chain = part.chain(segment);
         if part.first_drawn_side() == front {
@@ -135,22 +132,7 @@ fn whole(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
             chain
         }
     });
-    // From the underarm up the back: the armhole turned to begin there.
-    let hole = hole.map(|hole| from_underarm(garment, laterality, hole));
     set_in(garment, side, hole, cap);
-}
-
-/// Returns the armhole from the underarm up the back and down the front.
-fn from_underarm(garment: &GarmentModel, laterality: Laterality, hole: EdgeChain) -> EdgeChain {
-    let back = garment.segment(
-        PanelKind::Bodice,
-        FrontBack::Back,
-        (EdgeRole::Armhole, laterality),
-    );
-    let count = hole.len() - back.map_or(0, |(_, s)| s.edges.len());
-    let mut turned = hole;
-    turned.rotate_left(count);
-    turned
 }
 
 /// Returns the side of the drawing on which the front of a sleeve lies that is drawn hem down and

@@ -1,27 +1,19 @@
 //! Tops: shoulders, sides and centers of a bodice, as every class of top has them.
 
+use super::{side, yoke};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 
 /// Sews the bodice.
 pub(super) fn sew(garment: &mut GarmentModel) {
     for (laterality, side) in [(Laterality::Left, "left"), (Laterality::Right, "right")] {
-        let both = |garment: &GarmentModel, role, from| {
-            [FrontBack::Front, FrontBack::Back].map(|front_back| {
-                garment.chain(PanelKind::Bodice, front_back, (role, laterality), from)
-            })
-        };
-        let [a, b] = both(garment, EdgeRole::Shoulder, EdgeRole::Neck);
+        yoke::sew(garment, laterality, side);
+        let [a, b] = [FrontBack::Front, FrontBack::Back]
+            .map(|front_back| side::shoulder(garment, front_back, laterality));
         let id = format!("shoulder-{side}");
         let rationale = SeamRationale::new(&id, "front and back meet at the shoulder");
         garment.sew(rationale, a, b);
-        let [a, b] = both(garment, EdgeRole::Side, EdgeRole::Hem);
-        let id = format!("side-{side}");
-        let rationale = SeamRationale::new(
-            &id,
-            "front and back meet at the side, hem to hem and armhole to armhole",
-        );
-        garment.sew(rationale, a, b);
+        side::sew(garment, laterality, side);
     }
     center(garment, PanelKind::Bodice, FrontBack::Front);
     center(garment, PanelKind::Bodice, FrontBack::Back);

@@ -3,8 +3,10 @@
 
 use super::band::{self, BandEdge, Opening};
 use super::skirt;
+use crate::seam::suggest::edge_chain::EdgeStep;
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
-use crate::seam::suggest::labels::{EdgeRole, FrontBack, PanelKind};
+use crate::seam::suggest::labeled_panel::LabeledPanel;
+use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 
 /// Sews bodice, waistband and skirt or trousers together at the waist.
 pub(super) fn sew(garment: &mut GarmentModel) {
@@ -12,6 +14,9 @@ pub(super) fn sew(garment: &mut GarmentModel) {
         .or_else(|| opening(garment, PanelKind::Skirt, EdgeRole::Waist))
         .or_else(|| skirt::gores_waist(garment));
     let upper = opening(garment, PanelKind::Bodice, EdgeRole::Hem);
+    if left_and_right(garment, lower.as_ref().or(upper.as_ref())) {
+        return;
+    }
     let Some(bands) = band::bands(garment, PanelKind::Waistband, |_| true) else {
         if let (Some(upper), Some(lower)) = (upper, lower) {
             join(garment, &upper, &lower);
@@ -50,6 +55,49 @@ pub(super) fn sew(garment: &mut GarmentModel) {
             },
         );
     }
+}
+
+/// Sews a waistband of a left and a right half; returns true if there is one.
+fn left_and_right(garment: &mut GarmentModel, opening: Option<&Opening>) -> bool {
+    let half = |laterality| {
+        let here = |p: &&LabeledPanel| p.front_back.is_none() && p.laterality == Some(laterality);
+        garment.parts_of(PanelKind::Waistband).find(here).cloned()
+    };
+    let halves = [half(Laterality::Left), half(Laterality::Right)];
+    let ([Some(left), Some(right)], Some(opening)) = (halves, opening) else {
+        return false;
+    };
+    // From the center back over the left side to the front, and on over the right side.
+    let mut ring = opening.concat();
+    let behind = middle(&opening[1], opening[0].len());
+    ring.rotate_left(behind);
+    let lay = |part: &LabeledPanel| band::lay(garment, &ring, part, BandEdge::Lower);
+    let (Some(left), Some(right)) = (lay(&left), lay(&right)) else {
+        return false;
+    };
+    let both = [left.chain.clone(), right.chain.clone()].concat();
+    let rationale = SeamRationale::new("waistband", "both halves of the band go round the waist");
+    if !garment.sew_ring(rationale.gathered(), Some(ring), Some(both)) {
+        return false;
+    }
+    for (id, a, b) in [
+        ("waistband-end-front", left.end(false), right.end(true)),
+        ("waistband-end-back", right.end(false), left.end(true)),
+    ] {
+        garment.sew(band::ends_rationale(id), a, b);
+    }
+    true
+}
+
+/// Returns the number of steps to the middle of a part of an opening that `before` steps precede.
+fn middle(part: &[EdgeStep], before: usize) -> usize {
+    let mut so_far = 0.0;
+    let whole: f64 = part.iter().map(|step| step.length).sum();
+    let passed = part.iter().take_while(|step| {
+        so_far += step.length;
+        so_far <= 0.5 * whole + 1e-3
+    });
+    before + passed.count()
 }
 
 /// Sews the bodice to what hangs from it.

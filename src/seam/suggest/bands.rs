@@ -1,0 +1,190 @@
+//! Bands that no name tells of: what each goes round is the opening that it fits in length.
+
+use super::labeled_panel::{LabeledPanel, RoleSegment};
+use super::labels::{DrawnSide, EdgeRole, Laterality, PanelKind};
+
+/// Bands may be shorter than the opening, to be stretched on or gathered to, and longer, to lie over
+/// each other, as shares of its length.
+const NECK: [f64; 2] = [0.70, 1.08];
+const WAIST: [f64; 2] = [0.78, 1.12];
+const HEM: [f64; 2] = [0.70, 1.05];
+const CUFF: [f64; 2] = [0.55, 1.05];
+
+/// Opposite edges of a rectangle agree to this share, and turn less than this \[rad\].
+const RECTANGLE_SHARE: f64 = 0.02;
+const MAX_CURL_RAD: f64 = 0.1;
+
+/// Tells waistbands and cuffs from neck bands among the bands that no name tells of.
+pub(super) fn assign_openings(parts: &mut [LabeledPanel]) {
+    let openings = openings(parts);
+    let has_bodice = parts.iter().any(|p| p.kind == PanelKind::Bodice);
+    for part in parts.iter_mut().filter(|p| is_rectangle(p)) {
+        let unnamed_skirt = part.kind == PanelKind::Skirt && !part.kind_named && has_bodice;
+        if part.kind == PanelKind::Cuff || unnamed_skirt && is_band(part, &openings) {
+            label_long_edges(part, &openings);
+        }
+        if unnamed_skirt && is_band(part, &openings) {
+            part.kind = PanelKind::NeckBand;
+            part.front_back = None;
+        }
+    }
+    let bands: Vec<usize> = (0..parts.len())
+        .filter(|i| parts[*i].kind == PanelKind::NeckBand && !parts[*i].kind_named)
+        .collect();
+    for i in &bands {
+        if let Some(kind) = best_fit(&openings, long_edge(&parts[*i])) {
+            parts[*i].kind = kind;
+        }
+    }
+    assign_halves(parts, &openings, &bands);
+}
+
+/// An opening by the kind of the band that goes round it, with its length \[m\] and the shares of
+/// that which a band may have.
+type BandOpening = (PanelKind, f64, [f64; 2]);
+
+fn openings(parts: &[LabeledPanel]) -> Vec<BandOpening> {
+    let all = [
+        (PanelKind::NeckBand, PanelKind::Bodice, EdgeRole::Neck, NECK),
+        (PanelKind::Waistband, PanelKind::Bodice, EdgeRole::Hem, HEM),
+        (
+            PanelKind::Waistband,
+            PanelKind::Skirt,
+            EdgeRole::Waist,
+            WAIST,
+        ),
+        (
+            PanelKind::Waistband,
+            PanelKind::Trouser,
+            EdgeRole::Waist,
+            WAIST,
+        ),
+        (PanelKind::Cuff, PanelKind::Sleeve, EdgeRole::Hem, CUFF),
+    ];
+    let found = all.iter().filter_map(|(band, host, role, shares)| {
+        let around = if *host == PanelKind::Sleeve {
+            let sleeve = parts.iter().find(|p| p.kind == *host && !p.half)?;
+            sleeve.role_length(*role)
+        } else {
+            around(parts, *host, *role)
+        };
+        (around > 0.0).then_some((*band, around, *shares))
+    });
+    found.collect()
+}
+
+/// Returns the length of a role all round the body, halves that are drawn once counted twice.
+fn around(parts: &[LabeledPanel], kind: PanelKind, role: EdgeRole) -> f64 {
+    let of = |part: &&LabeledPanel| part.kind == kind;
+    let length = |part: &LabeledPanel| {
+        let twin = |other: &&LabeledPanel| {
+            other.panel != part.panel && other.half && other.front_back == part.front_back
+        };
+        let drawn_once = part.half && !parts.iter().filter(of).any(|p| twin(&p));
+        part.role_length(role) * if drawn_once { 2.0 } else { 1.0 }
+    };
+    let mut seen = vec![];
+    let mut sum = 0.0;
+    for part in parts.iter().filter(of) {
+        // Of several forms of one panel the first counts.
+        let key = (part.front_back, part.laterality, part.half);
+        if part.front_back.is_none() || part.half || !seen.contains(&key) {
+            sum += length(part);
+        }
+        seen.push(key);
+    }
+    sum
+}
+
+/// Returns the length of the longer edge of a band \[m\].
+fn long_edge(band: &LabeledPanel) -> f64 {
+    let long = band.segments_of(EdgeRole::Long);
+    let lengths = long.map(|s| band.features.length(&s.edges));
+    lengths.fold(0.0, f64::max)
+}
+
+/// Returns the kind of the band that an edge of this length fits best.
+fn best_fit(openings: &[BandOpening], length: f64) -> Option<PanelKind> {
+    let fits = openings
+        .iter()
+        .filter(|(_, around, [least, most])| (least * around..=most * around).contains(&length));
+    let best = fits.min_by(|a, b| {
+        let off = |o: &BandOpening| (length / o.1).ln().abs();
+        off(a).total_cmp(&off(b))
+    });
+    best.map(|(kind, ..)| *kind)
+}
+
+/// Makes waistbands of two bands that fit an opening together and none alone.
+fn assign_halves(parts: &mut [LabeledPanel], openings: &[BandOpening], bands: &[usize]) {
+    let alone = |i: &&usize| best_fit(openings, long_edge(&parts[**i])).is_none();
+    let left_over: Vec<usize> = bands.iter().filter(alone).copied().collect();
+    let [a, b] = left_over[..] else { return };
+    let together = long_edge(&parts[a]) + long_edge(&parts[b]);
+    let waists: Vec<BandOpening> = openings
+        .iter()
+        .filter(|(kind, ..)| *kind == PanelKind::Waistband)
+        .copied()
+        .collect();
+    if best_fit(&waists, together).is_some() {
+        for (i, laterality) in [(a, Laterality::Left), (b, Laterality::Right)] {
+            parts[i].kind = PanelKind::Waistband;
+            parts[i].laterality = Some(laterality);
+            parts[i].laterality_named = true;
+        }
+    }
+}
+
+/// Returns true for a panel of four straight edges, opposite ones as long as each other.
+fn is_rectangle(part: &LabeledPanel) -> bool {
+    let [a, b, c, d] = part.features.ring[..] else {
+        return false;
+    };
+    let edge = |i: usize| part.features.edges[i];
+    let alike = |a: usize, b: usize| {
+        let (a, b) = (edge(a).length, edge(b).length);
+        (a - b).abs() <= RECTANGLE_SHARE * a.max(b)
+    };
+    let straight = [a, b, c, d].iter().all(|e| edge(*e).curl < MAX_CURL_RAD);
+    straight && alike(a, c) && alike(b, d)
+}
+
+/// Returns true if one of the edges of a rectangle goes round an opening.
+fn is_band(part: &LabeledPanel, openings: &[BandOpening]) -> bool {
+    let mut lengths = part.features.edges.iter().map(|e| e.length);
+    lengths.any(|length| best_fit(openings, length).is_some())
+}
+
+/// Gives the edges of a rectangle the roles of a band: long are those that fit an opening of its
+/// kind, or any, best; else the longer ones.
+fn label_long_edges(part: &mut LabeledPanel, openings: &[BandOpening]) {
+    let own = |(kind, ..): &&BandOpening| part.kind == PanelKind::Skirt || *kind == part.kind;
+    let own: Vec<BandOpening> = openings.iter().filter(own).copied().collect();
+    let ring = part.features.ring.clone();
+    let length = |k: usize| part.features.edges[ring[k]].length;
+    let fits = [0, 1].map(|k| best_fit(&own, length(k)).is_some());
+    let first_is_long = if fits[0] == fits[1] {
+        length(0) >= length(1)
+    } else {
+        fits[0]
+    };
+    let role = |k: usize| {
+        if k.is_multiple_of(2) == first_is_long {
+            EdgeRole::Long
+        } else {
+            EdgeRole::End
+        }
+    };
+    part.segments = (0..ring.len())
+        .map(|k| RoleSegment {
+            role: role(k),
+            drawn_side: if k < 2 {
+                DrawnSide::Left
+            } else {
+                DrawnSide::Right
+            },
+            edges: vec![ring[k]],
+            before: role(k + 1),
+        })
+        .collect();
+}

@@ -1,0 +1,268 @@
+//! Completeness of a suggested set of seams: panels that must be sewn and are not, edges that stay
+//! open, and panels that are another form of one that is sewn.
+//!
+//! A wrong reading of a garment seldom uses all of its panels. Seams of a set that leaves out what
+//! the names say is needed are offers, however well their lengths agree.
+
+use super::garment_model::GarmentModel;
+use super::labeled_panel::LabeledPanel;
+use super::labels::{EdgeRole, PanelKind};
+use super::names::NameHints;
+use super::suggestion::SuggestedSeam;
+use crate::fault::{SeamCode, Warning};
+use crate::pattern::Pattern;
+use std::collections::BTreeSet;
+
+/// Share of the confidence that is left where a part of the body of the garment is missing: below
+/// one half whatever the seam.
+const WITHOUT_BODY: f64 = 0.5;
+/// Share that is left where a band, a collar, a cuff or a hood is missing.
+const WITHOUT_TRIM: f64 = 0.75;
+/// A panel without a telling name is taken to be needed from this share of the area of all on:
+/// pockets and facings are smaller.
+const NEEDED_AREA: f64 = 0.08;
+
+/// Reason why a panel is not sewn.
+#[derive(Clone, Debug, PartialEq)]
+enum Loose {
+    /// Another form of a panel that is sewn, by its index.
+    Alternative(usize),
+    /// The garment cannot do without it.
+    Body,
+    /// A band, a collar, a cuff or a hood.
+    Trim,
+    /// A pocket, a facing, or a panel that nothing tells of.
+    Unneeded,
+}
+
+/// What a set of seams leaves out.
+#[derive(Clone, Debug)]
+pub(super) struct Completeness {
+    /// Panels that are not sewn, by their index.
+    loose: Vec<(usize, Loose)>,
+    /// Panels of which an edge is not sewn that must be, by their index, and its role.
+    open: Vec<(usize, EdgeRole)>,
+    /// True if no seam is suggested.
+    empty: bool,
+}
+
+impl Completeness {
+    /// Compares `seams` with the panels of `pattern`, `hints` being those of their names.
+    pub(super) fn of(
+        pattern: &Pattern,
+        garment: &GarmentModel,
+        hints: &[NameHints],
+        seams: &[SuggestedSeam],
+    ) -> Self {
+        let kept: BTreeSet<&str> = seams.iter().map(|s| s.pair.id.as_str()).collect();
+        let steps = garment
+            .proposed
+            .iter()
+            .filter(|s| kept.contains(s.id.as_str()));
+        let steps = steps.flat_map(|s| s.sides.iter().flatten());
+        let edges: BTreeSet<(usize, usize)> = steps.map(|step| (step.panel, step.edge)).collect();
+        let count = pattern.panels.len();
+        let sewn: BTreeSet<usize> = edges
+            .iter()
+            .map(|(panel, _)| panel % count.max(1))
+            .collect();
+        let loose = (0..count)
+            .filter(|i| !sewn.contains(i))
+            .map(|i| {
+                (
+                    i,
+                    form_of(garment, &sewn, i)
+                        .or_else(|| band_of(garment, &sewn, i))
+                        .unwrap_or_else(|| reason(pattern, hints, &sewn, i)),
+                )
+            })
+            .collect();
+        let mut open: Vec<(usize, EdgeRole)> = vec![];
+        for part in garment
+            .parts
+            .iter()
+            .filter(|p| sewn.contains(&(p.panel % count)))
+        {
+            for role in needed_roles(garment, part) {
+                let is_open = |e: &usize| !edges.contains(&(part.panel, *e));
+                let entry = (part.panel % count, role);
+                if part.role_edges(role).iter().any(is_open) && !open.contains(&entry) {
+                    open.push(entry);
+                }
+            }
+        }
+        Self {
+            loose,
+            open,
+            empty: seams.is_empty(),
+        }
+    }
+
+    /// Returns the share of their confidence that the seams keep.
+    pub(super) fn trust(&self) -> f64 {
+        let misses = |what: &Loose| self.loose.iter().any(|(_, reason)| reason == what);
+        if misses(&Loose::Body) || !self.open.is_empty() {
+            WITHOUT_BODY
+        } else if misses(&Loose::Trim) {
+            WITHOUT_TRIM
+        } else {
+            1.0
+        }
+    }
+
+    /// Tells of every panel that is not sewn, and why the seams are not to be trusted.
+    pub(super) fn warnings(&self, pattern: &Pattern) -> Vec<Warning> {
+        let id = |i: &usize| pattern.panels[*i].id.as_str();
+        let warn = |detail: String| Warning::new(SeamCode::NotSuggested, "/seams", detail);
+        let mut warnings: Vec<Warning> = self
+            .loose
+            .iter()
+            .map(|(i, reason)| warn(told(id(i), reason, id)))
+            .collect();
+        if self.empty {
+            return warnings;
+        }
+        for (panel, role) in &self.open {
+            warnings.push(warn(format!(
+                "panel `{}` has its {} open, which such panels have sewn: the garment may be another one, and its seams are offers; look at them, or state that seam",
+                id(panel),
+                role_name(*role)
+            )));
+        }
+        let body: Vec<&str> = self
+            .loose
+            .iter()
+            .filter(|(_, reason)| *reason == Loose::Body)
+            .map(|(i, _)| id(i))
+            .collect();
+        if !body.is_empty() {
+            warnings.push(warn(format!(
+                "the garment is not recognized as a whole: `{}` must be sewn and no seam was found for it, so that all seams are offers of less than half the confidence; state its seams, or leave the panel out",
+                body.join("`, `")
+            )));
+        }
+        warnings
+    }
+}
+
+/// Returns the sentence on a panel that is not sewn.
+fn told<'a>(panel: &str, reason: &Loose, id: impl Fn(&usize) -> &'a str) -> String {
+    match reason {
+        Loose::Alternative(other) => format!(
+            "panel `{panel}` is taken for another form of `{}`, which is sewn in its place; to choose it, suggest the seams without `{}`",
+            id(other),
+            id(other)
+        ),
+        Loose::Body | Loose::Trim => format!(
+            "no seam is suggested for panel `{panel}`, though its name or its size says that the garment needs it"
+        ),
+        Loose::Unneeded => format!(
+            "no seam is suggested for panel `{panel}`: what it is was not recognised, or it is not needed"
+        ),
+    }
+}
+
+/// Returns the neck band that is sewn in the place of panel `i`, if that is another one.
+fn band_of(garment: &GarmentModel, sewn: &BTreeSet<usize>, i: usize) -> Option<Loose> {
+    let is_band = |p: &LabeledPanel| p.kind == PanelKind::NeckBand;
+    garment.parts.iter().find(|p| p.panel == i && is_band(p))?;
+    let mut others = garment.parts.iter().filter(|p| is_band(p));
+    let other = others.find(|p| sewn.contains(&p.panel))?;
+    Some(Loose::Alternative(other.panel))
+}
+
+/// Returns the sewn panel that panel `i`, whose name does not say what it is, was taken for a form
+/// of.
+fn form_of(garment: &GarmentModel, sewn: &BTreeSet<usize>, i: usize) -> Option<Loose> {
+    let own = garment.parts.iter().find(|p| p.panel == i && !p.named)?;
+    let is_same = |p: &&LabeledPanel| {
+        p.kind == own.kind
+            && own.front_back.is_some()
+            && p.front_back == own.front_back
+            && sewn.contains(&p.panel)
+    };
+    let other = garment.parts.iter().find(is_same)?;
+    Some(Loose::Alternative(other.panel))
+}
+
+/// Returns the reason why panel `i` is not sewn.
+fn reason(pattern: &Pattern, hints: &[NameHints], sewn: &BTreeSet<usize>, i: usize) -> Loose {
+    use PanelKind::{ArmBand, Bodice, Godet, Layer, Placket, Pocket, Side, Skirt, Sleeve};
+    let own = &hints[i];
+    let is_same = |j: &&usize| {
+        let other = &hints[**j];
+        let apart = own.laterality.is_some() && other.laterality.is_some();
+        own.kind == other.kind
+            && own.of == other.of
+            && own.front_back == other.front_back
+            && (own.laterality == other.laterality || !apart)
+    };
+    let named = own.kind.is_some() || own.front_back.is_some();
+    if named && let Some(other) = sewn.iter().find(is_same) {
+        return Loose::Alternative(*other);
+    }
+    match own.kind {
+        Some(Pocket | Placket | Layer | Godet | ArmBand) => Loose::Unneeded,
+        Some(
+            Bodice
+            | Skirt
+            | PanelKind::Trouser
+            | Sleeve
+            | PanelKind::UnderSleeve
+            | Side
+            | PanelKind::Yoke,
+        ) => Loose::Body,
+        Some(_) => Loose::Trim,
+        None if own.front_back.is_some() => Loose::Body,
+        None => {
+            let area = |panel: usize| pattern.panels[panel].area_m2.abs();
+            let all: f64 = (0..pattern.panels.len()).map(area).sum();
+            let nothing_tells = hints
+                .iter()
+                .all(|h| h.kind.is_none() && h.front_back.is_none());
+            if nothing_tells && area(i) >= NEEDED_AREA * all {
+                Loose::Body
+            } else {
+                Loose::Unneeded
+            }
+        }
+    }
+}
+
+/// Returns the roles whose edges must be sewn in a panel of a garment.
+fn needed_roles(garment: &GarmentModel, part: &LabeledPanel) -> Vec<EdgeRole> {
+    let mut roles = match part.kind {
+        PanelKind::Bodice => vec![EdgeRole::Side, EdgeRole::Shoulder],
+        PanelKind::Skirt => vec![EdgeRole::Side],
+        PanelKind::Trouser => vec![EdgeRole::Side, EdgeRole::Inseam, EdgeRole::Crotch],
+        PanelKind::Sleeve => vec![EdgeRole::Cap, EdgeRole::Underarm, EdgeRole::Top],
+        PanelKind::UnderSleeve => vec![EdgeRole::Cap, EdgeRole::Underarm],
+        PanelKind::Side => vec![EdgeRole::Side, EdgeRole::Center],
+        PanelKind::Yoke => vec![EdgeRole::Hem, EdgeRole::Shoulder],
+        _ => vec![],
+    };
+    if part.kind == PanelKind::Bodice && garment.has(PanelKind::Sleeve) {
+        roles.push(EdgeRole::Armhole);
+    }
+    roles
+}
+
+/// Returns the name of a role in a sentence.
+fn role_name(role: EdgeRole) -> &'static str {
+    match role {
+        EdgeRole::Hem => "lower edge",
+        EdgeRole::Side => "side",
+        EdgeRole::Armhole => "armhole",
+        EdgeRole::Shoulder => "shoulder",
+        EdgeRole::Neck => "neck",
+        EdgeRole::Center => "center",
+        EdgeRole::Cap => "cap",
+        EdgeRole::Underarm => "underarm",
+        EdgeRole::Top => "upper seam",
+        EdgeRole::Waist => "waist",
+        EdgeRole::Inseam => "inseam",
+        EdgeRole::Crotch => "crotch",
+        EdgeRole::Long => "long edge",
+        EdgeRole::End => "end",
+    }
+}

@@ -1,0 +1,143 @@
+//! Side panels: between front and back, one or several on each side of the wearer, as under the arm
+//! of a jacket or beside princess seams.
+
+use crate::seam::suggest::edge_chain::{EdgeChain, reversed};
+use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
+use crate::seam::suggest::labeled_panel::{LabeledPanel, RoleSegment};
+use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
+
+/// Side panels of one side that are looked at: their ways to lie are tried one with another.
+const MAX_ROW: usize = 4;
+/// Ease that counts as much as any greater one: one edge that fits nowhere must not decide alone.
+const MAX_EASE: f64 = 0.5;
+
+/// A side panel with the side that faces the front.
+#[derive(Clone)]
+pub(super) struct LaidSide {
+    pub(super) panel: LabeledPanel,
+    /// True if the edge before its hem in order of numbers faces the front.
+    before_hem: bool,
+}
+
+impl LaidSide {
+    /// Returns the edge that faces the front or the back.
+    fn facing(&self, front_back: FrontBack) -> Option<&RoleSegment> {
+        let hem = self.panel.segment(EdgeRole::Hem, None)?;
+        let [before, after] = self.panel.beside(hem)?;
+        let before_is_asked = self.before_hem == (front_back == FrontBack::Front);
+        Some(if before_is_asked { before } else { after })
+    }
+
+    /// Returns that edge from the hem up.
+    fn chain(&self, front_back: FrontBack) -> Option<EdgeChain> {
+        let segment = self.facing(front_back)?;
+        Some(self.panel.chain_from(segment, EdgeRole::Hem))
+    }
+
+    /// Returns its part of the armhole on the way down the front and up the back.
+    pub(super) fn armhole(&self) -> Option<EdgeChain> {
+        let segment = self.panel.segment(EdgeRole::Armhole, None)?;
+        let chain = self.panel.chain(segment);
+        let [before, after] = self.panel.beside(segment)?;
+        let facing = |fb: FrontBack, beside: &RoleSegment| {
+            self.facing(fb).is_some_and(|s| s.edges == beside.edges)
+        };
+        let forward = facing(FrontBack::Front, before) || facing(FrontBack::Back, after);
+        Some(if forward { chain } else { reversed(&chain) })
+    }
+
+    /// Returns its shoulder from the neck on.
+    fn shoulder(&self) -> Option<EdgeChain> {
+        self.panel
+            .role_chain(EdgeRole::Shoulder, None, EdgeRole::Center)
+    }
+}
+
+/// Returns the side panels of one side of the wearer from the front to the back, each laid so that
+/// their edges agree best in length with those beside them.
+pub(super) fn row(garment: &GarmentModel, laterality: Laterality) -> Vec<LaidSide> {
+    let order = |part: &LabeledPanel| match part.front_back {
+        Some(FrontBack::Front) => 0,
+        None => 1,
+        Some(FrontBack::Back) => 2,
+    };
+    let here = |p: &&LabeledPanel| p.laterality == Some(laterality);
+    let mut parts: Vec<&LabeledPanel> = garment.parts_of(PanelKind::Side).filter(here).collect();
+    parts.sort_by_key(|part| (order(part), part.number));
+    parts.truncate(MAX_ROW);
+    let laid = |way: usize| -> Vec<LaidSide> {
+        let each = parts.iter().enumerate().map(|(i, part)| LaidSide {
+            panel: (*part).clone(),
+            before_hem: way >> i & 1 == 1,
+        });
+        each.collect()
+    };
+    let misfit = |way: &usize| -> f64 {
+        let joints = joints(garment, laterality, &laid(*way));
+        let cost = |[a, b]: &[Option<EdgeChain>; 2]| match (a, b) {
+            (Some(a), Some(b)) => ease(a, b).min(MAX_EASE),
+            _ => MAX_EASE,
+        };
+        joints.iter().map(cost).sum()
+    };
+    let ways = 0..1_usize << parts.len();
+    let best = ways.min_by(|a, b| misfit(a).total_cmp(&misfit(b)));
+    laid(best.unwrap_or_default())
+}
+
+/// Returns both sides of the seams from the front over the side panels to the back, from the hem up.
+fn joints(
+    garment: &GarmentModel,
+    laterality: Laterality,
+    row: &[LaidSide],
+) -> Vec<[Option<EdgeChain>; 2]> {
+    let body = |front_back| {
+        let place = (EdgeRole::Side, laterality);
+        garment.chain(PanelKind::Bodice, front_back, place, EdgeRole::Hem)
+    };
+    let mut before = body(FrontBack::Front);
+    let mut joints = vec![];
+    for laid in row {
+        joints.push([before, laid.chain(FrontBack::Front)]);
+        before = laid.chain(FrontBack::Back);
+    }
+    joints.push([before, body(FrontBack::Back)]);
+    joints
+}
+
+/// Sews the sides of a bodice: front to back, or each to the side panels between them.
+pub(super) fn sew(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
+    let row = row(garment, laterality);
+    let joints = joints(garment, laterality, &row);
+    let several = joints.len() > 1;
+    for (i, [a, b]) in joints.into_iter().enumerate() {
+        let (id, because) = if several {
+            let id = format!("side-{side}-{}", i + 1);
+            (id, "panels round the body meet side to side, hem to hem")
+        } else {
+            let because = "front and back meet at the side, hem to hem and armhole to armhole";
+            (format!("side-{side}"), because)
+        };
+        garment.sew(SeamRationale::new(&id, because), a, b);
+    }
+}
+
+/// Returns the shoulder of the front or the back on one side, from the neck on, with the part that
+/// a side panel has of it.
+pub(super) fn shoulder(
+    garment: &GarmentModel,
+    front_back: FrontBack,
+    laterality: Laterality,
+) -> Option<EdgeChain> {
+    let place = (EdgeRole::Shoulder, laterality);
+    let own = garment.chain(PanelKind::Bodice, front_back, place, EdgeRole::Neck);
+    let here = |laid: &LaidSide| laid.panel.front_back == Some(front_back);
+    let beside = row(garment, laterality).into_iter().filter(here);
+    let chain: EdgeChain = [own]
+        .into_iter()
+        .chain(beside.map(|laid| laid.shoulder()))
+        .flatten()
+        .flatten()
+        .collect();
+    (!chain.is_empty()).then_some(chain)
+}
