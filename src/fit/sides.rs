@@ -16,8 +16,7 @@ pub(super) fn arm_side(points: &[Vector3<f64>]) -> Option<f64> {
         .iter()
         .map(|p| p.x.abs())
         .fold(f64::INFINITY, f64::min);
-    let sides = points.iter().map(|p| p.x.signum()).sum::<f64>();
-    let is_on_one_side = sides.abs() as usize == points.len();
+    let is_on_one_side = points.iter().all(|p| p.x * points[0].x > 0.0);
     let center = points.iter().map(|p| p.x).sum::<f64>() / points.len().max(1) as f64;
     let is_beside = is_on_one_side && nearest > MIDDLE && center.abs() > TRUNK;
     is_beside.then(|| center.signum())

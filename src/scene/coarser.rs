@@ -98,7 +98,8 @@ fn mean_edge(mesh: &ClothMesh, range: &PanelRange) -> f64 {
 
 /// Returns the mean curvature of the start of a panel that is rolled one way \[1/m\]: the
 /// angles of its inner edges, each times the edge's length, over the area (D. Cohen-Steiner, J.-M.
-/// Morvan, "Restricted Delaunay triangulations and normal cycle", SoCG 2003).
+/// Morvan, "Restricted Delaunay triangulations and normal cycle", 19th Symposium on
+/// Computational Geometry, 2003).
 fn start_curvature(scene: &Scene, range: &PanelRange) -> f64 {
     let mut beside: BTreeMap<[usize; 2], Vector3<f64>> = BTreeMap::new();
     let (mut turned, mut area) = (0.0, 0.0);

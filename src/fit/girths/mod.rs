@@ -215,8 +215,8 @@ fn upper_arm(avatar: &Avatar, limb: Limb) -> Option<Vec<f64>> {
 }
 
 fn steps(from: f64, to: f64) -> impl Iterator<Item = f64> {
-    let count = ((to - from) / STEP).max(0.0) as usize;
-    (0..=count).map(move |step| from + step as f64 * STEP)
+    let at = move |step: u32| from + f64::from(step) * STEP;
+    (0..).map(at).take_while(move |at| *at <= to)
 }
 
 fn level(height: f64) -> Plane {

@@ -59,7 +59,7 @@ impl<'a> Sections<'a> {
         for &panel in panels {
             let range = &self.scene.mesh.panels[panel];
             for triangle in &self.scene.mesh.triangles[range.triangles.clone()] {
-                let crossed = crossed_edges(triangle, &above);
+                let crossed = crossed_edges(triangle, above);
                 let [Some(one), Some(other)] = crossed else {
                     continue;
                 };
