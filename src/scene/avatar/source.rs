@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 /// Source of a body: measurements, or a surface of its own.
 #[derive(Clone, Debug, PartialEq)]
+#[expect(clippy::large_enum_variant, reason = "there is one of a garment")]
 pub enum BodySource {
     /// A dress form of these measurements.
     Form(DressForm),

@@ -276,7 +276,7 @@ fn tell_axes(
     let turned = found.up != Vector3::y() || found.facing != Vector3::z();
     if turned && (options.up.is_none() || options.facing.is_none()) {
         let [u, f] = [found.up, found.facing].map(|d| {
-            let [x, y, z] = d.map(|x| rounded(x)).into();
+            let [x, y, z] = d.map(rounded).into();
             format!("({x:.3}, {y:.3}, {z:.3})")
         });
         let detail = format!(

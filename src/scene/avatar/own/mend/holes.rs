@@ -71,7 +71,7 @@ impl Hole {
     fn new(surface: &TriangleMesh, edge: Vec<usize>) -> Self {
         let points: Vec<_> = edge.iter().map(|&v| surface.vertices[v]).collect();
         let next = points.iter().cycle().skip(1);
-        let pieces: Vec<_> = points.iter().zip(next).map(|(a, b)| (a, b)).collect();
+        let pieces: Vec<_> = points.iter().zip(next).collect();
         let length: f64 = pieces.iter().map(|(a, b)| (*b - *a).norm()).sum();
         // of the line, not of its vertices, which may lie closer together on one side
         let moment: Vector3<f64> = pieces
