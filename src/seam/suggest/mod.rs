@@ -8,7 +8,7 @@
 //! 2. `rules` join the edge roles that each class of garment joins, a file a class; `join` splits a
 //!    seam where corners of both sides meet.
 //! 3. `select` keeps the seams that can be sewn together, `placement` puts the panels round the
-//!    body.
+//!    body, `completeness` tells what the set leaves out.
 //!
 //! `lexicon.json` and `figures.json` hold the words and the numbers.
 
