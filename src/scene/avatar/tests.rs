@@ -327,6 +327,8 @@ fn distances_of_a_surface_that_crosses_itself_are_those_of_its_outside() {
     let crease = -(radius * radius - half * half).sqrt();
     let found = avatar.exact_distance(&Vector3::zeros());
     assert!((found - crease).abs() < 1e-3, "{found} {crease}");
-    let smooth = avatar.distance(&Vector3::zeros());
-    assert!((smooth - crease).abs() < 2e-3, "{smooth} {crease}");
+    // beside the middle, where the distance has a tip, it is smooth: one point of it is nearest
+    let beside = Vector3::y() * 0.03;
+    let smooth = avatar.distance(&beside);
+    assert!((smooth - crease - 0.03).abs() < 1e-3, "{smooth} {crease}");
 }
