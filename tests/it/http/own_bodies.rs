@@ -107,7 +107,7 @@ fn files_that_are_no_bodies_are_refused_with_their_place() {
     let faults = post("", "model/gltf-binary", b"glTF").faults(422);
     assert_eq!(faults, ["avatar/file "]);
     post("", "text/plain", b"v 0 0 0").problem(415);
-    post("?units=ell", "model/obj", b"v 0 0 0").problem(400);
+    post("?units=ell", "model/obj", b"v 0 0 0").problem(422);
 }
 
 #[test]
