@@ -1,6 +1,7 @@
 //! The garment file: all that a fit needs, as JSON (P6).
 
 use crate::pattern::{Pattern, Placement, SeamPair};
+use crate::scene::triples::{positions_schema, triangles_schema};
 use crate::scene::{BodySource, DressForm, Fabric, OwnBody};
 use crate::seam::FaceRequest;
 use crate::solver::SolverOptions;
@@ -8,7 +9,6 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use utoipa::ToSchema;
-use utoipa::openapi::schema::{Array, ArrayBuilder, ObjectBuilder, Type};
 use uuid::Uuid;
 
 /// Name and version of the garment file format.
@@ -238,24 +238,6 @@ pub struct InnerPanel {
     /// Corners of its triangles; `#T`.
     #[schema(schema_with = triangles_schema)]
     pub triangles: Vec<[u32; 3]>,
-}
-
-fn positions_schema() -> Array {
-    let length = ObjectBuilder::new().schema_type(Type::Number);
-    triples_of(length, "Positions [m], y up; `#V`.")
-}
-
-fn triangles_schema() -> Array {
-    let index = ObjectBuilder::new().schema_type(Type::Integer);
-    let index = index.minimum(Some(0)).maximum(Some(u32::MAX));
-    triples_of(index, "Corners of its triangles; `#T`.")
-}
-
-fn triples_of(item: ObjectBuilder, description: &str) -> Array {
-    let triple = ArrayBuilder::new().items(item);
-    let triple = triple.min_items(Some(3)).max_items(Some(3));
-    let triples = ArrayBuilder::new().items(triple);
-    triples.description(Some(description)).build()
 }
 
 /// A corner that does not move.

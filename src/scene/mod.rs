@@ -9,6 +9,7 @@ mod fixed_cloth;
 mod membrane;
 mod placement;
 mod raw;
+pub(crate) mod triples;
 mod wind;
 
 pub use avatar::{

@@ -12,9 +12,10 @@ use nalgebra::Vector3;
 /// Furthest that a level of the garment may start from the level of the body that it is meant for
 /// \[m\].
 const OFF_LEVEL: f64 = 0.03;
-/// Distance of the places along a limb, and of the levels of the trunk, at which cloth is measured
-/// \[m\].
+/// Distance of the places along a limb at which it is measured \[m\].
 const STEP: f64 = 0.02;
+/// Distance of the planes across a tube of cloth: a few in a waistband \[m\].
+const TUBE_STEP: f64 = 0.005;
 /// Part of an arm below the armpit in which the upper arm is measured \[m\].
 const UPPER_ARM: f64 = 0.12;
 /// Distance below the crotch at which the thigh is measured \[m\].
@@ -169,7 +170,11 @@ fn tubes(avatar: &Avatar, scene: &Scene) -> Vec<Tube> {
     let height = |name: &str| avatar.landmarks.get(name).map(|p| p.y);
     let mut tubes = vec![];
     if let (Some(low), Some(high)) = (height("crotch"), height("armpit_l")) {
-        tubes.push(("trunk", trunk, steps(low, high).map(level).collect()));
+        tubes.push((
+            "trunk",
+            trunk,
+            steps([low, high], TUBE_STEP).map(level).collect(),
+        ));
     }
     let arms = [
         ("left arm", Limb::ArmLeft, left),
@@ -179,7 +184,7 @@ fn tubes(avatar: &Avatar, scene: &Scene) -> Vec<Tube> {
         let (Some(axis), Some(along)) = (avatar.limb(limb), upper_arm(avatar, limb)) else {
             continue;
         };
-        let alongs = steps(along[0], axis.length());
+        let alongs = steps([along[0], axis.length()], TUBE_STEP);
         let planes = alongs.filter_map(|along| normal_to(avatar, limb, along));
         tubes.push((name, panels, planes.collect()));
     }
@@ -211,11 +216,11 @@ fn upper_arm(avatar: &Avatar, limb: Limb) -> Option<Vec<f64>> {
     let armpit = avatar.landmarks.get(&format!("armpit_{side}"))?;
     let (joint, direction) = avatar.limb(limb)?.at(0.0);
     let along = direction.dot(&(armpit - joint)) + STEP;
-    Some(steps(along, along + UPPER_ARM).collect())
+    Some(steps([along, along + UPPER_ARM], STEP).collect())
 }
 
-fn steps(from: f64, to: f64) -> impl Iterator<Item = f64> {
-    let at = move |step: u32| from + f64::from(step) * STEP;
+fn steps([from, to]: [f64; 2], step: f64) -> impl Iterator<Item = f64> {
+    let at = move |number: u32| from + f64::from(number) * step;
     (0..).map(at).take_while(move |at| *at <= to)
 }
 

@@ -3,6 +3,7 @@
 use super::super::limb::{Limb, LimbAxis};
 use super::super::{Avatar, LANDMARKS, TriangleMesh};
 use crate::fault::{AvatarCode, Fault, Faults};
+use crate::scene::triples::{positions_schema, triangles_schema};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -14,8 +15,10 @@ use utoipa::ToSchema;
 #[serde(deny_unknown_fields)]
 pub struct OwnBody {
     /// Positions \[m\]; `#V`.
+    #[schema(schema_with = positions_schema)]
     pub vertices: Vec<[f64; 3]>,
     /// Corners of its triangles, counter-clockwise seen from outside; `#T`.
+    #[schema(schema_with = triangles_schema)]
     pub triangles: Vec<[u32; 3]>,
     /// Named points of the body \[m\]. Those of the joints of a limb, `shoulder_joint_l`,
     /// `elbow_l`, `wrist_l` and `hip_joint_l`, `knee_l`, `ankle_l`, make its axis.
