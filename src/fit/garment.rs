@@ -43,7 +43,8 @@ pub struct Garment {
     /// Fabrics of one's own, by id.
     #[serde(default)]
     pub fabrics: BTreeMap<String, Fabric>,
-    /// The body: an id, measurements, a body of one's own, or null for none. The default dress form if absent.
+    /// The body: an id, measurements, a body of one's own, or null for none. The default dress form
+    /// if absent.
     #[serde(default = "AvatarRef::default_form")]
     pub avatar: Option<AvatarRef>,
     /// Corners that do not move.

@@ -1,8 +1,9 @@
-//! A second rest on a harder skin, of a garment so tight that triangles of its mesh cut into the body.
+//! A second rest on a harder skin, of a garment so tight that triangles of its mesh cut into the
+//! body.
 //!
 //! The skin gives way to the pressure of cloth, by half a millimeter where that is some kilopascal:
-//! soft contact is what a solver gets through. Where cloth is drawn over a ridge by more, its vertices
-//! and the middles of its edges stay outside, but triangles between them meet the body.
+//! soft contact is what a solver gets through. Where cloth is drawn over a ridge by more, its
+//! vertices and the middles of its edges stay outside, but triangles between them meet the body.
 
 use super::crossings::{self, FoundCrossings};
 use crate::scene::Scene;

@@ -21,8 +21,8 @@ pub struct CoarserScene {
 const BENDING_LENGTH: f64 = 1.0;
 /// Mesh edges of the next coarser mesh over those of a mesh: it has a third of the vertices.
 const COARSER_EDGE: f64 = 1.75;
-/// Most that a panel may turn along one mesh edge at its start \[rad\]: the edge sags by an eighth of
-/// the radius there.
+/// Most that a panel may turn along one mesh edge at its start \[rad\]: the edge sags by an eighth
+/// of the radius there.
 const MOST_TURN: f64 = 1.0;
 /// Directions of fibers are told apart to this much of a turn.
 const TURN: f64 = 1e6;

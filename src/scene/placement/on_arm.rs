@@ -75,7 +75,8 @@ fn up_along(placed: &Placed, up: &Vector3<f64>) -> Option<Rotation2<f64>> {
     Some(Rotation2::new(FRAC_PI_2 - side.y.atan2(side.x)))
 }
 
-/// Returns the same panel rolled by half a turn at a place about an arm, its drawing turned by `up`.
+/// Returns the same panel rolled by half a turn at a place about an arm, its drawing turned by
+/// `up`.
 fn rolled(flat: &Placed, panel: &Panel, up: Rotation2<f64>, place: &ArmPlace) -> Placed {
     let [[left, right], [bottom, top]] = bounds(panel, &up);
     let center_y = 0.5 * (bottom + top);

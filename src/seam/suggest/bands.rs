@@ -3,8 +3,8 @@
 use super::labeled_panel::{LabeledPanel, RoleSegment};
 use super::labels::{DrawnSide, EdgeRole, Laterality, PanelKind};
 
-/// Bands may be shorter than the opening, to be stretched on or gathered to, and longer, to lie over
-/// each other, as shares of its length.
+/// Bands may be shorter than the opening, to be stretched on or gathered to, and longer, to lie
+/// over each other, as shares of its length.
 const NECK: [f64; 2] = [0.70, 1.08];
 const WAIST: [f64; 2] = [0.78, 1.12];
 const HEM: [f64; 2] = [0.70, 1.05];

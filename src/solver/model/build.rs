@@ -46,9 +46,9 @@ pub(crate) struct BuildOptions<'a> {
     /// through cloth.
     pub(crate) least_thickness: Option<f64>,
     /// True on the mesh asked for: there the middles of edges are kept off the body too, and layers
-    /// of cloth rub on each other. The edges of coarser meshes cut so far into the body that pushing
-    /// them out would stretch the garment; their thick cloth, with friction, locks where it is
-    /// crumpled (a shirt with bands did not come to rest on 275 vertices).
+    /// of cloth rub on each other. The edges of coarser meshes cut so far into the body that
+    /// pushing them out would stretch the garment; their thick cloth, with friction, locks where it
+    /// is crumpled (a shirt with bands did not come to rest on 275 vertices).
     pub(crate) finest: bool,
 }
 

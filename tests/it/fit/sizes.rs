@@ -37,7 +37,7 @@ fn sewn_on(sample: &SamplePattern, body: &DressForm, edge_length: f64) -> DrapeR
 
 fn has_warning(report: &DrapeReport, code: &str) -> bool {
     let mut warnings = report.warnings.iter();
-    warnings.any(|warning| warning.code.to_string() == code)
+    warnings.any(|warning| warning.code.as_str() == code)
 }
 
 /// From the smallest to the largest size that is sold.

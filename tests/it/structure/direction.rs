@@ -39,7 +39,7 @@ const KEPT_TO: &[(&str, &[&str])] = &[
     ("spade", &["mesh"]),
     ("jsonschema", &["fit"]),
     ("seamster_cholesky", &["solver"]),
-    ("seamster_crossings", &["fit"]),
+    ("seamster_crossings", &["fit", "scene"]),
     ("std::env", &["config"]),
     ("std::fs", &["memory", "job", "http", "cli"]),
     ("std::net", &["config", "http", "cli"]),

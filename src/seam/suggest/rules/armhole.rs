@@ -2,8 +2,8 @@
 
 use super::side;
 use crate::seam::suggest::edge_chain::EdgeChain;
-use crate::seam::suggest::garment_model::GarmentModel;
-use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
+use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
+use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
 
 /// An armhole from the shoulder down the front, then up the back to the shoulder.
 pub(super) struct Armhole {
@@ -49,4 +49,25 @@ pub(super) fn of(garment: &GarmentModel, laterality: Laterality) -> Option<Armho
         up.extend(over.unwrap_or_default());
     }
     (!down.is_empty() && !up.is_empty()).then_some(Armhole { down, up })
+}
+
+/// Sets a sleeve's cap into an armhole.
+pub(super) fn set_in(
+    garment: &mut GarmentModel,
+    side: &str,
+    hole: Option<EdgeChain>,
+    cap: Option<EdgeChain>,
+) {
+    let id = format!("armhole-{side}");
+    let because = "the sleeve is set into the armhole, front to front and underarm to underarm";
+    garment.sew_ring(SeamRationale::new(&id, because).gathered(), hole, cap);
+}
+
+/// Returns the side of the drawing on which the front of a sleeve lies that is drawn hem down and
+/// face up: the left for a left sleeve.
+pub(super) fn usual_front_side(laterality: Laterality) -> DrawnSide {
+    match laterality {
+        Laterality::Left => DrawnSide::Left,
+        Laterality::Right => DrawnSide::Right,
+    }
 }

@@ -1,6 +1,6 @@
 //! Raglan: sleeves that run up to the neck, between front and back.
 
-use super::sleeve;
+use super::armhole;
 use crate::seam::suggest::edge_chain::{EdgeChain, length, reversed};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
@@ -78,7 +78,7 @@ pub(super) fn front_side(
             };
         }
     }
-    sleeve::usual_front_side(laterality)
+    armhole::usual_front_side(laterality)
 }
 
 /// Returns the neck that front, back and both sleeves make, from the wearer's left round the front.

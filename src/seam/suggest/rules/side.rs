@@ -85,7 +85,8 @@ pub(super) fn row(garment: &GarmentModel, laterality: Laterality) -> Vec<LaidSid
     laid(best.unwrap_or_default())
 }
 
-/// Returns both sides of the seams from the front over the side panels to the back, from the hem up.
+/// Returns both sides of the seams from the front over the side panels to the back, from the hem
+/// up.
 fn joints(
     garment: &GarmentModel,
     laterality: Laterality,

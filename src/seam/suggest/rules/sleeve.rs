@@ -1,7 +1,7 @@
 //! Sleeves: closed under the arm, set into the armhole that front and back make.
 
 use super::{armhole, sleeve_cap, two_part_sleeve};
-use crate::seam::suggest::edge_chain::{EdgeChain, reversed};
+use crate::seam::suggest::edge_chain::reversed;
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
 
@@ -86,18 +86,7 @@ fn halves(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
         Some(cap)
     });
     let hole = armhole::of(garment, laterality).map(|hole| hole.around_from_shoulder());
-    set_in(garment, side, hole, cap);
-}
-
-pub(super) fn set_in(
-    garment: &mut GarmentModel,
-    side: &str,
-    hole: Option<EdgeChain>,
-    cap: Option<EdgeChain>,
-) {
-    let id = format!("armhole-{side}");
-    let because = "the sleeve is set into the armhole, front to front and underarm to underarm";
-    garment.sew_ring(SeamRationale::new(&id, because).gathered(), hole, cap);
+    armhole::set_in(garment, side, hole, cap);
 }
 
 /// Sews a sleeve of one panel.
@@ -122,7 +111,7 @@ fn whole(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
     if part.segment(EdgeRole::Cap, None).is_none() {
         return;
     }
-    let front = usual_front_side(laterality);
+    let front = armhole::usual_front_side(laterality);
     let hole = armhole::of(garment, laterality).map(|hole| hole.around_from_underarm());
     let cap = part.segment(EdgeRole::Cap, None).map(|segment| {
         let chain = part.chain(segment);
@@ -132,14 +121,5 @@ fn whole(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
             chain
         }
     });
-    set_in(garment, side, hole, cap);
-}
-
-/// Returns the side of the drawing on which the front of a sleeve lies that is drawn hem down and
-/// face up: the left for a left sleeve.
-pub(super) fn usual_front_side(laterality: Laterality) -> DrawnSide {
-    match laterality {
-        Laterality::Left => DrawnSide::Left,
-        Laterality::Right => DrawnSide::Right,
-    }
+    armhole::set_in(garment, side, hole, cap);
 }

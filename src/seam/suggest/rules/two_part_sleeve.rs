@@ -1,7 +1,7 @@
-//! Sleeves of an upper and an under part, as of a jacket: closed by a seam in front of and one behind
-//! the arm, and set into the armhole together.
+//! Sleeves of an upper and an under part, as of a jacket: closed by a seam in front of and one
+//! behind the arm, and set into the armhole together.
 
-use super::{armhole, sleeve};
+use super::armhole;
 use crate::seam::suggest::edge_chain::{EdgeChain, beginning_at, length, reversed};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
@@ -11,8 +11,8 @@ use crate::seam::suggest::labels::{DrawnSide, EdgeRole, Laterality, PanelKind};
 /// \[m\].
 const CORNER_TOLERANCE_M: f64 = 0.004;
 
-/// Gives upper sleeves that are called neither left nor right the side of the wearer that their front
-/// belongs to: the left if it lies on the left of the drawing.
+/// Gives upper sleeves that are called neither left nor right the side of the wearer that their
+/// front belongs to: the left if it lies on the left of the drawing.
 pub(super) fn assign_left_right(garment: &mut GarmentModel) {
     let is_upper = |p: &&mut LabeledPanel| p.kind == PanelKind::Sleeve && !p.half;
     for part in garment.parts.iter_mut().filter(is_upper) {
@@ -35,7 +35,7 @@ pub(super) fn sew(garment: &mut GarmentModel, laterality: Laterality, side: &str
         return;
     };
     let crossed = is_crossed(&upper, &under);
-    let front = front_side(&upper).unwrap_or_else(|| sleeve::usual_front_side(laterality));
+    let front = front_side(&upper).unwrap_or_else(|| armhole::usual_front_side(laterality));
     for (drawn_side, name) in [(front, "front"), (front.other(), "back")] {
         let other = if crossed {
             drawn_side.other()
@@ -67,11 +67,11 @@ pub(super) fn sew(garment: &mut GarmentModel, laterality: Laterality, side: &str
         beginning_at(&ring, before, CORNER_TOLERANCE_M)
     });
     let cap = [over, below].concat();
-    sleeve::set_in(garment, side, hole, Some(cap));
+    armhole::set_in(garment, side, hole, Some(cap));
 }
 
-/// Returns true if the left edge of the upper sleeve as drawn fits the right one of the under sleeve
-/// better than the left one.
+/// Returns true if the left edge of the upper sleeve as drawn fits the right one of the under
+/// sleeve better than the left one.
 fn is_crossed(upper: &LabeledPanel, under: &LabeledPanel) -> bool {
     let edge = |part: &LabeledPanel, side| {
         let chain = part.role_chain(EdgeRole::Underarm, Some(side), EdgeRole::Hem);
@@ -85,8 +85,8 @@ fn is_crossed(upper: &LabeledPanel, under: &LabeledPanel) -> bool {
     crossed < straight
 }
 
-/// Returns the side of the drawing on which the front of an upper sleeve lies: its seam ends lower on
-/// the front, the back one runs up to the height of the shoulder blade.
+/// Returns the side of the drawing on which the front of an upper sleeve lies: its seam ends lower
+/// on the front, the back one runs up to the height of the shoulder blade.
 fn front_side(upper: &LabeledPanel) -> Option<DrawnSide> {
     let length = |side| {
         let segment = upper.segment(EdgeRole::Underarm, Some(side))?;

@@ -51,12 +51,29 @@ pub(super) fn read(bytes: &[u8], limits: &Limits) -> Result<TriangleMesh, Fault>
 fn refuse_required(bytes: &[u8]) -> Result<(), Fault> {
     let wrong = |error: gltf::Error| unreadable("", format!("it is not binary glTF 2.0: {error}"));
     let file = Gltf::from_slice_without_validation(bytes).map_err(wrong)?;
+    refuse_missing(file.document.as_json())?;
     let required = &file.document.as_json().extensions_required;
     required.first().map_or(Ok(()), |name| {
         let detail = format!("the file needs the extension {name}, which is not read");
         let fault = unreadable("/extensionsRequired", detail);
         Err(fault.fix("export the body without compression and extensions"))
     })
+}
+
+/// Refuses primitives of accessors that the file has not, which the validation of the crate takes
+/// for granted.
+fn refuse_missing(root: &gltf::json::Root) -> Result<(), Fault> {
+    for (number, mesh) in root.meshes.iter().enumerate() {
+        let accessors = mesh.primitives.iter().flat_map(|p| p.attributes.values());
+        if accessors
+            .into_iter()
+            .any(|a| a.value() >= root.accessors.len())
+        {
+            let place = format!("/meshes/{number}");
+            return Err(unreadable(place, "it names an accessor that is not there"));
+        }
+    }
+    Ok(())
 }
 
 fn read_mesh(

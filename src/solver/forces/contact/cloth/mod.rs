@@ -377,4 +377,6 @@ impl Potential for ClothContact {
 }
 
 #[cfg(test)]
+mod fixed_tests;
+#[cfg(test)]
 mod tests;

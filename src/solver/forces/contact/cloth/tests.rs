@@ -5,10 +5,10 @@ use crate::scene::{Analytic, Body};
 use crate::solver::forces::contact::cloth::confine::confine;
 use nalgebra::Matrix3;
 
-const THICKNESS: f64 = 1e-3;
+pub(super) const THICKNESS: f64 = 1e-3;
 
 /// A sheet of cells of 1 cm about the origin, as corners and triangles.
-fn sheet(cells: usize) -> (Vec<Vector3<f64>>, Vec<[usize; 3]>) {
+pub(super) fn sheet(cells: usize) -> (Vec<Vector3<f64>>, Vec<[usize; 3]>) {
     let side = cells + 1;
     let place = |k: usize| (k as f64 - 0.5 * cells as f64) * 0.01;
     let x = (0..side * side).map(|i| Vector3::new(place(i % side), place(i / side), 0.0));
@@ -23,7 +23,7 @@ fn sheet(cells: usize) -> (Vec<Vector3<f64>>, Vec<[usize; 3]>) {
 }
 
 /// Two sheets of so many cells, the second moved and turned, that nothing joins.
-fn two_sheets(
+pub(super) fn two_sheets(
     cells: [usize; 2],
     place: impl Fn(Vector3<f64>) -> Vector3<f64>,
 ) -> (ClothSurface, Vec<Vector3<f64>>) {
@@ -48,19 +48,19 @@ fn two_sheets(
 
 /// A slight turn about a slanted axis, and a shift: no edges are parallel, and no vertex is above
 /// an edge.
-fn turned(p: Vector3<f64>) -> Vector3<f64> {
+pub(super) fn turned(p: Vector3<f64>) -> Vector3<f64> {
     let turn = nalgebra::Rotation3::new(Vector3::new(0.004, 0.003, 0.3));
     turn * p + Vector3::new(0.0013, 0.0021, 0.0)
 }
 
-fn contact(surface: ClothSurface) -> ClothContact {
+pub(super) fn contact(surface: ClothSurface) -> ClothContact {
     let area = vec![1e-4; surface.welded.len()];
     ClothContact::new(surface, area)
 }
 
 /// Edges that pierce triangles, tried one by one: the point where an edge meets a triangle's plane
 /// is on the inner side of all three edges.
-fn crossings(surface: &ClothSurface, x: &[Vector3<f64>]) -> usize {
+pub(super) fn crossings(surface: &ClothSurface, x: &[Vector3<f64>]) -> usize {
     let pierces = |[i, j]: [usize; 2], t: &[usize; 3]| {
         let [a, b, c] = t.map(|k| x[k]);
         let normal = (b - a).cross(&(c - a));
@@ -102,20 +102,20 @@ fn friction_that_sticks_and_that_slips_has_the_derivatives_of_its_energy() {
 }
 
 /// Two sheets of 9 and 4 cells with this coefficient of friction.
-fn rubbing(friction: f64) -> ClothContact {
+pub(super) fn rubbing(friction: f64) -> ClothContact {
     let (surface, x) = two_sheets([3, 2], turned);
     contact(surface).with_friction(Some(vec![friction; x.len()]))
 }
 
 /// The shape with the second sheet moved sideways \[m\].
-fn shifted(x: &[Vector3<f64>], by: f64) -> Vec<Vector3<f64>> {
+pub(super) fn shifted(x: &[Vector3<f64>], by: f64) -> Vec<Vector3<f64>> {
     let move_ = Vector3::new(0.6, 0.8, 0.0) * by;
     let way = |(i, p): (usize, &Vector3<f64>)| if i < 16 { *p } else { p + move_ };
     x.iter().enumerate().map(way).collect()
 }
 
 /// Force of friction on the second sheet \[N\].
-fn held(contact: &ClothContact, x: &[Vector3<f64>]) -> Vector3<f64> {
+pub(super) fn held(contact: &ClothContact, x: &[Vector3<f64>]) -> Vector3<f64> {
     let mut force = vec![Vector3::zeros(); x.len()];
     let friction = contact.friction.as_ref().expect("friction");
     friction.add_force(x, &mut force);
@@ -168,7 +168,7 @@ fn layers_that_slid_hold_each_other_by_the_coefficient_times_the_normal_force() 
 }
 
 /// Compares forces with differences of energies at `x`, and the Hessian with those of forces.
-fn assert_derivatives(contact: &mut ClothContact, x: &[Vector3<f64>]) {
+pub(super) fn assert_derivatives(contact: &mut ClothContact, x: &[Vector3<f64>]) {
     let count = x.len();
     let mut pairs = vec![];
     contact.add_coupled_pairs(&mut pairs);
@@ -341,112 +341,6 @@ fn what_is_fixed_is_not_moved_and_what_is_apart_is_left_alone() {
     let before = near.clone();
     contact.untangle(&mut near, &vec![true; x.len()]);
     assert_eq!(near, before);
-}
-
-/// A second sheet that is fixed acts on the first as one that moves and happens to rest.
-#[test]
-fn fixed_cloth_acts_as_cloth_that_rests() {
-    let place = |p: Vector3<f64>| turned(p) + Vector3::z() * 0.6 * THICKNESS;
-    let (surface, x) = two_sheets([3, 2], place);
-    let count = 16;
-    let mut free = contact(surface);
-    let (mut surface, _) = two_sheets([3, 2], place);
-    surface.fixed = x[count..].to_vec();
-    let mut beside = contact(surface);
-    free.accept(&x);
-    beside.accept(&x[..count]);
-    assert_acts_alike(&mut beside, &mut free, &x, count);
-
-    // The first sheet does not get through the second.
-    let through = Vector3::z() * 10.0 * THICKNESS;
-    let mut to: Vec<_> = x[..count].iter().map(|p| p + through).collect();
-    beside.confine(&x[..count], &mut to);
-    assert!(
-        to.iter()
-            .zip(&x)
-            .any(|(end, from)| (end - from).norm() < through.norm())
-    );
-    let (surface, _) = two_sheets([3, 2], place);
-    assert_eq!(crossings(&surface, &[&to, &x[count..]].concat()), 0);
-}
-
-/// Friction too, by the smaller coefficient at each place: less and more than what ties hold.
-#[test]
-fn fixed_cloth_holds_as_cloth_that_rests() {
-    let place = |p: Vector3<f64>| turned(p) + Vector3::z() * 0.6 * THICKNESS;
-    let (_, x) = two_sheets([3, 2], place);
-    let count = 16;
-    let coefficient = |i: usize| {
-        if i < count {
-            0.3
-        } else {
-            0.05 * (i - count) as f64
-        }
-    };
-    let rubbing = |fixed: &[Vector3<f64>]| {
-        let (mut surface, _) = two_sheets([3, 2], place);
-        surface.fixed = fixed.to_vec();
-        contact(surface).with_friction(Some((0..x.len()).map(coefficient).collect()))
-    };
-    let (mut free, mut beside) = (rubbing(&[]), rubbing(&x[count..]));
-    free.accept(&x);
-    beside.accept(&x[..count]);
-    for by in [5e-6, 2e-4] {
-        let mut moved = x.clone();
-        let shift = Vector3::new(0.6, 0.8, 0.0) * by;
-        moved[..count].iter_mut().for_each(|p| *p += shift);
-        assert_acts_alike(&mut beside, &mut free, &moved, count);
-        let mut alone = rubbing(&[]);
-        alone.accept(&moved);
-        let held = free.energy(&moved) - alone.energy(&moved);
-        assert!(held > 0.0, "{held}");
-        // What slipped is remembered alike.
-        assert_eq!(free.accept(&moved), beside.accept(&moved[..count]));
-        assert_acts_alike(&mut beside, &mut free, &moved, count);
-    }
-}
-
-/// Compares energy, forces and Hessian of contact of which the vertices from `count` on are fixed
-/// with those of contact of which they are free, at `x`.
-fn assert_acts_alike(
-    beside: &mut ClothContact,
-    free: &mut ClothContact,
-    x: &[Vector3<f64>],
-    count: usize,
-) {
-    assert!(free.energy(x) > 0.0);
-    // The pairs come in another order, so sums round otherwise.
-    let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs().max(1e-12);
-    assert!(near(beside.energy(&x[..count]), free.energy(x)));
-    let (mut all, mut part) = (
-        vec![Vector3::zeros(); x.len()],
-        vec![Vector3::zeros(); count],
-    );
-    free.add_force(x, &mut all);
-    beside.add_force(&x[..count], &mut part);
-    for (a, b) in part.iter().zip(&all) {
-        assert!((a - b).norm() <= 1e-12 * b.norm().max(1e-9), "{a} {b}");
-    }
-    let hessian = |contact: &mut ClothContact, x: &[Vector3<f64>]| {
-        let mut pairs = vec![];
-        contact.add_coupled_pairs(&mut pairs);
-        let sparsity = Sparsity::from_pairs(x.len(), pairs);
-        contact.bind(&sparsity);
-        let mut hessian = BlockMatrix::zeros(&sparsity);
-        contact.add_hessian(x, 0.0, &mut hessian);
-        let blocks = (0..count).flat_map(|i| (0..=i).map(move |j| (i, j)));
-        let block = |(i, j)| {
-            sparsity
-                .find(i, j)
-                .map_or(Matrix3::zeros(), |s| hessian.get(s))
-        };
-        blocks.map(block).collect::<Vec<_>>()
-    };
-    let whole = hessian(free, x);
-    let stiffest = whole.iter().map(Matrix3::norm).fold(0.0, f64::max);
-    for (a, b) in hessian(beside, &x[..count]).iter().zip(&whole) {
-        assert!((a - b).norm() <= 1e-12 * stiffest, "{a} {b}");
-    }
 }
 
 /// A sheet most of which is beneath a fixed one comes out on the side of the body that its layer
