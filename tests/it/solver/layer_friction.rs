@@ -90,7 +90,8 @@ fn assert_sticks(scene: &Scene, first: usize) {
 
 fn assert_slides_off(scene: &Scene, first: usize) {
     let (shape, way) = slid(scene, first);
-    assert!(!shape.report.converged && way > 0.3, "{way}");
+    let why = &shape.report.why;
+    assert!(!shape.report.converged && way > 0.3, "{way}: {why}");
 }
 
 /// Two percent to either side of the threshold; the smaller of two coefficients counts.
