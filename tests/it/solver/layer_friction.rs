@@ -88,10 +88,11 @@ fn assert_sticks(scene: &Scene, first: usize) {
     assert!(way > 0.0 && way < GIVE, "{way}");
 }
 
-fn assert_slides_off(scene: &Scene, first: usize) {
+/// Asserts that there is no rest, and that the sheet went further than what sticks ever gives way.
+fn assert_slides(scene: &Scene, first: usize) {
     let (shape, way) = slid(scene, first);
     let why = &shape.report.why;
-    assert!(!shape.report.converged && way > 0.3, "{way}: {why}");
+    assert!(!shape.report.converged && way > 1e3 * GIVE, "{way}: {why}");
 }
 
 /// Two percent to either side of the threshold; the smaller of two coefficients counts.
@@ -100,7 +101,7 @@ fn a_sheet_on_a_sheet_sticks_below_the_angle_of_friction_and_slides_above() {
     let first = table(0.0).start.len();
     for friction in [[FRICTION, 1.0], [1.0, FRICTION]] {
         assert_sticks(&on_pinned_cloth(0.98 * FRICTION, friction), first);
-        assert_slides_off(&on_pinned_cloth(1.02 * FRICTION, friction), first);
+        assert_slides(&on_pinned_cloth(1.02 * FRICTION, friction), first);
     }
 }
 
@@ -109,7 +110,7 @@ fn a_garment_over_another_sticks_below_the_angle_of_the_smaller_friction_and_sli
     for [beneath, above] in [[FRICTION, 1.0], [1.0, FRICTION]] {
         let on = |slope: f64| on_fixed_cloth(slope, |_| beneath, above);
         assert_sticks(&on(0.98 * FRICTION), 0);
-        assert_slides_off(&on(1.02 * FRICTION), 0);
+        assert_slides(&on(1.02 * FRICTION), 0);
     }
 }
 
