@@ -290,11 +290,12 @@ impl Newton {
         let Some(accepted) = search.run(x, along, &mut energy) else {
             return false;
         };
-        let predicted = search.predicted(accepted.share);
-        // Where the energy tells nothing, the model did not fail.
-        let decrease = accepted.decrease.unwrap_or(predicted);
-        self.pseudo_transient
-            .adapt(accepted.share, decrease, predicted);
+        // Where the energy tells nothing, neither did the model fail nor is a longer step asked for.
+        if let Some(decrease) = accepted.decrease {
+            let predicted = search.predicted(accepted.share);
+            self.pseudo_transient
+                .adapt(accepted.share, decrease, predicted);
+        }
         true
     }
 
