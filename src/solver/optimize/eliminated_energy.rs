@@ -9,8 +9,6 @@ use nalgebra::Vector3;
 const WORTH_ANOTHER: f64 = 0.01;
 /// Shares of a step at which elimination is tried.
 const TRIALS: i32 = 2;
-/// Steepness at the end of a step over that at its start, where the energy does not tell.
-const LESS_STEEP: f64 = 0.9;
 
 /// The energy of a system along one step.
 pub(crate) struct EliminatedEnergy<'e, 's> {
@@ -52,13 +50,13 @@ impl Objective for EliminatedEnergy<'_, '_> {
                 .run(self.system, &global, trial, worth_another)
     }
 
-    fn is_flatter(&mut self, trial: &[Vector3<f64>]) -> bool {
+    fn steepness(&mut self, trial: &[Vector3<f64>]) -> f64 {
         // Forces without an energy are no slope of one.
         if !self.system.is_conservative() {
-            return true;
+            return 0.0;
         }
         let force = self.elimination.force_at(self.system, trial);
         let along: f64 = self.step.iter().zip(force).map(|(d, f)| d.dot(f)).sum();
-        along.abs() <= LESS_STEEP * self.search.slope
+        along / self.search.slope
     }
 }

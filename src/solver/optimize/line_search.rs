@@ -6,6 +6,12 @@ use nalgebra::Vector3;
 /// Share of the decrease predicted by the slope that a step must bring.
 const SUFFICIENT_DECREASE: f64 = 1e-4;
 
+/// Steepness of the objective at the end of a step over that at its start, where the energy does
+/// not tell: less than that either way is the way to a minimum.
+const LESS_STEEP: f64 = 0.9;
+/// Times that a step is doubled along which the objective gets steeper.
+const DOUBLINGS: usize = 16;
+
 /// Furthest that a particle moves in one iteration \[m\]; much more would carry cloth through a
 /// body.
 pub(crate) const MAX_DISPLACEMENT: f64 = 0.04;
@@ -24,9 +30,10 @@ pub(crate) trait Objective {
         decrease
     }
 
-    /// Returns true if the objective is less steep along the step at `trial` than at its start.
-    fn is_flatter(&mut self, _trial: &[Vector3<f64>]) -> bool {
-        true
+    /// Returns the slope of the objective along the step at `trial` over that at its start; 0 if it
+    /// cannot be told.
+    fn steepness(&mut self, _trial: &[Vector3<f64>]) -> f64 {
+        0.0
     }
 }
 
@@ -80,9 +87,9 @@ impl LineSearch {
     /// Moves `x` along `step` by the first share that decreases `objective` sufficiently; leaves it
     /// if none does. `trial` is scratch.
     ///
-    /// Where the predicted decrease is rounding, the slope still tells, and must have fallen (W. W.
-    /// Hager, H. Zhang, SIAM J. Optim. 16(1), 2005): or a step to and fro across a kink would go on
-    /// for ever.
+    /// Where the predicted decrease is rounding, the slope still tells (W. W. Hager, H. Zhang, SIAM
+    /// J. Optim. 16(1), 2005). It must have fallen, or a step to and fro across a kink would go on
+    /// for ever; where it still descends as steeply, near a saddle, the step goes on.
     pub(crate) fn run(
         &self,
         x: &mut [Vector3<f64>],
@@ -92,30 +99,120 @@ impl LineSearch {
         let rounding = self.rounding(x.len());
         let mut share = self.first_share;
         for number in 1..=self.trials {
-            for ((t, x), d) in trial.iter_mut().zip(x.iter()).zip(step) {
-                *t = x + d * share;
-            }
-            objective.confine(x, trial);
-            let decrease = self.value - objective.value(trial);
+            let decrease = self.try_share(share, x, (step, trial), objective);
             let decrease = objective.improve(trial, share, decrease);
             let predicted = self.predicted(share);
             let is_measurable = predicted > 4.0 * rounding;
-            if decrease >= self.sufficient(share) - rounding
-                && (is_measurable || number == self.trials || objective.is_flatter(trial))
-            {
-                x.copy_from_slice(trial);
-                let decrease = is_measurable.then_some(decrease);
-                return Some(AcceptedStep { share, decrease });
+            if decrease >= self.sufficient(share) - rounding {
+                let steepness = if is_measurable || number == self.trials {
+                    0.0
+                } else {
+                    objective.steepness(trial)
+                };
+                if steepness > LESS_STEEP {
+                    return Some(self.go_on(share, x, (step, trial), objective));
+                } else if steepness >= -LESS_STEEP {
+                    x.copy_from_slice(trial);
+                    let decrease = is_measurable.then_some(decrease);
+                    return Some(AcceptedStep { share, decrease });
+                }
             }
             share *= 0.5;
         }
         None
+    }
+
+    /// Computes the trial that takes `share` of `step`; returns the decrease of the objective \[J\].
+    fn try_share(
+        &self,
+        share: f64,
+        x: &[Vector3<f64>],
+        (step, trial): (&[Vector3<f64>], &mut [Vector3<f64>]),
+        objective: &mut impl Objective,
+    ) -> f64 {
+        for ((t, x), d) in trial.iter_mut().zip(x).zip(step) {
+            *t = x + d * share;
+        }
+        objective.confine(x, trial);
+        self.value - objective.value(trial)
+    }
+
+    /// Moves `x` on from a `share` of `step` at which the objective still descends, as far as it
+    /// goes on descending.
+    fn go_on(
+        &self,
+        mut share: f64,
+        x: &mut [Vector3<f64>],
+        (step, trial): (&[Vector3<f64>], &mut [Vector3<f64>]),
+        objective: &mut impl Objective,
+    ) -> AcceptedStep {
+        let longest = step.iter().map(Vector3::norm).fold(0.0, f64::max);
+        let rounding = self.rounding(x.len());
+        let mut decrease = self.try_share(share, x, (step, trial), objective);
+        for _ in 0..DOUBLINGS {
+            if 2.0 * share * longest > MAX_DISPLACEMENT {
+                break;
+            }
+            let further = self.try_share(2.0 * share, x, (step, trial), objective);
+            if further < decrease - rounding || objective.steepness(trial) <= 0.0 {
+                break;
+            }
+            share *= 2.0;
+            decrease = further;
+        }
+        self.try_share(share, x, (step, trial), objective);
+        x.copy_from_slice(trial);
+        AcceptedStep {
+            share,
+            decrease: (decrease > 4.0 * rounding).then_some(decrease),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A saddle, the energy of which is rounding beside what it is measured from.
+    struct Saddle;
+
+    impl Saddle {
+        const LEVEL: f64 = 1e6;
+        const EDGE: f64 = 1e-3;
+    }
+
+    impl Objective for Saddle {
+        fn value(&mut self, x: &[Vector3<f64>]) -> f64 {
+            Self::LEVEL - 0.5 * x[0].x.min(Self::EDGE).powi(2)
+        }
+
+        fn steepness(&mut self, trial: &[Vector3<f64>]) -> f64 {
+            if trial[0].x < Self::EDGE {
+                trial[0].x / 1e-9
+            } else {
+                -1.0
+            }
+        }
+    }
+
+    /// Newton's step of a modified second derivative is as long as the way from the saddle: it
+    /// would have to be taken twenty times.
+    #[test]
+    fn a_step_away_from_a_saddle_goes_on() {
+        let search = LineSearch {
+            value: Saddle::LEVEL,
+            slope: 1e-18,
+            curvature: 1e-18,
+            first_share: 1.0,
+            trials: 6,
+        };
+        let (mut x, mut trial) = ([Vector3::x() * 1e-9], [Vector3::zeros()]);
+        let step = [Vector3::x() * 1e-9];
+        let found = search.run(&mut x, (&step, &mut trial), &mut Saddle);
+        let found = found.expect("it descends");
+        assert!(x[0].x > 1e-5 && x[0].x < Saddle::EDGE, "{}", x[0].x);
+        assert!((x[0].x - 1e-9 * (1.0 + found.share)).abs() < 1e-15);
+    }
 
     /// Of x²/2 the step from 1 to -3 overshoots: its half, to -1, brings nothing, its quarter leads
     /// to the minimum.

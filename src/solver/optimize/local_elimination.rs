@@ -25,7 +25,7 @@ const MOST_MOVING: f64 = 0.5;
 /// Smallest share of the indefinite part that is projected out, where there is no factor.
 const LEAST_MODIFICATION: f64 = 0.1;
 /// Rounds at one trial.
-const ROUNDS: usize = 6;
+const ROUNDS: usize = 3;
 /// Shares of their step that are tried, each half the one before.
 const TRIALS: usize = 4;
 
