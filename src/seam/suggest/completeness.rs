@@ -10,7 +10,7 @@ use super::labels::{EdgeRole, PanelKind};
 use super::names::NameHints;
 use super::suggestion::SuggestedSeam;
 use crate::fault::{SeamCode, Warning};
-use crate::pattern::Pattern;
+use crate::pattern::{MIRROR, Pattern};
 use std::collections::BTreeSet;
 
 /// Share of the confidence that is left where a part of the body of the garment is missing: below
@@ -42,19 +42,23 @@ pub(super) struct Completeness {
     loose: Vec<(usize, Loose)>,
     /// Panels of which an edge is not sewn that must be, by their index, and its role.
     open: Vec<(usize, EdgeRole)>,
+    /// Panels that offers name, by their index.
+    offered: BTreeSet<usize>,
     /// True if no seam is suggested.
     empty: bool,
 }
 
 impl Completeness {
-    /// Compares `seams` with the panels of `pattern`, `hints` being those of their names.
+    /// Compares `seams` with the panels of `pattern`, `hints` being those of their names. Offers are
+    /// not sewn.
     pub(super) fn of(
         pattern: &Pattern,
         garment: &GarmentModel,
         hints: &[NameHints],
         seams: &[SuggestedSeam],
     ) -> Self {
-        let kept: BTreeSet<&str> = seams.iter().map(|s| s.pair.id.as_str()).collect();
+        let kept = seams.iter().filter(|seam| !seam.is_offer());
+        let kept: BTreeSet<&str> = kept.map(|seam| seam.pair.id.as_str()).collect();
         let steps = garment
             .proposed
             .iter()
@@ -91,9 +95,15 @@ impl Completeness {
                 }
             }
         }
+        let offers = seams.iter().filter(|seam| seam.is_offer());
+        let source = |id: &str| pattern.panel_index(id.strip_suffix(MIRROR).unwrap_or(id));
         Self {
             loose,
             open,
+            offered: offers
+                .flat_map(SuggestedSeam::panels)
+                .filter_map(source)
+                .collect(),
             empty: seams.is_empty(),
         }
     }
@@ -117,7 +127,13 @@ impl Completeness {
         let mut warnings: Vec<Warning> = self
             .loose
             .iter()
-            .map(|(i, reason)| warn(told(id(i), reason, id)))
+            .map(|(i, reason)| match reason {
+                Loose::Body | Loose::Trim if self.offered.contains(i) => warn(format!(
+                    "only seams of a confidence below 0.5 are suggested for panel `{}`: they are offers, to be looked at and listed",
+                    id(i)
+                )),
+                _ => warn(told(id(i), reason, id)),
+            })
             .collect();
         if self.empty {
             return warnings;
@@ -137,7 +153,7 @@ impl Completeness {
             .collect();
         if !body.is_empty() {
             warnings.push(warn(format!(
-                "the garment is not recognized as a whole: `{}` must be sewn and no seam was found for it, so that all seams are offers of less than half the confidence; state its seams, or leave the panel out",
+                "the garment is not recognized as a whole: `{}` must be sewn and no seam that is sure enough was found for it, so that all seams are offers of less than half the confidence; state its seams, or leave the panel out",
                 body.join("`, `")
             )));
         }

@@ -10,6 +10,8 @@ const MAX_EASE: f64 = 0.30;
 const MAX_GATHERED_EASE: f64 = 3.0;
 /// Ease at which trust in a seam has fallen to 60 %.
 const USUAL_EASE: f64 = 0.05;
+/// Trust that ease leaves at least, where much of it is usual.
+const GATHERED_TRUST: f64 = 0.7;
 
 /// A seam that a rule proposes.
 #[derive(Clone, Debug)]
@@ -234,11 +236,12 @@ impl GarmentModel {
         let count = parts.len();
         for (i, sides) in parts.into_iter().enumerate() {
             let ease = join_ease(&sides);
-            let usual = if rationale.gather && ease > 0.1 {
-                0.7
+            let least = if rationale.gather {
+                GATHERED_TRUST
             } else {
-                (-0.5 * (ease / USUAL_EASE).powi(2)).exp()
+                0.0
             };
+            let usual = (-0.5 * (ease / USUAL_EASE).powi(2)).exp().max(least);
             let id = if count == 1 {
                 rationale.id.to_owned()
             } else {

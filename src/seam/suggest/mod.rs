@@ -8,7 +8,8 @@
 //! 2. `rules` join the edge roles that each class of garment joins, a file a class; `join` splits a
 //!    seam where corners of both sides meet.
 //! 3. `select` keeps the seams that can be sewn together, `placement` puts the panels round the
-//!    body, `completeness` tells what the set leaves out.
+//!    body, `completeness` tells what the set leaves out, `cohesion` what would fall off it, and
+//!    `trust` lowers the confidence by both.
 //!
 //! `lexicon.json` and `figures.json` hold the words and the numbers.
 
@@ -16,6 +17,7 @@ mod align;
 mod assignment;
 mod bands;
 mod classify;
+mod cohesion;
 mod completeness;
 mod edge_chain;
 mod edge_templates;
@@ -34,16 +36,16 @@ mod rules;
 mod seam_pairs;
 mod select;
 mod suggestion;
+mod trust;
 mod vocabulary;
 mod words;
 
-pub use suggestion::{SuggestedPanel, SuggestedSeam, Suggestion};
+pub use suggestion::{MIN_SEWN_CONFIDENCE, SuggestedPanel, SuggestedSeam, Suggestion};
 
 use crate::config::Limits;
 use crate::fault::{SeamCode, Warning};
 use crate::pattern::Pattern;
 use classify::Classification;
-use completeness::Completeness;
 use garment_model::GarmentModel;
 use seam_pairs::SeamPairWriter;
 use std::collections::BTreeSet;
@@ -75,21 +77,14 @@ pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
         .map(|seam| writer.seam(seam))
         .collect();
     let mut seams = select::select_compatible(pattern, seams, limits);
-    let sewn: BTreeSet<&str> = seams
-        .iter()
-        .flat_map(|s| s.pair.a.runs().iter().chain(s.pair.b.runs()))
-        .map(|run| run.panel.as_str())
-        .collect();
+    let sewn: BTreeSet<&str> = seams.iter().flat_map(SuggestedSeam::panels).collect();
     let stands = placement::placements(&garment)
         .into_iter()
         .map(|(panel, placement)| (writer.panel_id(panel), SuggestedPanel { placement }));
     let panels = stands
         .filter(|(id, _)| sewn.contains(id.as_str()))
         .collect();
-    let completeness = Completeness::of(pattern, &garment, &hints, &seams);
-    for seam in &mut seams {
-        seam.confidence = (1e3 * seam.confidence * completeness.trust()).round() / 1e3;
-    }
+    let completeness = trust::judge(pattern, &garment, &hints, &mut seams);
     let warnings = completeness.warnings(pattern);
     Suggestion {
         seams,

@@ -277,6 +277,28 @@ fn seams_are_offers_where_the_names_need_what_is_not_sewn() {
 }
 
 #[test]
+fn offers_count_as_open_edges() {
+    let sure = suggested(vec![bodice("front", 0.10), bodice("back", 0.04)]);
+    assert_eq!(sure.warnings, []);
+    let mut short = bodice("back", 0.04);
+    let shoulder = &mut short.edges[2];
+    shoulder.length_m *= 1.25;
+    let found = suggested(vec![bodice("front", 0.10), short]);
+    let shoulder = found.seams.iter().find(|s| s.pair.id == "shoulder-left");
+    assert!(shoulder.is_some_and(|seam| seam.confidence < 0.5));
+    // The side alone would be sure, but the shoulder stays open.
+    assert!(found.seams.iter().all(|seam| seam.confidence < 0.5));
+    assert!(
+        found
+            .warnings
+            .iter()
+            .any(|w| w.detail.contains("shoulder open")),
+        "{:?}",
+        found.warnings
+    );
+}
+
+#[test]
 fn half_a_hood_meets_the_middle_of_a_back_that_lies_on_both_sides() {
     let back = drawn(
         "back",
