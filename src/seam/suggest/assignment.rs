@@ -168,6 +168,8 @@ impl AssignmentWeights {
             let misfits = f64::from(u8::from(is_misfit(a, b)) + u8::from(mixed));
             return self.opening_cost(a, b)
                 + self.opening_cost(b, a)
+                + self.princess_cost(a, b)
+                + self.princess_cost(b, a)
                 + misfits * self.max_pair_cost;
         }
         if a.number != b.number {
@@ -229,15 +231,32 @@ impl AssignmentWeights {
         fits.fold(self.max_opening_cost, f64::min)
     }
 
+    /// Returns how little the side of a front or back `b` fits either long edge of a side panel `a`:
+    /// 0 where the two are not sewn together.
+    fn princess_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
+        let apart = a.front_back.is_some() && a.front_back != b.front_back;
+        if a.kind != PanelKind::Side || b.kind != PanelKind::Bodice || apart {
+            return 0.0;
+        }
+        let sides = if b.half { 1.0 } else { 2.0 };
+        let side = b.role_length(EdgeRole::Side) / sides;
+        let edges = [EdgeRole::Side, EdgeRole::Center].map(|role| a.role_length(role));
+        let off = edges.map(|edge| {
+            (0.5 * ((edge / side.max(1e-6)).ln() / self.sewn_spread).powi(2)).min(self.max_pair_cost)
+        });
+        off[0].min(off[1])
+    }
+
     /// Returns how little the edges of a front and a back agree that are sewn together.
     fn sewn_edges_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
-        if a.half != b.half {
-            return if a.kind == PanelKind::Sleeve {
-                self.max_pair_cost
-            } else {
-                self.half_to_whole
-            };
+        if a.half != b.half && a.kind == PanelKind::Sleeve {
+            return self.max_pair_cost;
         }
+        let mixed = if a.half == b.half {
+            0.0
+        } else {
+            self.half_to_whole
+        };
         let roles: &[EdgeRole] = match a.kind {
             PanelKind::Bodice => &[EdgeRole::Side, EdgeRole::Shoulder],
             PanelKind::Skirt => &[EdgeRole::Side],
@@ -250,7 +269,8 @@ impl AssignmentWeights {
             PanelKind::Bodice => &[EdgeRole::Hem],
             _ => &[],
         };
-        self.length_cost(a, b, roles, self.sewn_spread)
+        mixed
+            + self.length_cost(a, b, roles, self.sewn_spread)
             + self.alike_weight * self.length_cost(a, b, alike, self.alike_spread)
     }
 
@@ -263,7 +283,8 @@ impl AssignmentWeights {
         self.length_cost(a, b, &roles, self.mirrored_spread)
     }
 
-    /// Returns the mean difference in length of the segments of some roles.
+    /// Returns the mean difference in length of the segments of some roles, of one side of the
+    /// wearer: a whole panel has those of two halves.
     fn length_cost(
         &self,
         a: &LabeledPanel,
@@ -274,12 +295,13 @@ impl AssignmentWeights {
         if roles.is_empty() {
             return 0.0;
         }
+        let sides = |p: &LabeledPanel| if p.half { 1.0 } else { 2.0 };
         let length = |p: &LabeledPanel, role| -> Option<f64> {
             let all: Vec<f64> = p
                 .segments_of(role)
                 .map(|s| p.features.length(&s.edges))
                 .collect();
-            (!all.is_empty()).then(|| all.iter().sum())
+            (!all.is_empty()).then(|| all.iter().sum::<f64>() / sides(p))
         };
         let of = |role: &EdgeRole| match (length(a, *role), length(b, *role)) {
             (Some(x), Some(y)) => {

@@ -20,6 +20,16 @@ const UNNAMED_KINDS: [PanelKind; 5] = [
 ];
 /// Kinds of a panel without a telling name where other panels of the pattern have one.
 const EXTRA_KINDS: [PanelKind; 2] = [PanelKind::Sleeve, PanelKind::NeckBand];
+/// Kinds that only a bodice is sewn to: beside these, a panel called front or back is one.
+const OF_BODICE: [PanelKind; 7] = [
+    PanelKind::Side,
+    PanelKind::Yoke,
+    PanelKind::Sleeve,
+    PanelKind::UnderSleeve,
+    PanelKind::Hood,
+    PanelKind::CollarStand,
+    PanelKind::Collar,
+];
 /// Number of labelings of a panel that are weighed.
 const MAX_LABELINGS: usize = 16;
 
@@ -38,7 +48,7 @@ pub(super) fn label_panels(pattern: &Pattern) -> Classification {
     let shared = names::shared(&names);
     let lexicon = Lexicon::new();
     let figures = Figures::embedded();
-    let hints: Vec<names::NameHints> = pattern
+    let mut hints: Vec<names::NameHints> = pattern
         .panels
         .iter()
         .map(|panel| {
@@ -55,6 +65,7 @@ pub(super) fn label_panels(pattern: &Pattern) -> Classification {
             hints
         })
         .collect();
+    names::tell_cuffs_from_fronts(&mut hints);
     let slits = hints.iter().any(|s| s.kind == Some(PanelKind::Godet));
     let telling = hints.iter().any(|s| {
         s.front_back.is_some() || s.kind.is_some_and(|kind| PanelKind::BODY.contains(&kind))
@@ -93,7 +104,7 @@ fn candidates(
     hints: &names::NameHints,
     (upright, telling, kinds_named): (Option<bool>, bool, &BTreeSet<PanelKind>),
 ) -> Vec<LabeledPanel> {
-    let of_bodice = BTreeSet::from([PanelKind::Side, PanelKind::Yoke, PanelKind::UnderSleeve]);
+    let of_bodice = BTreeSet::from(OF_BODICE);
     let kinds: Vec<PanelKind> = match (hints.kind, hints.front_back) {
         (Some(PanelKind::Side), Some(_)) => vec![PanelKind::Side, PanelKind::Bodice],
         (Some(kind), _) => vec![kind],
