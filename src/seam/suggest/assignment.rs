@@ -4,6 +4,7 @@
 //! other half. Starting from the likeliest labelings, each panel in turn takes the one that fits
 //! the others best, until none changes.
 
+use super::evidence::evidence;
 use super::labeled_panel::LabeledPanel;
 use super::labels::{EdgeRole, PanelKind};
 use serde::Deserialize;
@@ -36,6 +37,8 @@ pub(super) struct AssignmentWeights {
     half_to_whole: f64,
     /// Most that disagreement of two panels may cost.
     max_pair_cost: f64,
+    /// Weight of edges that are as long as each other, where no names tell.
+    exact_weight: f64,
 }
 
 /// Returns one labeling for each panel that has any.
@@ -94,11 +97,11 @@ impl CostTable {
                 let row = |a: &LabeledPanel| {
                     candidates[j]
                         .iter()
-                        .map(|b| weights.pair_cost(a, b))
+                        .map(|b| weights.pair_cost(a, b) - weights.exact_weight * evidence(a, b))
                         .collect()
                 };
                 let cost: Vec<Vec<f64>> = candidates[i].iter().map(row).collect();
-                if cost.iter().flatten().any(|c| *c > 0.0) {
+                if cost.iter().flatten().any(|c| *c != 0.0) {
                     of[i].push(pairs.len());
                     of[j].push(pairs.len());
                     pairs.push(PairCosts { ends: [i, j], cost });
@@ -242,7 +245,8 @@ impl AssignmentWeights {
         let side = b.role_length(EdgeRole::Side) / sides;
         let edges = [EdgeRole::Side, EdgeRole::Center].map(|role| a.role_length(role));
         let off = edges.map(|edge| {
-            (0.5 * ((edge / side.max(1e-6)).ln() / self.sewn_spread).powi(2)).min(self.max_pair_cost)
+            (0.5 * ((edge / side.max(1e-6)).ln() / self.sewn_spread).powi(2))
+                .min(self.max_pair_cost)
         });
         off[0].min(off[1])
     }
@@ -327,7 +331,8 @@ fn is_misfit(a: &LabeledPanel, b: &LabeledPanel) -> bool {
     };
     let armhole = bodice.segment(EdgeRole::Armhole, None).is_some();
     let shoulder = bodice.segment(EdgeRole::Shoulder, None).is_some();
-    !armhole || shoulder == sleeve.segment(EdgeRole::Neck, None).is_some()
+    // The armhole of a front with a princess seam to the shoulder is that of its side panel.
+    !armhole && !shoulder || shoulder == sleeve.segment(EdgeRole::Neck, None).is_some()
 }
 
 /// Returns the length of a role of a panel, that of both halves for one of two.

@@ -6,7 +6,7 @@ use super::labels::{FrontBack, Laterality, PanelKind};
 use super::lexicon::Lexicon;
 use super::outline_features::OutlineFeatures;
 use super::penalties::{drawing_penalty, half_penalty, upright};
-use super::{align, assignment, bands, names, orientation};
+use super::{align, assignment, bands, names, orientation, side_panels};
 use crate::pattern::Pattern;
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -41,8 +41,8 @@ pub(super) struct Classification {
     pub(super) hints: Vec<names::NameHints>,
 }
 
-/// Labels the panels of a pattern.
-pub(super) fn label_panels(pattern: &Pattern) -> Classification {
+/// Labels the panels of a pattern; those without a telling name may also be of `rare` kinds.
+pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classification {
     let names: Vec<&str> = pattern.panels.iter().map(|p| p.name.as_str()).collect();
     let common = names::common_start(&names);
     let shared = names::shared(&names);
@@ -70,7 +70,11 @@ pub(super) fn label_panels(pattern: &Pattern) -> Classification {
     let telling = hints.iter().any(|s| {
         s.front_back.is_some() || s.kind.is_some_and(|kind| PanelKind::BODY.contains(&kind))
     });
-    let kinds_named: BTreeSet<PanelKind> = hints.iter().filter_map(|s| s.kind).collect();
+    let context = NameContext {
+        telling,
+        named: hints.iter().filter_map(|s| s.kind).collect(),
+        rare,
+    };
     let candidates: Vec<Vec<LabeledPanel>> = (0..names.len())
         .map(|index| {
             let panel = &pattern.panels[index];
@@ -79,12 +83,13 @@ pub(super) fn label_panels(pattern: &Pattern) -> Classification {
                 &figures,
                 (index, Rc::new(OutlineFeatures::of(panel, slits))),
                 hints,
-                (upright(panel), telling, &kinds_named),
+                (upright(panel), &context),
             )
         })
         .collect();
     let mut parts = assignment::assign(candidates, &figures.assignment);
     orientation::assign_front_back(pattern, &mut parts);
+    side_panels::assign_front_back(&mut parts);
     let turned: Vec<bool> = parts
         .iter()
         .map(|p| orientation::is_drawn_from_inside(pattern, &parts, p))
@@ -97,22 +102,45 @@ pub(super) fn label_panels(pattern: &Pattern) -> Classification {
     Classification { parts, hints }
 }
 
+/// The other names of a pattern, in whose company a name is read.
+struct NameContext<'a> {
+    /// True if a name tells of the front, the back or the kind of a body panel.
+    telling: bool,
+    /// Kinds that names tell of.
+    named: BTreeSet<PanelKind>,
+    /// Kinds that panels without a telling name may also be.
+    rare: &'a [PanelKind],
+}
+
+impl NameContext<'_> {
+    /// Returns the kinds that a panel may be.
+    fn kinds(&self, hints: &names::NameHints) -> Vec<PanelKind> {
+        let of_bodice = BTreeSet::from(OF_BODICE);
+        match (hints.kind, hints.front_back) {
+            (Some(PanelKind::Side), Some(_)) => vec![PanelKind::Side, PanelKind::Bodice],
+            (Some(kind), _) => vec![kind],
+            (None, Some(_)) if !of_bodice.is_disjoint(&self.named) => vec![PanelKind::Bodice],
+            (None, Some(_)) => PanelKind::BODY.to_vec(),
+            (None, None) if self.telling => [&EXTRA_KINDS, self.rare].concat(),
+            (None, None) => [&UNNAMED_KINDS, self.rare].concat(),
+        }
+    }
+
+    /// Returns the kinds that may be there.
+    fn there(&self) -> BTreeSet<PanelKind> {
+        self.named.iter().chain(self.rare).copied().collect()
+    }
+}
+
 /// Returns the labelings of a panel, the likeliest first.
 fn candidates(
     figures: &Figures,
     (panel, features): (usize, Rc<OutlineFeatures>),
     hints: &names::NameHints,
-    (upright, telling, kinds_named): (Option<bool>, bool, &BTreeSet<PanelKind>),
+    (upright, context): (Option<bool>, &NameContext<'_>),
 ) -> Vec<LabeledPanel> {
-    let of_bodice = BTreeSet::from(OF_BODICE);
-    let kinds: Vec<PanelKind> = match (hints.kind, hints.front_back) {
-        (Some(PanelKind::Side), Some(_)) => vec![PanelKind::Side, PanelKind::Bodice],
-        (Some(kind), _) => vec![kind],
-        (None, Some(_)) if !of_bodice.is_disjoint(kinds_named) => vec![PanelKind::Bodice],
-        (None, Some(_)) => PanelKind::BODY.to_vec(),
-        (None, None) if telling => EXTRA_KINDS.to_vec(),
-        (None, None) => UNNAMED_KINDS.to_vec(),
-    };
+    let kinds = context.kinds(hints);
+    let kinds_there = context.there();
     let named = hints.kind.is_some() || hints.front_back.is_some();
     let symmetric = features.is_symmetric();
     let mut found: Vec<LabeledPanel> = vec![];
@@ -122,7 +150,7 @@ fn candidates(
             let back = hints.front_back == Some(FrontBack::Back);
             kind == PanelKind::Bodice && (**other != PanelKind::Yoke || back)
         };
-        let beside = kinds_named.iter().filter(takes);
+        let beside = kinds_there.iter().filter(takes);
         let beside = beside.flat_map(|other| figures.beside(*other));
         for template in figures.templates(kind).chain(beside) {
             let against = template.rarity
@@ -156,6 +184,6 @@ fn candidates(
     let large = features.size >= limits.min_unnamed_size_m;
     found.retain(|part| named || large && part.cost < limits.max_unnamed_cost);
     found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-    found.truncate(MAX_LABELINGS);
+    found.truncate(MAX_LABELINGS * (1 + context.rare.len()));
     found
 }

@@ -22,6 +22,10 @@ const WITHOUT_TRIM: f64 = 0.75;
 /// pockets and facings are smaller.
 const NEEDED_AREA: f64 = 0.08;
 
+/// Area of other forms without telling names, against that of the sewn panels, that is usual at
+/// most.
+const MAX_FORMS: f64 = 1.5;
+
 /// Reason why a panel is not sewn.
 #[derive(Clone, Debug, PartialEq)]
 enum Loose {
@@ -70,7 +74,7 @@ impl Completeness {
             .iter()
             .map(|(panel, _)| panel % count.max(1))
             .collect();
-        let loose = (0..count)
+        let mut loose: Vec<(usize, Loose)> = (0..count)
             .filter(|i| !sewn.contains(i))
             .map(|i| {
                 (
@@ -81,6 +85,7 @@ impl Completeness {
                 )
             })
             .collect();
+        doubt_forms(pattern, hints, &sewn, &mut loose);
         let mut open: Vec<(usize, EdgeRole)> = vec![];
         for part in garment
             .parts
@@ -175,6 +180,29 @@ fn told<'a>(panel: &str, reason: &Loose, id: impl Fn(&usize) -> &'a str) -> Stri
         Loose::Unneeded => format!(
             "no seam is suggested for panel `{panel}`: what it is was not recognised, or it is not needed"
         ),
+    }
+}
+
+/// Doubts that panels are other forms of sewn ones where no names tell so and these are the less: a
+/// garment seldom has more forms than panels.
+fn doubt_forms(
+    pattern: &Pattern,
+    hints: &[NameHints],
+    sewn: &BTreeSet<usize>,
+    loose: &mut [(usize, Loose)],
+) {
+    let area = |i: usize| pattern.panels[i].area_m2.abs();
+    let is_form = |(i, reason): &&mut (usize, Loose)| {
+        let named = hints[*i].kind.is_some() || hints[*i].front_back.is_some();
+        matches!(reason, Loose::Alternative(_)) && !named
+    };
+    let mut forms: Vec<&mut (usize, Loose)> = loose.iter_mut().filter(is_form).collect();
+    let spare: f64 = forms.iter().map(|(i, _)| area(*i)).sum();
+    let used: f64 = sewn.iter().map(|i| area(*i)).sum();
+    if spare > MAX_FORMS * used {
+        for (_, reason) in &mut forms {
+            *reason = Loose::Body;
+        }
     }
 }
 

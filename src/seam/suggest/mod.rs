@@ -11,7 +11,8 @@
 //!    body, `completeness` tells what the set leaves out, `cohesion` what would fall off it, and
 //!    `trust` lowers the confidence by both.
 //!
-//! `lexicon.json` and `figures.json` hold the words and the numbers.
+//! `reading` is one pass through these steps; `hypotheses` tries others where panels that no name
+//! tells of are left over. `lexicon.json` and `figures.json` hold the words and the numbers.
 
 mod align;
 mod assignment;
@@ -21,8 +22,10 @@ mod cohesion;
 mod completeness;
 mod edge_chain;
 mod edge_templates;
+mod evidence;
 mod figures;
 mod garment_model;
+mod hypotheses;
 mod join;
 mod labeled_panel;
 mod labels;
@@ -32,9 +35,11 @@ mod orientation;
 mod outline_features;
 mod penalties;
 mod placement;
+mod reading;
 mod rules;
 mod seam_pairs;
 mod select;
+mod side_panels;
 mod suggestion;
 mod trust;
 mod vocabulary;
@@ -45,8 +50,7 @@ pub use suggestion::{MIN_SEWN_CONFIDENCE, SuggestedPanel, SuggestedSeam, Suggest
 use crate::config::Limits;
 use crate::fault::{SeamCode, Warning};
 use crate::pattern::Pattern;
-use classify::Classification;
-use garment_model::GarmentModel;
+use reading::Reading;
 use seam_pairs::SeamPairWriter;
 use std::collections::BTreeSet;
 
@@ -64,19 +68,13 @@ pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
     if pattern.panels.len() > limits.suggested_panels {
         return too_many(pattern.panels.len(), limits.suggested_panels);
     }
-    let Classification { parts, hints } = classify::label_panels(pattern);
-    let mut garment = GarmentModel {
-        parts,
-        proposed: vec![],
-    };
-    rules::sew(&mut garment, pattern);
+    let Reading {
+        garment,
+        seams,
+        completeness,
+        ..
+    } = hypotheses::best_reading(pattern, limits);
     let writer = SeamPairWriter(pattern);
-    let seams = garment
-        .proposed
-        .iter()
-        .map(|seam| writer.seam(seam))
-        .collect();
-    let mut seams = select::select_compatible(pattern, seams, limits);
     let sewn: BTreeSet<&str> = seams.iter().flat_map(SuggestedSeam::panels).collect();
     let stands = placement::placements(&garment)
         .into_iter()
@@ -84,7 +82,6 @@ pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
     let panels = stands
         .filter(|(id, _)| sewn.contains(id.as_str()))
         .collect();
-    let completeness = trust::judge(pattern, &garment, &hints, &mut seams);
     let warnings = completeness.warnings(pattern);
     Suggestion {
         seams,

@@ -334,7 +334,10 @@ mod tests {
         let shirt = hints_of(&["FR", "BK", "CF"]);
         assert_eq!((shirt[2].kind, shirt[2].front_back), (Some(Cuff), None));
         let princess = hints_of(&["CF", "SF", "CB"]);
-        assert_eq!((princess[0].kind, princess[0].front_back), (None, Some(Front)));
+        assert_eq!(
+            (princess[0].kind, princess[0].front_back),
+            (None, Some(Front))
+        );
     }
 
     #[test]

@@ -5,8 +5,6 @@ use super::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
 use crate::pattern::{Face, Pattern};
 use std::rc::Rc;
 
-/// Lengths of two panels that mirror each other agree to this share.
-const TWIN_LENGTH_SHARE: f64 = 0.01;
 /// Sewn edges of panels that are forms of each other, or front and back, agree to this share.
 const FORM_LENGTH_SHARE: f64 = 0.06;
 
@@ -169,7 +167,9 @@ pub(super) fn assign_left_right(pattern: &Pattern, parts: &mut Vec<LabeledPanel>
                 .find(|j| is_same_part(&parts[*j], part));
             match first {
                 None => Some(usual_side(part)),
-                Some(j) if are_twins(&parts[j], part) => parts[j].laterality.map(Laterality::other),
+                Some(j) if parts[j].features.is_twin(&part.features) => {
+                    parts[j].laterality.map(Laterality::other)
+                }
                 Some(_) => {
                     spare.push(i);
                     None
@@ -233,20 +233,6 @@ fn usual_side(part: &LabeledPanel) -> Laterality {
 
 fn is_same_part(a: &LabeledPanel, b: &LabeledPanel) -> bool {
     a.kind == b.kind && a.of == b.of && a.front_back == b.front_back && a.half == b.half
-}
-
-/// Returns true if two panels have edges of the same lengths.
-fn are_twins(a: &LabeledPanel, b: &LabeledPanel) -> bool {
-    let sorted = |p: &LabeledPanel| {
-        let mut all: Vec<f64> = p.features.edges.iter().map(|e| e.length).collect();
-        all.sort_by(f64::total_cmp);
-        all
-    };
-    let (a, b) = (sorted(a), sorted(b));
-    a.len() == b.len()
-        && a.iter()
-            .zip(&b)
-            .all(|(x, y)| (x - y).abs() <= TWIN_LENGTH_SHARE * x.max(*y) + 1e-3)
 }
 
 fn is_partner(a: &LabeledPanel, b: &LabeledPanel) -> bool {

@@ -1,0 +1,79 @@
+//! Evidence that two panels without telling names are sewn to each other: edges that are as long as
+//! each other to a millimeter were drawn to meet.
+
+use super::labeled_panel::LabeledPanel;
+use super::labels::{EdgeRole, PanelKind};
+
+/// Differences of length up to which edges are taken to be drawn for each other: as a share, and
+/// \[m\]; the evidence falls off beyond.
+const EXACT_SHARE: f64 = 0.003;
+const EXACT_M: f64 = 0.001;
+
+/// Returns the evidence that the labelings of two panels are right, from 0 to 1: the share of the
+/// edges that they would be sewn by that fit. Nothing for panels whose kinds are not sewn to each
+/// other, whose names tell what they are, or that are copies of each other.
+pub(super) fn evidence(a: &LabeledPanel, b: &LabeledPanel) -> f64 {
+    if a.named && b.named || a.features.is_twin(&b.features) {
+        return 0.0;
+    }
+    directed(a, b).or_else(|| directed(b, a)).unwrap_or(0.0)
+}
+
+/// Returns the evidence for kinds in this order.
+fn directed(a: &LabeledPanel, b: &LabeledPanel) -> Option<f64> {
+    use EdgeRole::{Center, Inseam, Shoulder, Side, Underarm};
+    let alike = |roles: &[EdgeRole]| {
+        let fits = roles.iter().map(|role| fit(mean(a, *role), mean(b, *role)));
+        fits.fold(1.0, f64::min)
+    };
+    match (a.kind, b.kind) {
+        (PanelKind::Bodice, PanelKind::Bodice) if has(a, Shoulder) || has(b, Shoulder) => {
+            Some(alike(&[Side, Shoulder]))
+        }
+        (PanelKind::Bodice, PanelKind::Bodice) | (PanelKind::Skirt, PanelKind::Skirt) => {
+            Some(0.5 * alike(&[Side]))
+        }
+        (PanelKind::Trouser, PanelKind::Trouser) => Some(alike(&[Side, Inseam])),
+        (PanelKind::Side, PanelKind::Bodice) => {
+            let edges = [Side, Center].map(|role| fit(mean(a, role), mean(b, Side)));
+            Some(edges[0].max(edges[1]))
+        }
+        (PanelKind::Side, PanelKind::Side) => Some(0.5 * alike(&[Side])),
+        (PanelKind::UnderSleeve, PanelKind::Sleeve) => Some(both(a, b, Underarm)),
+        (PanelKind::Yoke, PanelKind::Bodice) => Some(0.5 * alike(&[Shoulder])),
+        _ => None,
+    }
+}
+
+fn has(part: &LabeledPanel, role: EdgeRole) -> bool {
+    part.segment(role, None).is_some()
+}
+
+/// Returns the mean length of the segments of a role \[m\]; 0 where there are none.
+fn mean(part: &LabeledPanel, role: EdgeRole) -> f64 {
+    part.role_length(role) / part.segments_of(role).count().max(1) as f64
+}
+
+/// Returns how well both segments of a role fit, each with either of the other panel.
+fn both(a: &LabeledPanel, b: &LabeledPanel, role: EdgeRole) -> f64 {
+    let lengths = |p: &LabeledPanel| -> Vec<f64> {
+        let segments = p.segments_of(role);
+        let mut all: Vec<f64> = segments.map(|s| p.features.length(&s.edges)).collect();
+        all.sort_by(f64::total_cmp);
+        all
+    };
+    let (a, b) = (lengths(a), lengths(b));
+    if a.len() != 2 || b.len() != 2 {
+        return 0.0;
+    }
+    fit(a[0], b[0]).min(fit(a[1], b[1]))
+}
+
+/// Returns 1 for lengths that are the same, falling to 0 with their difference.
+pub(super) fn fit(a: f64, b: f64) -> f64 {
+    if a <= 0.0 || b <= 0.0 {
+        return 0.0;
+    }
+    let off = (a - b).abs() / (EXACT_SHARE * a.max(b) + EXACT_M);
+    (-0.5 * off.powi(2)).exp()
+}
