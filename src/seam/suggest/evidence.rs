@@ -6,8 +6,11 @@ use super::labels::{EdgeRole, PanelKind};
 
 /// Differences of length up to which edges are taken to be drawn for each other: as a share, and
 /// \[m\]; the evidence falls off beyond.
-const EXACT_SHARE: f64 = 0.003;
-const EXACT_M: f64 = 0.001;
+const EXACT_SHARE: f64 = 0.004;
+const EXACT_M: f64 = 0.002;
+
+/// Share of the evidence that shoulders give by themselves.
+const SHOULDER_SHARE: f64 = 0.4;
 
 /// Returns the evidence that the labelings of two panels are right, from 0 to 1: the share of the
 /// edges that they would be sewn by that fit. Nothing for panels whose kinds are not sewn to each
@@ -28,7 +31,8 @@ fn directed(a: &LabeledPanel, b: &LabeledPanel) -> Option<f64> {
     };
     match (a.kind, b.kind) {
         (PanelKind::Bodice, PanelKind::Bodice) if has(a, Shoulder) || has(b, Shoulder) => {
-            Some(alike(&[Side, Shoulder]))
+            // With a side panel between them they meet at the shoulder alone.
+            Some(alike(&[Side, Shoulder]).max(SHOULDER_SHARE * alike(&[Shoulder])))
         }
         (PanelKind::Bodice, PanelKind::Bodice) | (PanelKind::Skirt, PanelKind::Skirt) => {
             Some(0.5 * alike(&[Side]))
