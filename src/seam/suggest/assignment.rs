@@ -329,10 +329,11 @@ fn is_misfit(a: &LabeledPanel, b: &LabeledPanel) -> bool {
         (PanelKind::Bodice, PanelKind::Sleeve) => (b, a),
         _ => return false,
     };
-    let armhole = bodice.segment(EdgeRole::Armhole, None).is_some();
-    let shoulder = bodice.segment(EdgeRole::Shoulder, None).is_some();
-    // The armhole of a front with a princess seam to the shoulder is that of its side panel.
-    !armhole && !shoulder || shoulder == sleeve.segment(EdgeRole::Neck, None).is_some()
+    // A side panel takes the armhole of the front beside it, a yoke the shoulder of the back.
+    let has = |role| bodice.segment(role, None).is_some();
+    let armhole = has(EdgeRole::Armhole) || bodice.beside == Some(PanelKind::Side);
+    let shoulder = has(EdgeRole::Shoulder) || bodice.beside == Some(PanelKind::Yoke);
+    !armhole || shoulder == sleeve.segment(EdgeRole::Neck, None).is_some()
 }
 
 /// Returns the length of a role of a panel, that of both halves for one of two.

@@ -4,6 +4,7 @@ use super::figures::Figures;
 use super::labeled_panel::LabeledPanel;
 use super::labels::{FrontBack, Laterality, PanelKind};
 use super::lexicon::Lexicon;
+use super::orientation::OtherForm;
 use super::outline_features::OutlineFeatures;
 use super::penalties::{drawing_penalty, half_penalty, upright};
 use super::{align, assignment, bands, names, orientation, side_panels};
@@ -37,6 +38,8 @@ const MAX_LABELINGS: usize = 16;
 pub(super) struct Classification {
     /// Panels that were recognized, with the mirrored copies that the suggestion adds.
     pub(super) parts: Vec<LabeledPanel>,
+    /// Spare panels that are other forms of recognized ones.
+    pub(super) forms: Vec<OtherForm>,
     /// Hints of the names, in the order of the panels.
     pub(super) hints: Vec<names::NameHints>,
 }
@@ -98,8 +101,12 @@ pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classificat
         part.drawn_from_inside = turned;
     }
     bands::assign_openings(&mut parts);
-    orientation::assign_left_right(pattern, &mut parts);
-    Classification { parts, hints }
+    let forms = orientation::assign_left_right(pattern, &mut parts);
+    Classification {
+        parts,
+        forms,
+        hints,
+    }
 }
 
 /// The other names of a pattern, in whose company a name is read.
@@ -147,12 +154,16 @@ fn candidates(
     for kind in kinds {
         // A yoke takes the shoulders of the back; the front keeps its own.
         let takes = |other: &&PanelKind| {
-            let back = hints.front_back == Some(FrontBack::Back);
+            let back = hints.front_back != Some(FrontBack::Front);
             kind == PanelKind::Bodice && (**other != PanelKind::Yoke || back)
         };
         let beside = kinds_there.iter().filter(takes);
-        let beside = beside.flat_map(|other| figures.beside(*other));
-        for template in figures.templates(kind).chain(beside) {
+        let beside = beside.flat_map(|other| {
+            let templates = figures.beside(*other);
+            templates.map(|template| (template, Some(*other)))
+        });
+        let own = figures.templates(kind).map(|template| (template, None));
+        for (template, beside) in own.chain(beside) {
             let against = template.rarity
                 + half_penalty((kind, template.half), hints, symmetric, &figures.penalties);
             for alignment in align::align(&features, template, &figures.alignment)
@@ -169,6 +180,7 @@ fn candidates(
                     laterality_named: hints.laterality.is_some(),
                     half: template.half,
                     drawn_from_inside: false,
+                    beside,
                     features: Rc::clone(&features),
                     segments: alignment.segments,
                     cost: alignment.cost + against,
@@ -182,7 +194,14 @@ fn candidates(
     }
     let limits = figures.recognition;
     let large = features.size >= limits.min_unnamed_size_m;
-    found.retain(|part| named || large && part.cost < limits.max_unnamed_cost);
+    found.retain(|part| {
+        let most = if context.rare.contains(&part.kind) {
+            limits.max_rare_cost
+        } else {
+            limits.max_unnamed_cost
+        };
+        named || large && part.cost < most
+    });
     found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
     found.truncate(MAX_LABELINGS * (1 + context.rare.len()));
     found

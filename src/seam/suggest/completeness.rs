@@ -218,6 +218,10 @@ fn band_of(garment: &GarmentModel, sewn: &BTreeSet<usize>, i: usize) -> Option<L
 /// Returns the sewn panel that panel `i`, whose name does not say what it is, was taken for a form
 /// of.
 fn form_of(garment: &GarmentModel, sewn: &BTreeSet<usize>, i: usize) -> Option<Loose> {
+    let spare = garment.forms.iter().find(|form| form.panel == i);
+    if let Some(form) = spare.filter(|form| sewn.contains(&form.of)) {
+        return Some(Loose::Alternative(form.of));
+    }
     let own = garment.parts.iter().find(|p| p.panel == i && !p.named)?;
     let is_same = |p: &&LabeledPanel| {
         p.kind == own.kind

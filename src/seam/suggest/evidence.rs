@@ -24,7 +24,7 @@ pub(super) fn evidence(a: &LabeledPanel, b: &LabeledPanel) -> f64 {
 
 /// Returns the evidence for kinds in this order.
 fn directed(a: &LabeledPanel, b: &LabeledPanel) -> Option<f64> {
-    use EdgeRole::{Center, Inseam, Shoulder, Side, Underarm};
+    use EdgeRole::{Center, Hem, Inseam, Neck, Shoulder, Side, Underarm};
     let alike = |roles: &[EdgeRole]| {
         let fits = roles.iter().map(|role| fit(mean(a, *role), mean(b, *role)));
         fits.fold(1.0, f64::min)
@@ -44,7 +44,10 @@ fn directed(a: &LabeledPanel, b: &LabeledPanel) -> Option<f64> {
         }
         (PanelKind::Side, PanelKind::Side) => Some(0.5 * alike(&[Side])),
         (PanelKind::UnderSleeve, PanelKind::Sleeve) => Some(both(a, b, Underarm)),
-        (PanelKind::Yoke, PanelKind::Bodice) => Some(0.5 * alike(&[Shoulder])),
+        (PanelKind::Yoke, PanelKind::Bodice) if b.beside == Some(PanelKind::Yoke) => {
+            Some(0.5 * fit(of_one_side(a, Hem), of_one_side(b, Neck)))
+        }
+        (PanelKind::Yoke, PanelKind::Bodice) => Some(0.4 * alike(&[Shoulder])),
         _ => None,
     }
 }
@@ -56,6 +59,11 @@ fn has(part: &LabeledPanel, role: EdgeRole) -> bool {
 /// Returns the mean length of the segments of a role \[m\]; 0 where there are none.
 fn mean(part: &LabeledPanel, role: EdgeRole) -> f64 {
     part.role_length(role) / part.segments_of(role).count().max(1) as f64
+}
+
+/// Returns the length of an edge that runs across a panel, of one side of the wearer \[m\].
+fn of_one_side(part: &LabeledPanel, role: EdgeRole) -> f64 {
+    part.role_length(role) / if part.half { 1.0 } else { 2.0 }
 }
 
 /// Returns how well both segments of a role fit, each with either of the other panel.

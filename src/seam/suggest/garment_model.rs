@@ -4,6 +4,7 @@ use super::edge_chain::{EdgeChain, EdgeStep, length, reversed};
 use super::join;
 use super::labeled_panel::{LabeledPanel, RoleSegment};
 use super::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
+use super::orientation::OtherForm;
 
 /// Ease above which two edges are no seam, unless one of them may be gathered; and then.
 const MAX_EASE: f64 = 0.30;
@@ -76,6 +77,8 @@ impl<'a> SeamRationale<'a> {
 #[derive(Clone, Debug)]
 pub(super) struct GarmentModel {
     pub(super) parts: Vec<LabeledPanel>,
+    /// Spare panels that are other forms of these.
+    pub(super) forms: Vec<OtherForm>,
     pub(super) proposed: Vec<ProposedSeam>,
 }
 

@@ -8,6 +8,13 @@ use std::rc::Rc;
 /// Sewn edges of panels that are forms of each other, or front and back, agree to this share.
 const FORM_LENGTH_SHARE: f64 = 0.06;
 
+/// A panel that is another form of one that is taken, both by their indices in the pattern.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OtherForm {
+    pub(super) panel: usize,
+    pub(super) of: usize,
+}
+
 /// Returns true if a panel is drawn as seen through the body: as the names of halves like it say,
 /// or its file. Else backs that are drawn whole are taken to be drawn in one view with their
 /// fronts, as tools that know the body write them; halves and panels drawn on the fold are pieces
@@ -151,8 +158,12 @@ fn pair_of_forms(parts: &[LabeledPanel], unsaid: &[usize], role: EdgeRole) -> Ve
 
 /// Gives every half a side of the wearer, adding the mirrored copy of those that are drawn once. Of
 /// panels that are neither drawn as a pair nor called left or right the first is taken: others are
-/// other styles of the same part.
-pub(super) fn assign_left_right(pattern: &Pattern, parts: &mut Vec<LabeledPanel>) {
+/// other styles of the same part, which are returned with the panel that is taken in their place.
+pub(super) fn assign_left_right(
+    pattern: &Pattern,
+    parts: &mut Vec<LabeledPanel>,
+) -> Vec<OtherForm> {
+    let mut forms: Vec<OtherForm> = vec![];
     let mut taken: Vec<usize> = vec![];
     let mut spare: Vec<usize> = vec![];
     for i in 0..parts.len() {
@@ -170,8 +181,12 @@ pub(super) fn assign_left_right(pattern: &Pattern, parts: &mut Vec<LabeledPanel>
                 Some(j) if parts[j].features.is_twin(&part.features) => {
                     parts[j].laterality.map(Laterality::other)
                 }
-                Some(_) => {
+                Some(j) => {
                     spare.push(i);
+                    forms.extend(is_form(&parts[j], part).then_some(OtherForm {
+                        panel: part.panel,
+                        of: parts[j].panel,
+                    }));
                     None
                 }
             }
@@ -208,6 +223,13 @@ pub(super) fn assign_left_right(pattern: &Pattern, parts: &mut Vec<LabeledPanel>
         }
     }
     parts.extend(copies);
+    forms
+}
+
+/// Returns true if a spare part could be set in where another is: as a short and a long sleeve.
+fn is_form(taken: &LabeledPanel, spare: &LabeledPanel) -> bool {
+    let [a, b] = [taken, spare].map(|p| p.role_length(EdgeRole::Cap));
+    a > 0.0 && (a - b).abs() <= FORM_LENGTH_SHARE * a.max(b)
 }
 
 /// Returns true for a part that is worn on both sides but usually drawn for one.

@@ -26,9 +26,14 @@ pub(super) struct Reading {
 impl Reading {
     /// Reads a pattern whose panels without a telling name may also be of `rare` kinds.
     pub(super) fn of(pattern: &Pattern, limits: &Limits, rare: &[PanelKind]) -> Self {
-        let Classification { parts, hints } = classify::label_panels(pattern, rare);
+        let Classification {
+            parts,
+            forms,
+            hints,
+        } = classify::label_panels(pattern, rare);
         let mut garment = GarmentModel {
             parts,
+            forms,
             proposed: vec![],
         };
         rules::sew(&mut garment, pattern);
