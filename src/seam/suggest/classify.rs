@@ -7,7 +7,7 @@ use super::lexicon::Lexicon;
 use super::orientation::OtherForm;
 use super::outline_features::OutlineFeatures;
 use super::penalties::{drawing_penalty, half_penalty, upright};
-use super::{align, assignment, bands, names, orientation, side_panels};
+use super::{align, assignment, bands, names, orientation, side_panels, strays};
 use crate::pattern::Pattern;
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -93,6 +93,7 @@ pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classificat
     let mut parts = assignment::assign(candidates, &figures.assignment);
     orientation::assign_front_back(pattern, &mut parts);
     side_panels::assign_front_back(&mut parts);
+    strays::drop_strays(&mut parts);
     let turned: Vec<bool> = parts
         .iter()
         .map(|p| orientation::is_drawn_from_inside(pattern, &parts, p))

@@ -21,6 +21,8 @@ const WITHOUT_TRIM: f64 = 0.75;
 /// A panel without a telling name is taken to be needed from this share of the area of all on:
 /// pockets and facings are smaller.
 const NEEDED_AREA: f64 = 0.08;
+/// The same where the other panels make a whole garment.
+const NEEDED_BESIDE_WHOLE: f64 = 0.2;
 
 /// Area of other forms without telling names, against that of the sewn panels, that is usual at
 /// most.
@@ -81,7 +83,7 @@ impl Completeness {
                     i,
                     form_of(garment, &sewn, i)
                         .or_else(|| band_of(garment, &sewn, i))
-                        .unwrap_or_else(|| reason(pattern, hints, &sewn, i)),
+                        .unwrap_or_else(|| reason((pattern, garment), hints, &sewn, i)),
                 )
             })
             .collect();
@@ -234,7 +236,12 @@ fn form_of(garment: &GarmentModel, sewn: &BTreeSet<usize>, i: usize) -> Option<L
 }
 
 /// Returns the reason why panel `i` is not sewn.
-fn reason(pattern: &Pattern, hints: &[NameHints], sewn: &BTreeSet<usize>, i: usize) -> Loose {
+fn reason(
+    (pattern, garment): (&Pattern, &GarmentModel),
+    hints: &[NameHints],
+    sewn: &BTreeSet<usize>,
+    i: usize,
+) -> Loose {
     use PanelKind::{ArmBand, Bodice, Godet, Layer, Placket, Pocket, Side, Skirt, Sleeve};
     let own = &hints[i];
     let is_same = |j: &&usize| {
@@ -262,18 +269,36 @@ fn reason(pattern: &Pattern, hints: &[NameHints], sewn: &BTreeSet<usize>, i: usi
         ) => Loose::Body,
         Some(_) => Loose::Trim,
         None if own.front_back.is_some() => Loose::Body,
-        None => {
-            let area = |panel: usize| pattern.panels[panel].area_m2.abs();
-            let all: f64 = (0..pattern.panels.len()).map(area).sum();
-            let nothing_tells = hints
-                .iter()
-                .all(|h| h.kind.is_none() && h.front_back.is_none());
-            if nothing_tells && area(i) >= NEEDED_AREA * all {
-                Loose::Body
-            } else {
-                Loose::Unneeded
-            }
+        None if hints
+            .iter()
+            .all(|h| h.kind.is_none() && h.front_back.is_none()) =>
+        {
+            unnamed_reason((pattern, garment), sewn, i)
         }
+        None => Loose::Unneeded,
+    }
+}
+
+/// Returns the reason where no name tells anything: large panels are needed. Trousers and tops with
+/// sleeves are whole without others, but for hoods and bands.
+fn unnamed_reason(
+    (pattern, garment): (&Pattern, &GarmentModel),
+    sewn: &BTreeSet<usize>,
+    i: usize,
+) -> Loose {
+    let area = |panel: usize| pattern.panels[panel].area_m2.abs();
+    let share = area(i) / (0..pattern.panels.len()).map(area).sum::<f64>();
+    let has = |kind| {
+        let mut parts = garment.parts_of(kind);
+        parts.any(|p| sewn.contains(&(p.panel % pattern.panels.len())))
+    };
+    let trousers = has(PanelKind::Trouser);
+    let whole = trousers || has(PanelKind::Sleeve) && has(PanelKind::Bodice);
+    match share {
+        share if share < NEEDED_AREA => Loose::Unneeded,
+        share if share >= NEEDED_BESIDE_WHOLE || !whole => Loose::Body,
+        _ if trousers => Loose::Unneeded,
+        _ => Loose::Trim,
     }
 }
 
@@ -283,7 +308,12 @@ fn needed_roles(garment: &GarmentModel, part: &LabeledPanel) -> Vec<EdgeRole> {
         PanelKind::Bodice => vec![EdgeRole::Side, EdgeRole::Shoulder],
         PanelKind::Skirt => vec![EdgeRole::Side],
         PanelKind::Trouser => vec![EdgeRole::Side, EdgeRole::Inseam, EdgeRole::Crotch],
-        PanelKind::Sleeve => vec![EdgeRole::Cap, EdgeRole::Underarm, EdgeRole::Top],
+        PanelKind::Sleeve => vec![
+            EdgeRole::Cap,
+            EdgeRole::Underarm,
+            EdgeRole::Top,
+            EdgeRole::Armhole,
+        ],
         PanelKind::UnderSleeve => vec![EdgeRole::Cap, EdgeRole::Underarm],
         PanelKind::Side => vec![EdgeRole::Side, EdgeRole::Center],
         PanelKind::Yoke => vec![EdgeRole::Hem, EdgeRole::Shoulder],

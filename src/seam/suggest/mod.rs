@@ -40,6 +40,7 @@ mod rules;
 mod seam_pairs;
 mod select;
 mod side_panels;
+mod strays;
 mod suggestion;
 mod trust;
 mod vocabulary;

@@ -57,6 +57,7 @@ pub(super) fn outer_drawn_side(part: &LabeledPanel) -> Option<DrawnSide> {
 /// Gives fronts and backs to body panels whose names do not say: the deeper neck, the shorter
 /// crotch is the front.
 pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
+    halves_and_whole(parts);
     for (kind, role, front_is_longer) in [
         (PanelKind::Bodice, EdgeRole::Neck, true),
         (PanelKind::Trouser, EdgeRole::Crotch, false),
@@ -120,6 +121,33 @@ pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
         let source = source.and_then(|id| pattern.panel_index(id));
         let front_back = source.and_then(|at| parts.iter().find(|p| p.panel == at)?.front_back);
         parts[i].front_back = parts[i].front_back.or(front_back);
+    }
+}
+
+/// Gives front and back to a bodice of two halves and one whole panel, none of which a name tells
+/// of: what ends at a yoke is the back, else what has the shallower neck.
+fn halves_and_whole(parts: &mut [LabeledPanel]) {
+    let is_unsaid = |p: &LabeledPanel| p.kind == PanelKind::Bodice && p.front_back.is_none();
+    let unsaid = (0..parts.len()).filter(|i| is_unsaid(&parts[*i]));
+    let (halves, wholes): (Vec<usize>, Vec<usize>) = unsaid.partition(|i| parts[*i].half);
+    let ([a, b], [whole]) = (&halves[..], &wholes[..]) else {
+        return;
+    };
+    let under_yoke = |i: usize| parts[i].beside == Some(PanelKind::Yoke);
+    let neck = |i: usize| role_of_one_side(&parts[i], EdgeRole::Neck);
+    let whole_is_back = if under_yoke(*whole) != under_yoke(*a) {
+        under_yoke(*whole)
+    } else {
+        neck(*whole) < 0.5 * (neck(*a) + neck(*b))
+    };
+    let (of_whole, of_halves) = if whole_is_back {
+        (FrontBack::Back, FrontBack::Front)
+    } else {
+        (FrontBack::Front, FrontBack::Back)
+    };
+    parts[*whole].front_back = Some(of_whole);
+    for i in [*a, *b] {
+        parts[i].front_back = Some(of_halves);
     }
 }
 

@@ -3,6 +3,7 @@
 use super::classify::{self, Classification};
 use super::completeness::Completeness;
 use super::garment_model::{GarmentModel, ease};
+use super::labeled_panel::LabeledPanel;
 use super::labels::PanelKind;
 use super::names::NameHints;
 use super::seam_pairs::SeamPairWriter;
@@ -73,27 +74,41 @@ impl Reading {
     }
 
     /// Returns true if every sure seam of two panels, one of them taken for a kind of `rare`, has
-    /// edges as long as each other; into armholes and necks they may be eased.
+    /// edges as long as each other; into armholes and necks they may be eased, and bands stretched.
     pub(super) fn is_exact(&self, pattern: &Pattern, rare: &[PanelKind]) -> bool {
         let count = pattern.panels.len().max(1);
-        let is_rare = |panel: usize| {
-            let mut parts = self.garment.parts.iter();
-            parts.any(|p| p.panel == panel && !p.kind_named && rare.contains(&p.kind))
-        };
+        let part = |panel: usize| self.garment.parts.iter().find(|p| p.panel == panel);
+        let is_rare = |p: &LabeledPanel| !p.kind_named && rare.contains(&p.kind);
         self.sure().all(|seam| {
-            let mut steps = seam.sides.iter().flatten();
+            let steps = seam.sides.iter().flatten();
             let panels: BTreeSet<usize> = steps.clone().map(|s| s.panel % count).collect();
-            let gathered = seam.id.starts_with("armhole") || seam.id.starts_with("hood");
-            let most = if gathered {
+            let parts: Vec<&LabeledPanel> = steps.filter_map(|s| part(s.panel)).collect();
+            let set_in = [PanelKind::Sleeve, PanelKind::UnderSleeve, PanelKind::Hood];
+            let into_body = parts.iter().any(|p| set_in.contains(&p.kind))
+                && parts.iter().any(|p| !set_in.contains(&p.kind));
+            let most = if into_body {
                 MAX_SET_IN_EASE
             } else {
                 EXACT_EASE
             };
             panels.len() < 2
-                || !steps.any(|step| is_rare(step.panel))
+                || !parts.iter().any(|p| is_rare(p))
+                || parts.iter().any(|p| is_band(p.kind))
                 || ease(&seam.sides[0], &seam.sides[1]) <= most
         })
     }
+}
+
+fn is_band(kind: PanelKind) -> bool {
+    matches!(
+        kind,
+        PanelKind::NeckBand
+            | PanelKind::Waistband
+            | PanelKind::Cuff
+            | PanelKind::ArmBand
+            | PanelKind::Collar
+            | PanelKind::CollarStand
+    )
 }
 
 /// Ease up to which a sleeve is set into an armhole, or a hood into a neck.
