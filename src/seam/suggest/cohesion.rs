@@ -1,10 +1,12 @@
-//! Cohesion of a suggested set: seams of panels that hang on the rest of the garment by offers only
-//! are offers themselves.
+//! Cohesion of a suggested set: seams of panels that hang on the rest of the garment by offers only,
+//! or of a small one that is sewn to nothing but itself, are offers themselves.
 
 use super::suggestion::{MIN_SEWN_CONFIDENCE, SuggestedSeam};
 use crate::pattern::{MIRROR, Pattern};
 use std::collections::BTreeMap;
 
+/// Share of the area of the largest part up to which a panel by itself is no garment.
+const SMALL: f64 = 0.25;
 /// Confidence that is left to a seam of a part that would fall off.
 const APART: f64 = 0.49;
 
@@ -13,19 +15,28 @@ const APART: f64 = 0.49;
 pub(super) fn distrust_parts_apart(pattern: &Pattern, seams: &mut [SuggestedSeam]) {
     let sewn = Components::of(pattern, seams.iter().filter(|seam| !seam.is_offer()));
     let all = Components::of(pattern, seams.iter());
+    let parts = sewn.parts(pattern);
     let mut largest: BTreeMap<usize, (usize, f64)> = BTreeMap::new();
-    for (part, area) in sewn.areas(pattern) {
-        let best = largest.entry(all.root(part)).or_insert((part, area));
-        if area > best.1 {
-            *best = (part, area);
+    for (root, part) in &parts {
+        let best = largest.entry(all.root(*root)).or_insert((*root, part.area));
+        if part.area > best.1 {
+            *best = (*root, part.area);
         }
     }
+    let most = largest.values().map(|best| best.1).fold(0.0, f64::max);
     for seam in seams {
         let panel = seam.panels().next().and_then(|id| index_of(pattern, id));
         let Some(panel) = panel.filter(|_| seam.confidence >= MIN_SEWN_CONFIDENCE) else {
             continue;
         };
-        if largest.get(&all.root(panel)).map(|best| best.0) != Some(sewn.root(panel)) {
+        let root = sewn.root(panel);
+        let is_largest = largest
+            .get(&all.root(panel))
+            .is_some_and(|best| best.0 == root);
+        let is_alone = parts
+            .get(&root)
+            .is_some_and(|part| part.count == 1 && part.area < SMALL * most);
+        if !is_largest || is_alone {
             seam.confidence = APART;
         }
     }
@@ -64,12 +75,22 @@ impl Components {
         at
     }
 
-    /// Returns the root and the area of every component \[m²\].
-    fn areas(&self, pattern: &Pattern) -> BTreeMap<usize, f64> {
-        let mut areas = BTreeMap::new();
+    /// Returns every component by its root.
+    fn parts(&self, pattern: &Pattern) -> BTreeMap<usize, Part> {
+        let mut parts: BTreeMap<usize, Part> = BTreeMap::new();
         for (i, panel) in pattern.panels.iter().enumerate() {
-            *areas.entry(self.root(i)).or_insert(0.0) += panel.area_m2.abs();
+            let part = parts.entry(self.root(i)).or_default();
+            part.area += panel.area_m2.abs();
+            part.count += 1;
         }
-        areas
+        parts
     }
+}
+
+/// Panels that are sewn together.
+#[derive(Default)]
+struct Part {
+    /// Area of all of them \[m²\].
+    area: f64,
+    count: usize,
 }
