@@ -57,6 +57,7 @@ pub(super) fn outer_drawn_side(part: &LabeledPanel) -> Option<DrawnSide> {
 /// Gives fronts and backs to body panels whose names do not say: the deeper neck, the shorter
 /// crotch is the front.
 pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
+    back_under_yoke(parts);
     halves_and_whole(parts);
     for (kind, role, front_is_longer) in [
         (PanelKind::Bodice, EdgeRole::Neck, true),
@@ -124,8 +125,25 @@ pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
     }
 }
 
+/// Gives front and back to the panels of a bodice that no name tells of, where some of them end at a
+/// yoke: those are the back.
+fn back_under_yoke(parts: &mut [LabeledPanel]) {
+    let is_unsaid = |p: &LabeledPanel| p.kind == PanelKind::Bodice && p.front_back.is_none();
+    let under = |p: &LabeledPanel| is_unsaid(p) && p.beside == Some(PanelKind::Yoke);
+    if !parts.iter().any(under) {
+        return;
+    }
+    for part in parts.iter_mut().filter(|p| is_unsaid(p)) {
+        part.front_back = Some(if part.beside == Some(PanelKind::Yoke) {
+            FrontBack::Back
+        } else {
+            FrontBack::Front
+        });
+    }
+}
+
 /// Gives front and back to a bodice of two halves and one whole panel, none of which a name tells
-/// of: what ends at a yoke is the back, else what has the shallower neck.
+/// of: the back has the shallower neck.
 fn halves_and_whole(parts: &mut [LabeledPanel]) {
     let is_unsaid = |p: &LabeledPanel| p.kind == PanelKind::Bodice && p.front_back.is_none();
     let unsaid = (0..parts.len()).filter(|i| is_unsaid(&parts[*i]));
@@ -133,13 +151,8 @@ fn halves_and_whole(parts: &mut [LabeledPanel]) {
     let ([a, b], [whole]) = (&halves[..], &wholes[..]) else {
         return;
     };
-    let under_yoke = |i: usize| parts[i].beside == Some(PanelKind::Yoke);
     let neck = |i: usize| role_of_one_side(&parts[i], EdgeRole::Neck);
-    let whole_is_back = if under_yoke(*whole) != under_yoke(*a) {
-        under_yoke(*whole)
-    } else {
-        neck(*whole) < 0.5 * (neck(*a) + neck(*b))
-    };
+    let whole_is_back = neck(*whole) < 0.5 * (neck(*a) + neck(*b));
     let (of_whole, of_halves) = if whole_is_back {
         (FrontBack::Back, FrontBack::Front)
     } else {
