@@ -68,6 +68,9 @@ pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classificat
             hints
         })
         .collect();
+    if names::are_letters_of_a_series(&names) {
+        hints = vec![names::NameHints::default(); names.len()];
+    }
     names::tell_cuffs_from_fronts(&mut hints);
     let slits = hints.iter().any(|s| s.kind == Some(PanelKind::Godet));
     let telling = hints.iter().any(|s| {

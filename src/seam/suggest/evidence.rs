@@ -9,6 +9,8 @@ use super::labels::{EdgeRole, PanelKind};
 const EXACT_SHARE: f64 = 0.004;
 const EXACT_M: f64 = 0.002;
 
+/// Usual difference in width of front and back, as a logarithm.
+const WIDTH_SPREAD: f64 = 0.25;
 /// Share of the evidence that shoulders give by themselves.
 const SHOULDER_SHARE: f64 = 0.4;
 
@@ -24,7 +26,7 @@ pub(super) fn evidence(a: &LabeledPanel, b: &LabeledPanel) -> f64 {
 
 /// Returns the evidence for kinds in this order.
 fn directed(a: &LabeledPanel, b: &LabeledPanel) -> Option<f64> {
-    use EdgeRole::{Center, Hem, Inseam, Neck, Shoulder, Side, Underarm};
+    use EdgeRole::{Armhole, Center, Hem, Inseam, Neck, Shoulder, Side, Underarm, Waist};
     let alike = |roles: &[EdgeRole]| {
         let fits = roles.iter().map(|role| fit(mean(a, *role), mean(b, *role)));
         fits.fold(1.0, f64::min)
@@ -34,10 +36,20 @@ fn directed(a: &LabeledPanel, b: &LabeledPanel) -> Option<f64> {
             // With a side panel between them they meet at the shoulder alone.
             Some(alike(&[Side, Shoulder]).max(SHOULDER_SHARE * alike(&[Shoulder])))
         }
-        (PanelKind::Bodice, PanelKind::Bodice) | (PanelKind::Skirt, PanelKind::Skirt) => {
-            Some(0.5 * alike(&[Side]))
+        (PanelKind::Bodice, PanelKind::Bodice) => Some(0.5 * alike(&[Side])),
+        (PanelKind::Skirt, PanelKind::Skirt) => {
+            let widths = [a, b].map(|p| of_one_side(p, Waist).max(1e-6));
+            let off = (widths[0] / widths[1]).ln() / WIDTH_SPREAD;
+            Some(alike(&[Side]) * (-0.5 * off.powi(2)).exp())
         }
         (PanelKind::Trouser, PanelKind::Trouser) => Some(alike(&[Side, Inseam])),
+        (PanelKind::Sleeve, PanelKind::Bodice) if is_raglan(a) && is_raglan(b) => {
+            let own = mean(b, Armhole);
+            let fits = a
+                .segments_of(Armhole)
+                .map(|s| fit(a.features.length(&s.edges), own));
+            Some(0.5 * fits.fold(0.0, f64::max))
+        }
         (PanelKind::Side, PanelKind::Bodice) => {
             let edges = [Side, Center].map(|role| fit(mean(a, role), mean(b, Side)));
             Some(edges[0].max(edges[1]))
@@ -50,6 +62,11 @@ fn directed(a: &LabeledPanel, b: &LabeledPanel) -> Option<f64> {
         (PanelKind::Yoke, PanelKind::Bodice) => Some(0.4 * alike(&[Shoulder])),
         _ => None,
     }
+}
+
+/// Returns true for a panel whose armhole runs up to the neck.
+fn is_raglan(part: &LabeledPanel) -> bool {
+    has(part, EdgeRole::Armhole) && has(part, EdgeRole::Neck) && !has(part, EdgeRole::Shoulder)
 }
 
 fn has(part: &LabeledPanel, role: EdgeRole) -> bool {

@@ -165,6 +165,17 @@ fn number(name: &str) -> u32 {
         .map_or(0, |n| n.saturating_add(1))
 }
 
+/// Returns true if the names are the first letters of the alphabet: they count the panels, so that
+/// `B` is no back.
+pub(super) fn are_letters_of_a_series(names: &[&str]) -> bool {
+    let mut letters: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
+    letters.sort();
+    let series = ('a'..='z').map(String::from);
+    letters.len() > 1
+        && letters.iter().zip(series).all(|(own, of)| *own == of)
+        && letters.len() <= 26
+}
+
 /// Returns the words that all names have, where there are several names.
 pub(super) fn shared(names: &[&str]) -> BTreeSet<String> {
     let mut all = names
@@ -338,6 +349,15 @@ mod tests {
             (princess[0].kind, princess[0].front_back),
             (None, Some(Front))
         );
+    }
+
+    #[test]
+    fn letters_in_a_row_count_panels() {
+        assert!(are_letters_of_a_series(&["A", "B", "C"]));
+        assert!(are_letters_of_a_series(&["b", "a"]));
+        assert!(!are_letters_of_a_series(&["F", "B", "S"]));
+        assert!(!are_letters_of_a_series(&["A", "A", "B"]));
+        assert!(!are_letters_of_a_series(&["A"]));
     }
 
     #[test]

@@ -96,7 +96,7 @@ fn collar_on_stand(garment: &mut GarmentModel, neck: &Opening) -> bool {
     let Some(laid) = band::lay(garment, &neck, &stand, BandEdge::Lower) else {
         return false;
     };
-    let rationale = SeamRationale::new("collar-stand", "the stand goes round the neck").gathered();
+    let rationale = SeamRationale::new("collar-stand", "the stand goes round the neck");
     // The round ends of a stand without corners lie beyond the neck.
     let lower = if stand.segments.len() == 2 {
         middle(&laid.chain, length(&neck))
@@ -106,7 +106,7 @@ fn collar_on_stand(garment: &mut GarmentModel, neck: &Opening) -> bool {
     garment.sew(rationale, Some(neck), Some(lower));
     let Some(free) = laid.free() else { return true };
     if let Some(fall) = band::lay(garment, &free, &collar, BandEdge::Lower) {
-        let rationale = SeamRationale::new("collar", "the collar is sewn to its stand").gathered();
+        let rationale = SeamRationale::new("collar", "the collar is sewn to its stand");
         let free = middle(&free, length(&fall.chain));
         garment.sew(rationale, Some(free), Some(fall.chain));
     }
