@@ -234,8 +234,8 @@ impl AssignmentWeights {
         fits.fold(self.max_opening_cost, f64::min)
     }
 
-    /// Returns how little the side of a front or back `b` fits either long edge of a side panel `a`:
-    /// 0 where the two are not sewn together.
+    /// Returns how little the side of a front or back `b` fits either long edge of a side panel
+    /// `a`: 0 where the two are not sewn together.
     fn princess_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
         let apart = a.front_back.is_some() && a.front_back != b.front_back;
         if a.kind != PanelKind::Side || b.kind != PanelKind::Bodice || apart {

@@ -16,8 +16,8 @@ const CUFF: [f64; 2] = [0.55, 1.05];
 const RECTANGLE_SHARE: f64 = 0.02;
 const MAX_CURL_RAD: f64 = 0.1;
 
-/// Tells waistbands and cuffs from neck bands among the bands that no name tells of, and takes those
-/// away that fit nowhere.
+/// Tells waistbands and cuffs from neck bands among the bands that no name tells of, and takes
+/// those away that fit nowhere.
 pub(super) fn assign_openings(parts: &mut Vec<LabeledPanel>) {
     let openings = openings(parts);
     let has_bodice = parts.iter().any(|p| p.kind == PanelKind::Bodice);
@@ -144,8 +144,8 @@ fn best_fit(openings: &[BandOpening], length: f64) -> Option<PanelKind> {
     best.map(|(kind, ..)| *kind)
 }
 
-/// Makes waistbands of the two bands that fit no opening alone, where they fit one together; returns
-/// true if they do.
+/// Makes waistbands of the two bands that fit no opening alone, where they fit one together;
+/// returns true if they do.
 fn assign_halves(parts: &mut [LabeledPanel], openings: &[BandOpening], lost: &[usize]) -> bool {
     let [a, b] = *lost else { return false };
     let together = long_edge(&parts[a]) + long_edge(&parts[b]);

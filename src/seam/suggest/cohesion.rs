@@ -1,5 +1,5 @@
-//! Cohesion of a suggested set: seams of panels that hang on the rest of the garment by offers only,
-//! or of a small one that is sewn to nothing but itself, are offers themselves.
+//! Cohesion of a suggested set: seams of panels that hang on the rest of the garment by offers
+//! only, or of a small one that is sewn to nothing but itself, are offers themselves.
 
 use super::suggestion::{MIN_SEWN_CONFIDENCE, SuggestedSeam};
 use crate::pattern::{MIRROR, Pattern};

@@ -55,8 +55,8 @@ pub(super) struct Completeness {
 }
 
 impl Completeness {
-    /// Compares `seams` with the panels of `pattern`, `hints` being those of their names. Offers are
-    /// not sewn.
+    /// Compares `seams` with the panels of `pattern`, `hints` being those of their names. Offers
+    /// are not sewn.
     pub(super) fn of(
         pattern: &Pattern,
         garment: &GarmentModel,

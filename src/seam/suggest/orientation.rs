@@ -125,8 +125,8 @@ pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
     }
 }
 
-/// Gives front and back to the panels of a bodice that no name tells of, where some of them end at a
-/// yoke: those are the back.
+/// Gives front and back to the panels of a bodice that no name tells of, where some of them end at
+/// a yoke: those are the back.
 fn back_under_yoke(parts: &mut [LabeledPanel]) {
     let is_unsaid = |p: &LabeledPanel| p.kind == PanelKind::Bodice && p.front_back.is_none();
     let under = |p: &LabeledPanel| is_unsaid(p) && p.beside == Some(PanelKind::Yoke);

@@ -16,8 +16,8 @@ pub struct SuggestedSeam {
     /// The seam, as a client would state it.
     #[serde(flatten)]
     pub pair: SeamPair,
-    /// Confidence: 0 is a guess, 1 is certain. Below 0.5 the seam is an offer: a garment that leaves
-    /// its seams to the service is sewn without it.
+    /// Confidence: 0 is a guess, 1 is certain. Below 0.5 the seam is an offer: a garment that
+    /// leaves its seams to the service is sewn without it.
     pub confidence: f64,
     /// Reason, in words.
     pub because: String,
@@ -39,8 +39,8 @@ impl SuggestedSeam {
 /// Seams and placements proposed for a pattern.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct Suggestion {
-    /// Seams that can be sewn together, offers among them (of a confidence below 0.5). They may name mirrored copies (`sleeve~mirror`) of panels
-    /// that are drawn once.
+    /// Seams that can be sewn together, offers among them (of a confidence below 0.5). They may
+    /// name mirrored copies (`sleeve~mirror`) of panels that are drawn once.
     pub seams: Vec<SuggestedSeam>,
     /// Proposals by id of the panel, as a garment states them.
     pub panels: BTreeMap<String, SuggestedPanel>,

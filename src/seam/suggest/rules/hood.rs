@@ -1,4 +1,5 @@
-//! Hoods: two halves sewn together over the head, and to the neck. Hoods of three parts are not sewn.
+//! Hoods: two halves sewn together over the head, and to the neck. Hoods of three parts are not
+//! sewn.
 
 use crate::seam::suggest::edge_chain::{EdgeChain, length, reversed, up_to};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
