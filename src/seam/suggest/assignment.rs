@@ -94,10 +94,15 @@ impl CostTable {
         let mut of = vec![vec![]; candidates.len()];
         for i in 0..candidates.len() {
             for j in i + 1..candidates.len() {
+                // Copies of each other have edges of one length whatever they are.
+                let twins = candidates[i][0]
+                    .features
+                    .is_twin(&candidates[j][0].features);
+                let exact_weight = if twins { 0.0 } else { weights.exact_weight };
                 let row = |a: &LabeledPanel| {
                     candidates[j]
                         .iter()
-                        .map(|b| weights.pair_cost(a, b) - weights.exact_weight * evidence(a, b))
+                        .map(|b| weights.pair_cost(a, b) - exact_weight * evidence(a, b))
                         .collect()
                 };
                 let cost: Vec<Vec<f64>> = candidates[i].iter().map(row).collect();

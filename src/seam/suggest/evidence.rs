@@ -16,9 +16,9 @@ const SHOULDER_SHARE: f64 = 0.4;
 
 /// Returns the evidence that the labelings of two panels are right, from 0 to 1: the share of the
 /// edges that they would be sewn by that fit. Nothing for panels whose kinds are not sewn to each
-/// other, whose names tell what they are, or that are copies of each other.
+/// other, or whose names tell what they are.
 pub(super) fn evidence(a: &LabeledPanel, b: &LabeledPanel) -> f64 {
-    if a.named && b.named || a.features.is_twin(&b.features) {
+    if a.named && b.named {
         return 0.0;
     }
     directed(a, b).or_else(|| directed(b, a)).unwrap_or(0.0)

@@ -19,6 +19,8 @@ const RARE: [PanelKind; 4] = [
 ];
 /// Most kinds that are looked for together.
 const MAX_TOGETHER: usize = 2;
+/// Most panels of a pattern that is read more than once: each reading weighs every two of them.
+const MAX_PANELS: usize = 40;
 /// Share of the area of all panels from which one that is left over is worth another reading, and
 /// by which another reading must sew more.
 const MIN_SHARE: f64 = 0.02;
@@ -27,12 +29,13 @@ const MIN_SHARE: f64 = 0.02;
 pub(super) fn best_reading(pattern: &Pattern, limits: &Limits) -> Reading {
     let mut best = Reading::of(pattern, limits, &[]);
     let mut kinds: Vec<PanelKind> = vec![];
-    while kinds.len() < MAX_TOGETHER && leaves_over(pattern, &best) {
+    let few = pattern.panels.len() <= MAX_PANELS;
+    while few && kinds.len() < MAX_TOGETHER && leaves_over(pattern, &best) {
         let more = RARE.iter().filter(|kind| !kinds.contains(kind));
         let ways = more.map(|kind| [kinds.as_slice(), &[*kind]].concat());
         let found = ways.map(|rare| (Reading::of(pattern, limits, &rare), rare));
         let mut found: Vec<(Reading, Vec<PanelKind>)> = found
-            .filter(|(reading, rare)| reading.is_exact(pattern, rare))
+            .filter(|(reading, rare)| reading.is_exact(rare))
             .collect();
         found.sort_by(|a, b| grade(pattern, &b.0).total_cmp(&grade(pattern, &a.0)));
         let Some((reading, rare)) = found.into_iter().next() else {

@@ -2,7 +2,7 @@
 
 use super::classify::{self, Classification};
 use super::completeness::Completeness;
-use super::garment_model::{GarmentModel, ease};
+use super::garment_model::{GarmentModel, ProposedSeam, ease};
 use super::labeled_panel::LabeledPanel;
 use super::labels::PanelKind;
 use super::names::NameHints;
@@ -15,6 +15,8 @@ use std::collections::BTreeSet;
 
 /// Ease up to which two edges are as long as each other: they were drawn to be sewn.
 const EXACT_EASE: f64 = 0.012;
+/// Ease up to which a sleeve is set into an armhole, or a hood into a neck.
+const MAX_SET_IN_EASE: f64 = 0.12;
 
 /// Panels with their labels, the seams that follow, and what they leave out.
 pub(super) struct Reading {
@@ -58,7 +60,7 @@ impl Reading {
     }
 
     /// Returns the proposals that are sure.
-    fn sure(&self) -> impl Iterator<Item = &super::garment_model::ProposedSeam> {
+    fn sure(&self) -> impl Iterator<Item = &ProposedSeam> {
         let sure = self.seams.iter().filter(|seam| !seam.is_offer());
         let sure: BTreeSet<&str> = sure.map(|seam| seam.pair.id.as_str()).collect();
         let proposed = self.garment.proposed.iter();
@@ -75,28 +77,35 @@ impl Reading {
 
     /// Returns true if every sure seam of two panels, one of them taken for a kind of `rare`, has
     /// edges as long as each other; into armholes and necks they may be eased, and bands stretched.
-    pub(super) fn is_exact(&self, pattern: &Pattern, rare: &[PanelKind]) -> bool {
-        let count = pattern.panels.len().max(1);
-        let part = |panel: usize| self.garment.parts.iter().find(|p| p.panel == panel);
-        let is_rare = |p: &LabeledPanel| !p.kind_named && rare.contains(&p.kind);
-        self.sure().all(|seam| {
-            let steps = seam.sides.iter().flatten();
-            let panels: BTreeSet<usize> = steps.clone().map(|s| s.panel % count).collect();
-            let parts: Vec<&LabeledPanel> = steps.filter_map(|s| part(s.panel)).collect();
-            let set_in = [PanelKind::Sleeve, PanelKind::UnderSleeve, PanelKind::Hood];
-            let into_body = parts.iter().any(|p| set_in.contains(&p.kind))
-                && parts.iter().any(|p| !set_in.contains(&p.kind));
-            let most = if into_body {
-                MAX_SET_IN_EASE
-            } else {
-                EXACT_EASE
-            };
-            panels.len() < 2
-                || !parts.iter().any(|p| is_rare(p))
-                || parts.iter().any(|p| is_band(p.kind))
-                || ease(&seam.sides[0], &seam.sides[1]) <= most
-        })
+    pub(super) fn is_exact(&self, rare: &[PanelKind]) -> bool {
+        self.sure().all(|seam| self.is_exact_seam(seam, rare))
     }
+
+    fn is_exact_seam(&self, seam: &ProposedSeam, rare: &[PanelKind]) -> bool {
+        let part = |panel: usize| self.garment.parts.iter().find(|p| p.panel == panel);
+        let steps = seam.sides.iter().flatten();
+        let parts: Vec<&LabeledPanel> = steps.filter_map(|s| part(s.panel)).collect();
+        let any = |is: &dyn Fn(&LabeledPanel) -> bool| parts.iter().any(|p| is(p));
+        let several = parts.windows(2).any(|pair| pair[0].panel != pair[1].panel);
+        let is_rare = |p: &LabeledPanel| !p.kind_named && rare.contains(&p.kind);
+        if !several || !any(&is_rare) || any(&|p| is_band(p.kind)) {
+            return true;
+        }
+        let most = if any(&is_set_in) && any(&|p| !is_set_in(p)) {
+            MAX_SET_IN_EASE
+        } else {
+            EXACT_EASE
+        };
+        ease(&seam.sides[0], &seam.sides[1]) <= most
+    }
+}
+
+/// Returns true for what is set into an opening.
+fn is_set_in(part: &LabeledPanel) -> bool {
+    matches!(
+        part.kind,
+        PanelKind::Sleeve | PanelKind::UnderSleeve | PanelKind::Hood
+    )
 }
 
 fn is_band(kind: PanelKind) -> bool {
@@ -110,6 +119,3 @@ fn is_band(kind: PanelKind) -> bool {
             | PanelKind::CollarStand
     )
 }
-
-/// Ease up to which a sleeve is set into an armhole, or a hood into a neck.
-const MAX_SET_IN_EASE: f64 = 0.12;
