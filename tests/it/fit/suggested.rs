@@ -1,7 +1,7 @@
 //! Garments that leave their seams to the service: what is sure enough is sewn, offers are not.
 
 use seamster::config::Limits;
-use seamster::fault::{Faults, Warning};
+use seamster::fault::{Faults, SeamCode, Warning};
 use seamster::fit::{self, Garment, PatternRef, ResolvedGarment, ShippedAssets};
 use seamster::pattern::{Panel, Pattern};
 use seamster::seam::suggest::suggest;
@@ -74,7 +74,7 @@ fn offers_are_left_out_of_a_garment_and_told() {
             .iter()
             .all(|seam| seam.confidence >= 0.5)
     );
-    let told = |w: &&Warning| w.code.to_string() == "seam/offer_not_sewn";
+    let told = |w: &&Warning| w.code == SeamCode::OfferNotSewn;
     let told: Vec<&Warning> = garment.warnings().iter().filter(told).collect();
     let [warning] = told[..] else {
         panic!("one warning: {:?}", garment.warnings());
@@ -92,7 +92,7 @@ fn garment_of_offers_alone_is_refused_with_the_reasons() {
     let found = suggest(&pattern, &Limits::default());
     assert!(!found.seams.is_empty() && found.seams.iter().all(|seam| seam.is_offer()));
 
-    let Faults(faults) = resolved(pattern).err().expect("nothing is sure");
+    let Faults(faults) = resolved(pattern).expect_err("nothing is sure");
     let [fault] = &faults[..] else {
         panic!("one fault: {faults:?}");
     };
