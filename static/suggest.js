@@ -68,7 +68,9 @@ function add(found) {
   update({ suggested });
   changeSeams([...there, ...seams], null, { placements: placementsFor(found.panels), leftOut: spare });
   const kept = found.seams.length - free.length;
-  act(`${plural(free.length, "seam")} suggested${kept ? `, ${kept} left as they were picked` : ""}.`);
+  const offers = free.filter((seam) => seam.confidence < 0.5).length;
+  const unsure = offers ? `, ${offers} of them less than half sure: look at ${offers === 1 ? "it" : "these"} before you sew` : "";
+  act(`${plural(free.length, "seam")} suggested${unsure}${kept ? `, ${kept} left as they were picked` : ""}.`);
 }
 
 /** Asks the service for seams and adds those whose edges are free. */

@@ -4,7 +4,12 @@ use super::garment::{Garment, SeamsSpec};
 use crate::config::Limits;
 use crate::fault::{Fault, SeamCode, Warning};
 use crate::pattern::{MIRROR, Pattern, SeamPair};
-use crate::seam::suggest::{self, SuggestedSeam, Suggestion};
+use crate::seam::suggest::{self, SuggestedPanel, SuggestedSeam, Suggestion};
+use std::collections::BTreeSet;
+
+/// Reasons and seams that one message tells.
+const MAX_REASONS: usize = 8;
+const MAX_NAMES: usize = 20;
 
 /// The seams of a garment, listed.
 pub(super) struct ListedSeams {
@@ -16,12 +21,13 @@ pub(super) struct ListedSeams {
 
 /// Lists the seams of a garment, suggesting them if it asks for that.
 ///
-/// Suggesting also puts placements into the garment, and takes the panels that no seam was found
-/// for, and that the garment does not mention, out of the pattern: spare sleeves and linings would
-/// only fall down.
+/// Only seams that are sure enough are sewn: offers are left out, and a warning tells of them.
+/// Suggesting also puts placements into the garment, and takes the panels that no such seam was
+/// found for, and that the garment does not mention, out of the pattern: spare sleeves and linings
+/// would only fall down.
 ///
 /// # Errors
-/// If no seam could be suggested.
+/// If no seam could be suggested, or offers only.
 pub(super) fn list_seams(
     garment: &mut Garment,
     pattern: &mut Pattern,
@@ -37,25 +43,21 @@ pub(super) fn list_seams(
         seams,
         panels,
         warnings,
-        ..
     } = suggest::suggest(pattern, limits);
+    let (offers, seams): (Vec<_>, Vec<_>) = seams.into_iter().partition(SuggestedSeam::is_offer);
     if seams.is_empty() {
-        return Err(none_suggested(warnings.first()));
+        return Err(none_suggested(&offers, &warnings));
     }
-    for (id, panel) in panels {
-        let source = id.strip_suffix(MIRROR).unwrap_or(&id);
-        let stated = garment.panels.get(source);
-        let is_placed = stated.is_some_and(|spec| spec.placement.is_some());
-        if pattern.placements.contains_key(source) || is_placed && source != id {
-            continue; // The file or the client knows better, and a copy follows its source.
-        }
-        let spec = garment.panels.entry(id).or_default();
-        spec.placement.get_or_insert(panel.placement);
-    }
+    let sewn: BTreeSet<&str> = seams.iter().flat_map(SuggestedSeam::panels).collect();
+    let placed = panels
+        .into_iter()
+        .filter(|(id, _)| sewn.contains(id.as_str()));
+    place(garment, pattern, placed);
     pattern
         .warnings
         .retain(|warning| !is_of_suggestion(warning));
     pattern.warnings.extend(warnings);
+    pattern.warnings.extend(not_sewn(&offers));
     drop_unmentioned(garment, pattern, &seams);
     let pairs = seams.iter().map(|seam| SeamPair {
         confidence: Some(seam.confidence),
@@ -68,11 +70,72 @@ pub(super) fn list_seams(
     })
 }
 
-fn none_suggested(warning: Option<&Warning>) -> Fault {
-    let reason = warning.map_or_else(String::new, |w| format!(": {}", w.detail));
-    let detail = format!("no seam can be suggested for this pattern{reason}");
-    Fault::new(SeamCode::NoneSuggested, "/seams", detail)
-        .fix("list the seams, or give the panels telling names (front, back, sleeve)")
+/// Puts suggested placements into the garment, where neither it nor the pattern's file has one: the
+/// file or the client knows better, and a copy follows its source.
+fn place(
+    garment: &mut Garment,
+    pattern: &Pattern,
+    panels: impl Iterator<Item = (String, SuggestedPanel)>,
+) {
+    for (id, panel) in panels {
+        let source = id.strip_suffix(MIRROR).unwrap_or(&id);
+        let stated = garment.panels.get(source);
+        let is_placed = stated.is_some_and(|spec| spec.placement.is_some());
+        if pattern.placements.contains_key(source) || is_placed && source != id {
+            continue;
+        }
+        let spec = garment.panels.entry(id).or_default();
+        spec.placement.get_or_insert(panel.placement);
+    }
+}
+
+/// Returns the fault of a pattern without a seam that is sure enough to be sewn, with the reasons.
+fn none_suggested(offers: &[SuggestedSeam], warnings: &[Warning]) -> Fault {
+    let mut reasons: Vec<&str> = warnings.iter().map(|w| w.detail.as_str()).collect();
+    let more = reasons.len().saturating_sub(MAX_REASONS);
+    reasons.truncate(MAX_REASONS);
+    let mut because = match (reasons.as_slice(), more) {
+        ([], _) => String::new(),
+        (told, 0) => format!(": {}", told.join("; ")),
+        (told, more) => format!(": {}; and {more} reasons more", told.join("; ")),
+    };
+    if offers.is_empty() {
+        let detail = format!("no seam can be suggested for this pattern{because}");
+        return Fault::new(SeamCode::NoneSuggested, "/seams", detail)
+            .fix("list the seams, or give the panels telling names (front, back, sleeve)");
+    }
+    because.insert_str(0, &format!(" ({})", names(offers)));
+    let detail = format!(
+        "the seams that are suggested for this pattern are offers of a confidence below 0.5, which are not sewn unasked{because}"
+    );
+    Fault::new(SeamCode::NoneSuggested, "/seams", detail).fix(
+        "list the seams; to accept offers of `POST seams/suggest`, list them in `seams` as they are",
+    )
+}
+
+/// Returns the warning of offers that are left out of a garment whose other seams are sewn.
+fn not_sewn(offers: &[SuggestedSeam]) -> Option<Warning> {
+    let detail = format!(
+        "suggested seams of a confidence below 0.5 are offers and were not sewn: {}; to have them, list them in `seams` with the others",
+        names(offers)
+    );
+    (!offers.is_empty()).then(|| Warning::new(SeamCode::OfferNotSewn, "/seams", detail))
+}
+
+/// Returns the names of seams, with what they join and how sure they are.
+fn names(offers: &[SuggestedSeam]) -> String {
+    let more = offers.len().saturating_sub(MAX_NAMES);
+    let name = |seam: &SuggestedSeam| {
+        let panels: BTreeSet<&str> = seam.panels().collect();
+        let panels: Vec<&str> = panels.into_iter().collect();
+        let (id, confidence) = (&seam.pair.id, seam.confidence);
+        format!("`{id}` of {}, {confidence}", panels.join(" and "))
+    };
+    let mut all: Vec<String> = offers.iter().take(MAX_NAMES).map(name).collect();
+    if more > 0 {
+        all.push(format!("{more} more"));
+    }
+    all.join("; ")
 }
 
 /// Returns the warnings of suggesting the seams of a garment. They stay with the pattern, so that a
@@ -83,7 +146,9 @@ pub(super) fn warnings(pattern: &Pattern) -> Vec<Warning> {
 }
 
 fn is_of_suggestion(warning: &Warning) -> bool {
-    warning.code == SeamCode::NotSuggested || warning.code == SeamCode::LeftOut
+    warning.code == SeamCode::NotSuggested
+        || warning.code == SeamCode::LeftOut
+        || warning.code == SeamCode::OfferNotSewn
 }
 
 /// Takes the panels that neither a seam nor the garment mentions out of the pattern, and warns of
@@ -101,7 +166,7 @@ fn drop_unmentioned(garment: &Garment, pattern: &mut Pattern, seams: &[Suggested
         pattern.placements.remove(*id);
     }
     let detail = format!(
-        "left out, because no seam is suggested for them and the garment says nothing of them: {}",
+        "left out, because no seam that is sure enough is suggested for them and the garment says nothing of them: {}",
         ids.join(", ")
     );
     let warning = Warning::new(SeamCode::LeftOut, "/pattern/panels", detail);

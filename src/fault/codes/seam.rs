@@ -35,14 +35,17 @@ fault_codes! {
             "A panel is sewn to nothing.",
             "Sew it, or leave it out.";
         NoneSuggested = "none_suggested":
-            "No seam can be suggested for the pattern.",
-            "List the seams, or give the panels telling names (front, back, sleeve).";
+            "No seam, or none that is sure enough to be sewn unasked, can be suggested for the pattern.",
+            "List the seams, offered ones among them, or give the panels telling names (front, back, sleeve).";
         NotSuggested = "not_suggested":
             "No seam is suggested for a panel.",
             "List its seams.";
         NothingToCheck = "nothing_to_check":
             "The request has no list of seams to check.",
             "Give the list of seams; `POST seams/suggest` finds one.";
+        OfferNotSewn = "offer_not_sewn":
+            "Suggested seams of a confidence below 0.5 were not sewn.",
+            "List them in `seams` with the others to have them.";
         Overlap = "overlap":
             "A stretch of outline is sewn twice.",
             "Sew each stretch once, or let each run begin where the one before it ends.";

@@ -59,7 +59,10 @@ pub(super) async fn check(
 
 /// Suggest the seams of a pattern and where its panels start, each seam with how sure it is and why
 ///
-/// The seams are what a garment takes, as they are, and `panels` is what its `panels` takes.
+/// The seams are what a garment takes, as they are, and `panels` is what its `panels` takes. Seams
+/// of a confidence below 0.5 are offers: `"seams": "suggest"` leaves them out and warns of them,
+/// and refuses a garment that has nothing but offers (`seam/none_suggested`). List them to accept
+/// them.
 #[utoipa::path(post, path = "/v1/patterns/{id}/seams/suggest", tag = "patterns", params(("id" = Uuid, Path)),
     request_body(content = Option<SuggestRequest>, description = "`{}`, or nothing"),
     responses(

@@ -4,6 +4,7 @@
 //! other half. Starting from the likeliest labelings, each panel in turn takes the one that fits
 //! the others best, until none changes.
 
+use super::evidence::evidence;
 use super::labeled_panel::LabeledPanel;
 use super::labels::{EdgeRole, PanelKind};
 use serde::Deserialize;
@@ -36,6 +37,8 @@ pub(super) struct AssignmentWeights {
     half_to_whole: f64,
     /// Most that disagreement of two panels may cost.
     max_pair_cost: f64,
+    /// Weight of edges that are as long as each other, where no names tell.
+    exact_weight: f64,
 }
 
 /// Returns one labeling for each panel that has any.
@@ -91,14 +94,19 @@ impl CostTable {
         let mut of = vec![vec![]; candidates.len()];
         for i in 0..candidates.len() {
             for j in i + 1..candidates.len() {
+                // Copies of each other have edges of one length whatever they are.
+                let twins = candidates[i][0]
+                    .features
+                    .is_twin(&candidates[j][0].features);
+                let exact_weight = if twins { 0.0 } else { weights.exact_weight };
                 let row = |a: &LabeledPanel| {
                     candidates[j]
                         .iter()
-                        .map(|b| weights.pair_cost(a, b))
+                        .map(|b| weights.pair_cost(a, b) - exact_weight * evidence(a, b))
                         .collect()
                 };
                 let cost: Vec<Vec<f64>> = candidates[i].iter().map(row).collect();
-                if cost.iter().flatten().any(|c| *c > 0.0) {
+                if cost.iter().flatten().any(|c| *c != 0.0) {
                     of[i].push(pairs.len());
                     of[j].push(pairs.len());
                     pairs.push(PairCosts { ends: [i, j], cost });
@@ -168,6 +176,8 @@ impl AssignmentWeights {
             let misfits = f64::from(u8::from(is_misfit(a, b)) + u8::from(mixed));
             return self.opening_cost(a, b)
                 + self.opening_cost(b, a)
+                + self.princess_cost(a, b)
+                + self.princess_cost(b, a)
                 + misfits * self.max_pair_cost;
         }
         if a.number != b.number {
@@ -229,15 +239,33 @@ impl AssignmentWeights {
         fits.fold(self.max_opening_cost, f64::min)
     }
 
+    /// Returns how little the side of a front or back `b` fits either long edge of a side panel
+    /// `a`: 0 where the two are not sewn together.
+    fn princess_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
+        let apart = a.front_back.is_some() && a.front_back != b.front_back;
+        if a.kind != PanelKind::Side || b.kind != PanelKind::Bodice || apart {
+            return 0.0;
+        }
+        let sides = if b.half { 1.0 } else { 2.0 };
+        let side = b.role_length(EdgeRole::Side) / sides;
+        let edges = [EdgeRole::Side, EdgeRole::Center].map(|role| a.role_length(role));
+        let off = edges.map(|edge| {
+            (0.5 * ((edge / side.max(1e-6)).ln() / self.sewn_spread).powi(2))
+                .min(self.max_pair_cost)
+        });
+        off[0].min(off[1])
+    }
+
     /// Returns how little the edges of a front and a back agree that are sewn together.
     fn sewn_edges_cost(&self, a: &LabeledPanel, b: &LabeledPanel) -> f64 {
-        if a.half != b.half {
-            return if a.kind == PanelKind::Sleeve {
-                self.max_pair_cost
-            } else {
-                self.half_to_whole
-            };
+        if a.half != b.half && a.kind == PanelKind::Sleeve {
+            return self.max_pair_cost;
         }
+        let mixed = if a.half == b.half {
+            0.0
+        } else {
+            self.half_to_whole
+        };
         let roles: &[EdgeRole] = match a.kind {
             PanelKind::Bodice => &[EdgeRole::Side, EdgeRole::Shoulder],
             PanelKind::Skirt => &[EdgeRole::Side],
@@ -250,7 +278,8 @@ impl AssignmentWeights {
             PanelKind::Bodice => &[EdgeRole::Hem],
             _ => &[],
         };
-        self.length_cost(a, b, roles, self.sewn_spread)
+        mixed
+            + self.length_cost(a, b, roles, self.sewn_spread)
             + self.alike_weight * self.length_cost(a, b, alike, self.alike_spread)
     }
 
@@ -263,7 +292,8 @@ impl AssignmentWeights {
         self.length_cost(a, b, &roles, self.mirrored_spread)
     }
 
-    /// Returns the mean difference in length of the segments of some roles.
+    /// Returns the mean difference in length of the segments of some roles, of one side of the
+    /// wearer: a whole panel has those of two halves.
     fn length_cost(
         &self,
         a: &LabeledPanel,
@@ -274,12 +304,13 @@ impl AssignmentWeights {
         if roles.is_empty() {
             return 0.0;
         }
+        let sides = |p: &LabeledPanel| if p.half { 1.0 } else { 2.0 };
         let length = |p: &LabeledPanel, role| -> Option<f64> {
             let all: Vec<f64> = p
                 .segments_of(role)
                 .map(|s| p.features.length(&s.edges))
                 .collect();
-            (!all.is_empty()).then(|| all.iter().sum())
+            (!all.is_empty()).then(|| all.iter().sum::<f64>() / sides(p))
         };
         let of = |role: &EdgeRole| match (length(a, *role), length(b, *role)) {
             (Some(x), Some(y)) => {
@@ -303,8 +334,10 @@ fn is_misfit(a: &LabeledPanel, b: &LabeledPanel) -> bool {
         (PanelKind::Bodice, PanelKind::Sleeve) => (b, a),
         _ => return false,
     };
-    let armhole = bodice.segment(EdgeRole::Armhole, None).is_some();
-    let shoulder = bodice.segment(EdgeRole::Shoulder, None).is_some();
+    // A side panel takes the armhole of the front beside it, a yoke the shoulder of the back.
+    let has = |role| bodice.segment(role, None).is_some();
+    let armhole = has(EdgeRole::Armhole) || bodice.beside == Some(PanelKind::Side);
+    let shoulder = has(EdgeRole::Shoulder) || bodice.beside == Some(PanelKind::Yoke);
     !armhole || shoulder == sleeve.segment(EdgeRole::Neck, None).is_some()
 }
 

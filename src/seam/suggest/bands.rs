@@ -1,11 +1,13 @@
 //! Bands that no name tells of: what each goes round is the opening that it fits in length.
 
 use super::labeled_panel::{LabeledPanel, RoleSegment};
-use super::labels::{DrawnSide, EdgeRole, Laterality, PanelKind};
+use super::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
 
 /// Bands may be shorter than the opening, to be stretched on or gathered to, and longer, to lie
 /// over each other, as shares of its length.
 const NECK: [f64; 2] = [0.70, 1.08];
+/// Where the front opens nothing is stretched on.
+const OPEN_NECK: [f64; 2] = [0.92, 1.08];
 const WAIST: [f64; 2] = [0.78, 1.12];
 const HEM: [f64; 2] = [0.70, 1.05];
 const CUFF: [f64; 2] = [0.55, 1.05];
@@ -14,8 +16,9 @@ const CUFF: [f64; 2] = [0.55, 1.05];
 const RECTANGLE_SHARE: f64 = 0.02;
 const MAX_CURL_RAD: f64 = 0.1;
 
-/// Tells waistbands and cuffs from neck bands among the bands that no name tells of.
-pub(super) fn assign_openings(parts: &mut [LabeledPanel]) {
+/// Tells waistbands and cuffs from neck bands among the bands that no name tells of, and takes
+/// those away that fit nowhere.
+pub(super) fn assign_openings(parts: &mut Vec<LabeledPanel>) {
     let openings = openings(parts);
     let has_bodice = parts.iter().any(|p| p.kind == PanelKind::Bodice);
     for part in parts.iter_mut().filter(|p| is_rectangle(p)) {
@@ -31,12 +34,18 @@ pub(super) fn assign_openings(parts: &mut [LabeledPanel]) {
     let bands: Vec<usize> = (0..parts.len())
         .filter(|i| parts[*i].kind == PanelKind::NeckBand && !parts[*i].kind_named)
         .collect();
+    let mut lost = vec![];
     for i in &bands {
-        if let Some(kind) = best_fit(&openings, long_edge(&parts[*i])) {
-            parts[*i].kind = kind;
+        match best_fit(&openings, long_edge(&parts[*i])) {
+            Some(kind) => parts[*i].kind = kind,
+            None => lost.push(*i),
         }
     }
-    assign_halves(parts, &openings, &bands);
+    if assign_halves(parts, &openings, &lost) || openings.is_empty() {
+        return;
+    }
+    let mut at = 0..;
+    parts.retain(|_| at.next().is_none_or(|i| !lost.contains(&i)));
 }
 
 /// An opening by the kind of the band that goes round it, with its length \[m\] and the shares of
@@ -44,8 +53,16 @@ pub(super) fn assign_openings(parts: &mut [LabeledPanel]) {
 type BandOpening = (PanelKind, f64, [f64; 2]);
 
 fn openings(parts: &[LabeledPanel]) -> Vec<BandOpening> {
+    let is_open = |p: &LabeledPanel| {
+        p.kind == PanelKind::Bodice && p.front_back == Some(FrontBack::Front) && p.half
+    };
+    let neck = if parts.iter().any(is_open) {
+        OPEN_NECK
+    } else {
+        NECK
+    };
     let all = [
-        (PanelKind::NeckBand, PanelKind::Bodice, EdgeRole::Neck, NECK),
+        (PanelKind::NeckBand, PanelKind::Bodice, EdgeRole::Neck, neck),
         (PanelKind::Waistband, PanelKind::Bodice, EdgeRole::Hem, HEM),
         (
             PanelKind::Waistband,
@@ -65,12 +82,24 @@ fn openings(parts: &[LabeledPanel]) -> Vec<BandOpening> {
         let around = if *host == PanelKind::Sleeve {
             let sleeve = parts.iter().find(|p| p.kind == *host && !p.half)?;
             sleeve.role_length(*role)
+        } else if *role == EdgeRole::Neck {
+            around(parts, *host, *role) + sleeve_necks(parts)
         } else {
             around(parts, *host, *role)
         };
         (around > 0.0).then_some((*band, around, *shares))
     });
     found.collect()
+}
+
+/// Returns the part that raglan sleeves have of the neck \[m\], a sleeve that is drawn once counted
+/// twice.
+fn sleeve_necks(parts: &[LabeledPanel]) -> f64 {
+    let sleeves = || parts.iter().filter(|p| p.kind == PanelKind::Sleeve);
+    let first = sleeves()
+        .next()
+        .map_or(0.0, |p| p.role_length(EdgeRole::Neck));
+    2.0 * first
 }
 
 /// Returns the length of a role all round the body, halves that are drawn once counted twice.
@@ -115,24 +144,24 @@ fn best_fit(openings: &[BandOpening], length: f64) -> Option<PanelKind> {
     best.map(|(kind, ..)| *kind)
 }
 
-/// Makes waistbands of two bands that fit an opening together and none alone.
-fn assign_halves(parts: &mut [LabeledPanel], openings: &[BandOpening], bands: &[usize]) {
-    let alone = |i: &&usize| best_fit(openings, long_edge(&parts[**i])).is_none();
-    let left_over: Vec<usize> = bands.iter().filter(alone).copied().collect();
-    let [a, b] = left_over[..] else { return };
+/// Makes waistbands of the two bands that fit no opening alone, where they fit one together;
+/// returns true if they do.
+fn assign_halves(parts: &mut [LabeledPanel], openings: &[BandOpening], lost: &[usize]) -> bool {
+    let [a, b] = *lost else { return false };
     let together = long_edge(&parts[a]) + long_edge(&parts[b]);
-    let waists: Vec<BandOpening> = openings
-        .iter()
+    let waists = openings.iter().copied();
+    let waists: Vec<BandOpening> = waists
         .filter(|(kind, ..)| *kind == PanelKind::Waistband)
-        .copied()
         .collect();
-    if best_fit(&waists, together).is_some() {
-        for (i, laterality) in [(a, Laterality::Left), (b, Laterality::Right)] {
-            parts[i].kind = PanelKind::Waistband;
-            parts[i].laterality = Some(laterality);
-            parts[i].laterality_named = true;
-        }
+    if best_fit(&waists, together).is_none() {
+        return false;
     }
+    for (i, laterality) in [(a, Laterality::Left), (b, Laterality::Right)] {
+        parts[i].kind = PanelKind::Waistband;
+        parts[i].laterality = Some(laterality);
+        parts[i].laterality_named = true;
+    }
+    true
 }
 
 /// Returns true for a panel of four straight edges, opposite ones as long as each other.

@@ -4,9 +4,10 @@ use super::figures::Figures;
 use super::labeled_panel::LabeledPanel;
 use super::labels::{FrontBack, Laterality, PanelKind};
 use super::lexicon::Lexicon;
+use super::orientation::OtherForm;
 use super::outline_features::OutlineFeatures;
 use super::penalties::{drawing_penalty, half_penalty, upright};
-use super::{align, assignment, bands, names, orientation};
+use super::{align, assignment, bands, names, orientation, side_panels, strays};
 use crate::pattern::Pattern;
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -20,6 +21,16 @@ const UNNAMED_KINDS: [PanelKind; 5] = [
 ];
 /// Kinds of a panel without a telling name where other panels of the pattern have one.
 const EXTRA_KINDS: [PanelKind; 2] = [PanelKind::Sleeve, PanelKind::NeckBand];
+/// Kinds that only a bodice is sewn to: beside these, a panel called front or back is one.
+const OF_BODICE: [PanelKind; 7] = [
+    PanelKind::Side,
+    PanelKind::Yoke,
+    PanelKind::Sleeve,
+    PanelKind::UnderSleeve,
+    PanelKind::Hood,
+    PanelKind::CollarStand,
+    PanelKind::Collar,
+];
 /// Number of labelings of a panel that are weighed.
 const MAX_LABELINGS: usize = 16;
 
@@ -27,18 +38,20 @@ const MAX_LABELINGS: usize = 16;
 pub(super) struct Classification {
     /// Panels that were recognized, with the mirrored copies that the suggestion adds.
     pub(super) parts: Vec<LabeledPanel>,
+    /// Spare panels that are other forms of recognized ones.
+    pub(super) forms: Vec<OtherForm>,
     /// Hints of the names, in the order of the panels.
     pub(super) hints: Vec<names::NameHints>,
 }
 
-/// Labels the panels of a pattern.
-pub(super) fn label_panels(pattern: &Pattern) -> Classification {
+/// Labels the panels of a pattern; those without a telling name may also be of `rare` kinds.
+pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classification {
     let names: Vec<&str> = pattern.panels.iter().map(|p| p.name.as_str()).collect();
     let common = names::common_start(&names);
     let shared = names::shared(&names);
     let lexicon = Lexicon::new();
     let figures = Figures::embedded();
-    let hints: Vec<names::NameHints> = pattern
+    let mut hints: Vec<names::NameHints> = pattern
         .panels
         .iter()
         .map(|panel| {
@@ -55,11 +68,19 @@ pub(super) fn label_panels(pattern: &Pattern) -> Classification {
             hints
         })
         .collect();
+    if names::are_letters_of_a_series(&names) {
+        hints = vec![names::NameHints::default(); names.len()];
+    }
+    names::tell_cuffs_from_fronts(&mut hints);
     let slits = hints.iter().any(|s| s.kind == Some(PanelKind::Godet));
     let telling = hints.iter().any(|s| {
         s.front_back.is_some() || s.kind.is_some_and(|kind| PanelKind::BODY.contains(&kind))
     });
-    let kinds_named: BTreeSet<PanelKind> = hints.iter().filter_map(|s| s.kind).collect();
+    let context = NameContext {
+        telling,
+        named: hints.iter().filter_map(|s| s.kind).collect(),
+        rare,
+    };
     let candidates: Vec<Vec<LabeledPanel>> = (0..names.len())
         .map(|index| {
             let panel = &pattern.panels[index];
@@ -68,12 +89,14 @@ pub(super) fn label_panels(pattern: &Pattern) -> Classification {
                 &figures,
                 (index, Rc::new(OutlineFeatures::of(panel, slits))),
                 hints,
-                (upright(panel), telling, &kinds_named),
+                (upright(panel), &context),
             )
         })
         .collect();
     let mut parts = assignment::assign(candidates, &figures.assignment);
     orientation::assign_front_back(pattern, &mut parts);
+    side_panels::assign_front_back(&mut parts);
+    strays::drop_strays(&mut parts);
     let turned: Vec<bool> = parts
         .iter()
         .map(|p| orientation::is_drawn_from_inside(pattern, &parts, p))
@@ -82,8 +105,42 @@ pub(super) fn label_panels(pattern: &Pattern) -> Classification {
         part.drawn_from_inside = turned;
     }
     bands::assign_openings(&mut parts);
-    orientation::assign_left_right(pattern, &mut parts);
-    Classification { parts, hints }
+    let forms = orientation::assign_left_right(pattern, &mut parts);
+    Classification {
+        parts,
+        forms,
+        hints,
+    }
+}
+
+/// The other names of a pattern, in whose company a name is read.
+struct NameContext<'a> {
+    /// True if a name tells of the front, the back or the kind of a body panel.
+    telling: bool,
+    /// Kinds that names tell of.
+    named: BTreeSet<PanelKind>,
+    /// Kinds that panels without a telling name may also be.
+    rare: &'a [PanelKind],
+}
+
+impl NameContext<'_> {
+    /// Returns the kinds that a panel may be.
+    fn kinds(&self, hints: &names::NameHints) -> Vec<PanelKind> {
+        let of_bodice = BTreeSet::from(OF_BODICE);
+        match (hints.kind, hints.front_back) {
+            (Some(PanelKind::Side), Some(_)) => vec![PanelKind::Side, PanelKind::Bodice],
+            (Some(kind), _) => vec![kind],
+            (None, Some(_)) if !of_bodice.is_disjoint(&self.named) => vec![PanelKind::Bodice],
+            (None, Some(_)) => PanelKind::BODY.to_vec(),
+            (None, None) if self.telling => [&EXTRA_KINDS, self.rare].concat(),
+            (None, None) => [&UNNAMED_KINDS, self.rare].concat(),
+        }
+    }
+
+    /// Returns the kinds that may be there.
+    fn there(&self) -> BTreeSet<PanelKind> {
+        self.named.iter().chain(self.rare).copied().collect()
+    }
 }
 
 /// Returns the labelings of a panel, the likeliest first.
@@ -91,29 +148,26 @@ fn candidates(
     figures: &Figures,
     (panel, features): (usize, Rc<OutlineFeatures>),
     hints: &names::NameHints,
-    (upright, telling, kinds_named): (Option<bool>, bool, &BTreeSet<PanelKind>),
+    (upright, context): (Option<bool>, &NameContext<'_>),
 ) -> Vec<LabeledPanel> {
-    let of_bodice = BTreeSet::from([PanelKind::Side, PanelKind::Yoke, PanelKind::UnderSleeve]);
-    let kinds: Vec<PanelKind> = match (hints.kind, hints.front_back) {
-        (Some(PanelKind::Side), Some(_)) => vec![PanelKind::Side, PanelKind::Bodice],
-        (Some(kind), _) => vec![kind],
-        (None, Some(_)) if !of_bodice.is_disjoint(kinds_named) => vec![PanelKind::Bodice],
-        (None, Some(_)) => PanelKind::BODY.to_vec(),
-        (None, None) if telling => EXTRA_KINDS.to_vec(),
-        (None, None) => UNNAMED_KINDS.to_vec(),
-    };
+    let kinds = context.kinds(hints);
+    let kinds_there = context.there();
     let named = hints.kind.is_some() || hints.front_back.is_some();
     let symmetric = features.is_symmetric();
     let mut found: Vec<LabeledPanel> = vec![];
     for kind in kinds {
         // A yoke takes the shoulders of the back; the front keeps its own.
         let takes = |other: &&PanelKind| {
-            let back = hints.front_back == Some(FrontBack::Back);
+            let back = hints.front_back != Some(FrontBack::Front);
             kind == PanelKind::Bodice && (**other != PanelKind::Yoke || back)
         };
-        let beside = kinds_named.iter().filter(takes);
-        let beside = beside.flat_map(|other| figures.beside(*other));
-        for template in figures.templates(kind).chain(beside) {
+        let beside = kinds_there.iter().filter(takes);
+        let beside = beside.flat_map(|other| {
+            let templates = figures.beside(*other);
+            templates.map(|template| (template, Some(*other)))
+        });
+        let own = figures.templates(kind).map(|template| (template, None));
+        for (template, beside) in own.chain(beside) {
             let against = template.rarity
                 + half_penalty((kind, template.half), hints, symmetric, &figures.penalties);
             for alignment in align::align(&features, template, &figures.alignment)
@@ -130,6 +184,7 @@ fn candidates(
                     laterality_named: hints.laterality.is_some(),
                     half: template.half,
                     drawn_from_inside: false,
+                    beside,
                     features: Rc::clone(&features),
                     segments: alignment.segments,
                     cost: alignment.cost + against,
@@ -143,8 +198,15 @@ fn candidates(
     }
     let limits = figures.recognition;
     let large = features.size >= limits.min_unnamed_size_m;
-    found.retain(|part| named || large && part.cost < limits.max_unnamed_cost);
+    found.retain(|part| {
+        let most = if context.rare.contains(&part.kind) {
+            limits.max_rare_cost
+        } else {
+            limits.max_unnamed_cost
+        };
+        named || large && part.cost < most
+    });
     found.sort_by(|a, b| a.cost.total_cmp(&b.cost));
-    found.truncate(MAX_LABELINGS);
+    found.truncate(MAX_LABELINGS * (1 + context.rare.len()));
     found
 }

@@ -10,7 +10,7 @@ use super::labels::{EdgeRole, PanelKind};
 use super::names::NameHints;
 use super::suggestion::SuggestedSeam;
 use crate::fault::{SeamCode, Warning};
-use crate::pattern::Pattern;
+use crate::pattern::{MIRROR, Pattern};
 use std::collections::BTreeSet;
 
 /// Share of the confidence that is left where a part of the body of the garment is missing: below
@@ -21,6 +21,12 @@ const WITHOUT_TRIM: f64 = 0.75;
 /// A panel without a telling name is taken to be needed from this share of the area of all on:
 /// pockets and facings are smaller.
 const NEEDED_AREA: f64 = 0.08;
+/// The same where the other panels make a whole garment.
+const NEEDED_BESIDE_WHOLE: f64 = 0.2;
+
+/// Area of other forms without telling names, against that of the sewn panels, that is usual at
+/// most.
+const MAX_FORMS: f64 = 1.5;
 
 /// Reason why a panel is not sewn.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,19 +48,23 @@ pub(super) struct Completeness {
     loose: Vec<(usize, Loose)>,
     /// Panels of which an edge is not sewn that must be, by their index, and its role.
     open: Vec<(usize, EdgeRole)>,
+    /// Panels that offers name, by their index.
+    offered: BTreeSet<usize>,
     /// True if no seam is suggested.
     empty: bool,
 }
 
 impl Completeness {
-    /// Compares `seams` with the panels of `pattern`, `hints` being those of their names.
+    /// Compares `seams` with the panels of `pattern`, `hints` being those of their names. Offers
+    /// are not sewn.
     pub(super) fn of(
         pattern: &Pattern,
         garment: &GarmentModel,
         hints: &[NameHints],
         seams: &[SuggestedSeam],
     ) -> Self {
-        let kept: BTreeSet<&str> = seams.iter().map(|s| s.pair.id.as_str()).collect();
+        let kept = seams.iter().filter(|seam| !seam.is_offer());
+        let kept: BTreeSet<&str> = kept.map(|seam| seam.pair.id.as_str()).collect();
         let steps = garment
             .proposed
             .iter()
@@ -66,17 +76,18 @@ impl Completeness {
             .iter()
             .map(|(panel, _)| panel % count.max(1))
             .collect();
-        let loose = (0..count)
+        let mut loose: Vec<(usize, Loose)> = (0..count)
             .filter(|i| !sewn.contains(i))
             .map(|i| {
                 (
                     i,
                     form_of(garment, &sewn, i)
                         .or_else(|| band_of(garment, &sewn, i))
-                        .unwrap_or_else(|| reason(pattern, hints, &sewn, i)),
+                        .unwrap_or_else(|| reason((pattern, garment), hints, &sewn, i)),
                 )
             })
             .collect();
+        doubt_forms(pattern, hints, &sewn, &mut loose);
         let mut open: Vec<(usize, EdgeRole)> = vec![];
         for part in garment
             .parts
@@ -91,9 +102,15 @@ impl Completeness {
                 }
             }
         }
+        let offers = seams.iter().filter(|seam| seam.is_offer());
+        let source = |id: &str| pattern.panel_index(id.strip_suffix(MIRROR).unwrap_or(id));
         Self {
             loose,
             open,
+            offered: offers
+                .flat_map(SuggestedSeam::panels)
+                .filter_map(source)
+                .collect(),
             empty: seams.is_empty(),
         }
     }
@@ -117,7 +134,13 @@ impl Completeness {
         let mut warnings: Vec<Warning> = self
             .loose
             .iter()
-            .map(|(i, reason)| warn(told(id(i), reason, id)))
+            .map(|(i, reason)| match reason {
+                Loose::Body | Loose::Trim if self.offered.contains(i) => warn(format!(
+                    "only seams of a confidence below 0.5 are suggested for panel `{}`: they are offers, to be looked at and listed",
+                    id(i)
+                )),
+                _ => warn(told(id(i), reason, id)),
+            })
             .collect();
         if self.empty {
             return warnings;
@@ -137,7 +160,7 @@ impl Completeness {
             .collect();
         if !body.is_empty() {
             warnings.push(warn(format!(
-                "the garment is not recognized as a whole: `{}` must be sewn and no seam was found for it, so that all seams are offers of less than half the confidence; state its seams, or leave the panel out",
+                "the garment is not recognized as a whole: `{}` must be sewn and no seam that is sure enough was found for it, so that all seams are offers of less than half the confidence; state its seams, or leave the panel out",
                 body.join("`, `")
             )));
         }
@@ -162,6 +185,29 @@ fn told<'a>(panel: &str, reason: &Loose, id: impl Fn(&usize) -> &'a str) -> Stri
     }
 }
 
+/// Doubts that panels are other forms of sewn ones where no names tell so and these are the less: a
+/// garment seldom has more forms than panels.
+fn doubt_forms(
+    pattern: &Pattern,
+    hints: &[NameHints],
+    sewn: &BTreeSet<usize>,
+    loose: &mut [(usize, Loose)],
+) {
+    let area = |i: usize| pattern.panels[i].area_m2.abs();
+    let is_form = |(i, reason): &&mut (usize, Loose)| {
+        let named = hints[*i].kind.is_some() || hints[*i].front_back.is_some();
+        matches!(reason, Loose::Alternative(_)) && !named
+    };
+    let mut forms: Vec<&mut (usize, Loose)> = loose.iter_mut().filter(is_form).collect();
+    let spare: f64 = forms.iter().map(|(i, _)| area(*i)).sum();
+    let used: f64 = sewn.iter().map(|i| area(*i)).sum();
+    if spare > MAX_FORMS * used {
+        for (_, reason) in &mut forms {
+            *reason = Loose::Body;
+        }
+    }
+}
+
 /// Returns the neck band that is sewn in the place of panel `i`, if that is another one.
 fn band_of(garment: &GarmentModel, sewn: &BTreeSet<usize>, i: usize) -> Option<Loose> {
     let is_band = |p: &LabeledPanel| p.kind == PanelKind::NeckBand;
@@ -174,6 +220,10 @@ fn band_of(garment: &GarmentModel, sewn: &BTreeSet<usize>, i: usize) -> Option<L
 /// Returns the sewn panel that panel `i`, whose name does not say what it is, was taken for a form
 /// of.
 fn form_of(garment: &GarmentModel, sewn: &BTreeSet<usize>, i: usize) -> Option<Loose> {
+    let spare = garment.forms.iter().find(|form| form.panel == i);
+    if let Some(form) = spare.filter(|form| sewn.contains(&form.of)) {
+        return Some(Loose::Alternative(form.of));
+    }
     let own = garment.parts.iter().find(|p| p.panel == i && !p.named)?;
     let is_same = |p: &&LabeledPanel| {
         p.kind == own.kind
@@ -186,7 +236,12 @@ fn form_of(garment: &GarmentModel, sewn: &BTreeSet<usize>, i: usize) -> Option<L
 }
 
 /// Returns the reason why panel `i` is not sewn.
-fn reason(pattern: &Pattern, hints: &[NameHints], sewn: &BTreeSet<usize>, i: usize) -> Loose {
+fn reason(
+    (pattern, garment): (&Pattern, &GarmentModel),
+    hints: &[NameHints],
+    sewn: &BTreeSet<usize>,
+    i: usize,
+) -> Loose {
     use PanelKind::{ArmBand, Bodice, Godet, Layer, Placket, Pocket, Side, Skirt, Sleeve};
     let own = &hints[i];
     let is_same = |j: &&usize| {
@@ -214,18 +269,36 @@ fn reason(pattern: &Pattern, hints: &[NameHints], sewn: &BTreeSet<usize>, i: usi
         ) => Loose::Body,
         Some(_) => Loose::Trim,
         None if own.front_back.is_some() => Loose::Body,
-        None => {
-            let area = |panel: usize| pattern.panels[panel].area_m2.abs();
-            let all: f64 = (0..pattern.panels.len()).map(area).sum();
-            let nothing_tells = hints
-                .iter()
-                .all(|h| h.kind.is_none() && h.front_back.is_none());
-            if nothing_tells && area(i) >= NEEDED_AREA * all {
-                Loose::Body
-            } else {
-                Loose::Unneeded
-            }
+        None if hints
+            .iter()
+            .all(|h| h.kind.is_none() && h.front_back.is_none()) =>
+        {
+            unnamed_reason((pattern, garment), sewn, i)
         }
+        None => Loose::Unneeded,
+    }
+}
+
+/// Returns the reason where no name tells anything: large panels are needed. Trousers and tops with
+/// sleeves are whole without others, but for hoods and bands.
+fn unnamed_reason(
+    (pattern, garment): (&Pattern, &GarmentModel),
+    sewn: &BTreeSet<usize>,
+    i: usize,
+) -> Loose {
+    let area = |panel: usize| pattern.panels[panel].area_m2.abs();
+    let share = area(i) / (0..pattern.panels.len()).map(area).sum::<f64>();
+    let has = |kind| {
+        let mut parts = garment.parts_of(kind);
+        parts.any(|p| sewn.contains(&(p.panel % pattern.panels.len())))
+    };
+    let trousers = has(PanelKind::Trouser);
+    let whole = trousers || has(PanelKind::Sleeve) && has(PanelKind::Bodice);
+    match share {
+        share if share < NEEDED_AREA => Loose::Unneeded,
+        share if share >= NEEDED_BESIDE_WHOLE || !whole => Loose::Body,
+        _ if trousers => Loose::Unneeded,
+        _ => Loose::Trim,
     }
 }
 
@@ -235,7 +308,12 @@ fn needed_roles(garment: &GarmentModel, part: &LabeledPanel) -> Vec<EdgeRole> {
         PanelKind::Bodice => vec![EdgeRole::Side, EdgeRole::Shoulder],
         PanelKind::Skirt => vec![EdgeRole::Side],
         PanelKind::Trouser => vec![EdgeRole::Side, EdgeRole::Inseam, EdgeRole::Crotch],
-        PanelKind::Sleeve => vec![EdgeRole::Cap, EdgeRole::Underarm, EdgeRole::Top],
+        PanelKind::Sleeve => vec![
+            EdgeRole::Cap,
+            EdgeRole::Underarm,
+            EdgeRole::Top,
+            EdgeRole::Armhole,
+        ],
         PanelKind::UnderSleeve => vec![EdgeRole::Cap, EdgeRole::Underarm],
         PanelKind::Side => vec![EdgeRole::Side, EdgeRole::Center],
         PanelKind::Yoke => vec![EdgeRole::Hem, EdgeRole::Shoulder],

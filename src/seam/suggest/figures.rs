@@ -31,6 +31,8 @@ pub(super) struct Figures {
 pub(super) struct RecognitionLimits {
     /// Largest mean misfit of a role.
     pub(super) max_unnamed_cost: f64,
+    /// The same for kinds that are seldom met.
+    pub(super) max_rare_cost: f64,
     /// Smallest side of the square of its area \[m\].
     pub(super) min_unnamed_size_m: f64,
 }

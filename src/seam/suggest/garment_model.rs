@@ -4,12 +4,23 @@ use super::edge_chain::{EdgeChain, EdgeStep, length, reversed};
 use super::join;
 use super::labeled_panel::{LabeledPanel, RoleSegment};
 use super::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
+use super::orientation::OtherForm;
 
 /// Ease above which two edges are no seam, unless one of them may be gathered; and then.
 const MAX_EASE: f64 = 0.30;
 const MAX_GATHERED_EASE: f64 = 3.0;
 /// Ease at which trust in a seam has fallen to 60 %.
 const USUAL_EASE: f64 = 0.05;
+/// The same for two panels that no name tells of: nothing but their lengths speaks for the seam.
+/// As a share, or \[m\]: shoulders are eased by some millimeters.
+const UNNAMED_EASE: f64 = 0.012;
+const UNNAMED_EASE_M: f64 = 0.006;
+/// Ease up to which that is trusted that is usual in bands, and in what is set in, where no name
+/// tells of a panel.
+const GATHERED_UNNAMED_EASE: f64 = 0.85;
+const EASED_UNNAMED_EASE: f64 = 0.13;
+/// Trust that ease leaves at least, where much of it is usual.
+const GATHERED_TRUST: f64 = 0.7;
 
 /// A seam that a rule proposes.
 #[derive(Clone, Debug)]
@@ -30,6 +41,8 @@ pub(super) struct SeamRationale<'a> {
     pub(super) because: &'a str,
     /// True where much ease is usual.
     pub(super) gather: bool,
+    /// Ease up to which that is trusted where no names tell.
+    pub(super) unnamed_ease: f64,
 }
 
 impl<'a> SeamRationale<'a> {
@@ -39,6 +52,7 @@ impl<'a> SeamRationale<'a> {
             id,
             because,
             gather: false,
+            unnamed_ease: GATHERED_UNNAMED_EASE,
         }
     }
 
@@ -49,12 +63,22 @@ impl<'a> SeamRationale<'a> {
             ..self
         }
     }
+
+    /// Returns the rationale of a seam that is eased in, seldom gathered.
+    pub(super) fn eased(self) -> Self {
+        Self {
+            unnamed_ease: EASED_UNNAMED_EASE,
+            ..self.gathered()
+        }
+    }
 }
 
 /// Labeled panels of a garment round the body, with the seams proposed for them.
 #[derive(Clone, Debug)]
 pub(super) struct GarmentModel {
     pub(super) parts: Vec<LabeledPanel>,
+    /// Spare panels that are other forms of these.
+    pub(super) forms: Vec<OtherForm>,
     pub(super) proposed: Vec<ProposedSeam>,
 }
 
@@ -234,11 +258,7 @@ impl GarmentModel {
         let count = parts.len();
         for (i, sides) in parts.into_iter().enumerate() {
             let ease = join_ease(&sides);
-            let usual = if rationale.gather && ease > 0.1 {
-                0.7
-            } else {
-                (-0.5 * (ease / USUAL_EASE).powi(2)).exp()
-            };
+            let usual = self.ease_trust(rationale, &sides);
             let id = if count == 1 {
                 rationale.id.to_owned()
             } else {
@@ -257,6 +277,32 @@ impl GarmentModel {
             });
         }
         true
+    }
+
+    /// Returns how sure the ease of a seam leaves it, from 0 to 1.
+    fn ease_trust(&self, rationale: SeamRationale<'_>, sides: &join::JoinedParts) -> f64 {
+        let part = |step: &EdgeStep| self.parts.iter().find(|p| p.panel == step.panel);
+        let parts: Vec<&LabeledPanel> = sides.iter().flatten().filter_map(part).collect();
+        let several = parts.windows(2).any(|pair| pair[0].panel != pair[1].panel);
+        let unnamed = several && parts.iter().any(|p| !p.named);
+        let ease = join_ease(sides);
+        let most = if unnamed {
+            rationale.unnamed_ease
+        } else {
+            f64::INFINITY
+        };
+        let least = if rationale.gather && ease <= most {
+            GATHERED_TRUST
+        } else {
+            0.0
+        };
+        let shorter = length(&sides[0]).min(length(&sides[1])).max(1e-9);
+        let usual = if unnamed {
+            UNNAMED_EASE.max(UNNAMED_EASE_M / shorter).min(USUAL_EASE)
+        } else {
+            USUAL_EASE
+        };
+        (-0.5 * (ease / usual).powi(2)).exp().max(least)
     }
 
     /// Returns how sure it is that the panels of a seam are what they are taken for, from 0 to 1.

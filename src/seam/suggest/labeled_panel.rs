@@ -36,6 +36,8 @@ pub(super) struct LabeledPanel {
     pub(super) half: bool,
     /// True if it is drawn as seen through the body: not with its outer side up.
     pub(super) drawn_from_inside: bool,
+    /// Kind that it is read beside: a front or back that ends at a yoke, or at a side panel.
+    pub(super) beside: Option<PanelKind>,
     pub(super) features: Rc<OutlineFeatures>,
     pub(super) segments: Vec<RoleSegment>,
     /// Misfit with what such a panel usually looks like; 0 is best.

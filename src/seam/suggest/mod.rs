@@ -8,19 +8,24 @@
 //! 2. `rules` join the edge roles that each class of garment joins, a file a class; `join` splits a
 //!    seam where corners of both sides meet.
 //! 3. `select` keeps the seams that can be sewn together, `placement` puts the panels round the
-//!    body, `completeness` tells what the set leaves out.
+//!    body, `completeness` tells what the set leaves out, `cohesion` what would fall off it, and
+//!    `trust` lowers the confidence by both.
 //!
-//! `lexicon.json` and `figures.json` hold the words and the numbers.
+//! `reading` is one pass through these steps; `hypotheses` tries others where panels that no name
+//! tells of are left over. `lexicon.json` and `figures.json` hold the words and the numbers.
 
 mod align;
 mod assignment;
 mod bands;
 mod classify;
+mod cohesion;
 mod completeness;
 mod edge_chain;
 mod edge_templates;
+mod evidence;
 mod figures;
 mod garment_model;
+mod hypotheses;
 mod join;
 mod labeled_panel;
 mod labels;
@@ -30,21 +35,23 @@ mod orientation;
 mod outline_features;
 mod penalties;
 mod placement;
+mod reading;
 mod rules;
 mod seam_pairs;
 mod select;
+mod side_panels;
+mod strays;
 mod suggestion;
+mod trust;
 mod vocabulary;
 mod words;
 
-pub use suggestion::{SuggestedPanel, SuggestedSeam, Suggestion};
+pub use suggestion::{MIN_SEWN_CONFIDENCE, SuggestedPanel, SuggestedSeam, Suggestion};
 
 use crate::config::Limits;
 use crate::fault::{SeamCode, Warning};
 use crate::pattern::Pattern;
-use classify::Classification;
-use completeness::Completeness;
-use garment_model::GarmentModel;
+use reading::Reading;
 use seam_pairs::SeamPairWriter;
 use std::collections::BTreeSet;
 
@@ -62,34 +69,20 @@ pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
     if pattern.panels.len() > limits.suggested_panels {
         return too_many(pattern.panels.len(), limits.suggested_panels);
     }
-    let Classification { parts, hints } = classify::label_panels(pattern);
-    let mut garment = GarmentModel {
-        parts,
-        proposed: vec![],
-    };
-    rules::sew(&mut garment, pattern);
+    let Reading {
+        garment,
+        seams,
+        completeness,
+        ..
+    } = hypotheses::best_reading(pattern, limits);
     let writer = SeamPairWriter(pattern);
-    let seams = garment
-        .proposed
-        .iter()
-        .map(|seam| writer.seam(seam))
-        .collect();
-    let mut seams = select::select_compatible(pattern, seams, limits);
-    let sewn: BTreeSet<&str> = seams
-        .iter()
-        .flat_map(|s| s.pair.a.runs().iter().chain(s.pair.b.runs()))
-        .map(|run| run.panel.as_str())
-        .collect();
+    let sewn: BTreeSet<&str> = seams.iter().flat_map(SuggestedSeam::panels).collect();
     let stands = placement::placements(&garment)
         .into_iter()
         .map(|(panel, placement)| (writer.panel_id(panel), SuggestedPanel { placement }));
     let panels = stands
         .filter(|(id, _)| sewn.contains(id.as_str()))
         .collect();
-    let completeness = Completeness::of(pattern, &garment, &hints, &seams);
-    for seam in &mut seams {
-        seam.confidence = (1e3 * seam.confidence * completeness.trust()).round() / 1e3;
-    }
     let warnings = completeness.warnings(pattern);
     Suggestion {
         seams,

@@ -19,6 +19,20 @@ pub(super) struct NameHints {
     pub(super) number: u32,
     pub(super) front_back: Option<FrontBack>,
     pub(super) laterality: Option<Laterality>,
+    /// True if what it says of the front may as well say that it is a cuff.
+    pub(super) front_or_cuff: bool,
+}
+
+/// Decides what `CF` means in the names of one pattern: the center front where no other panel is
+/// called front, else a cuff.
+pub(super) fn tell_cuffs_from_fronts(hints: &mut [NameHints]) {
+    let is_front = |h: &NameHints| h.kind.is_none() && h.front_back == Some(FrontBack::Front);
+    if hints.iter().any(|h| is_front(h) && !h.front_or_cuff) {
+        for own in hints.iter_mut().filter(|h| is_front(h) && h.front_or_cuff) {
+            own.kind = Some(PanelKind::Cuff);
+            own.front_back = None;
+        }
+    }
 }
 
 /// Returns the hints of `name`.
@@ -51,7 +65,7 @@ pub(super) fn hints(
         of: kinds,
         number: number(name),
         front_back: either(
-            has(Meaning::Front),
+            has(Meaning::Front) || has(Meaning::FrontOrCuff),
             has(Meaning::Back),
             FrontBack::Front,
             FrontBack::Back,
@@ -62,6 +76,7 @@ pub(super) fn hints(
             Laterality::Left,
             Laterality::Right,
         ),
+        front_or_cuff: has(Meaning::FrontOrCuff) && !has(Meaning::Front),
     }
 }
 
@@ -76,7 +91,8 @@ fn kinds(meanings: &BTreeSet<Meaning>) -> Vec<PanelKind> {
         return found;
     }
     let only = named(Meaning::KindIfOnly);
-    let alone = !meanings.contains(&Meaning::Front) && !meanings.contains(&Meaning::Back);
+    let places = [Meaning::Front, Meaning::FrontOrCuff, Meaning::Back];
+    let alone = places.iter().all(|place| !meanings.contains(place));
     if only.is_empty() && alone {
         return named(Meaning::KindIfAlone);
     }
@@ -147,6 +163,17 @@ fn number(name: &str) -> u32 {
     name[name.len() - digits..]
         .parse::<u32>()
         .map_or(0, |n| n.saturating_add(1))
+}
+
+/// Returns true if the names are the first letters of the alphabet: they count the panels, so that
+/// `B` is no back.
+pub(super) fn are_letters_of_a_series(names: &[&str]) -> bool {
+    let mut letters: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
+    letters.sort();
+    let series = ('a'..='z').map(String::from);
+    letters.len() > 1
+        && letters.iter().zip(series).all(|(own, of)| *own == of)
+        && letters.len() <= 26
 }
 
 /// Returns the words that all names have, where there are several names.
@@ -303,6 +330,34 @@ mod tests {
             (None, Some(Front), None)
         );
         assert_eq!(of(names[1]).kind, Some(Sleeve));
+    }
+
+    #[test]
+    fn code_of_cuff_and_center_front_is_decided_by_the_other_names() {
+        let hints_of = |names: &[&str]| -> Vec<NameHints> {
+            let lexicon = Lexicon::new();
+            let none = BTreeSet::new();
+            let all = names.iter().map(|name| hints(&lexicon, name, "", &none));
+            let mut all: Vec<NameHints> = all.collect();
+            tell_cuffs_from_fronts(&mut all);
+            all
+        };
+        let shirt = hints_of(&["FR", "BK", "CF"]);
+        assert_eq!((shirt[2].kind, shirt[2].front_back), (Some(Cuff), None));
+        let princess = hints_of(&["CF", "SF", "CB"]);
+        assert_eq!(
+            (princess[0].kind, princess[0].front_back),
+            (None, Some(Front))
+        );
+    }
+
+    #[test]
+    fn letters_in_a_row_count_panels() {
+        assert!(are_letters_of_a_series(&["A", "B", "C"]));
+        assert!(are_letters_of_a_series(&["b", "a"]));
+        assert!(!are_letters_of_a_series(&["F", "B", "S"]));
+        assert!(!are_letters_of_a_series(&["A", "A", "B"]));
+        assert!(!are_letters_of_a_series(&["A"]));
     }
 
     #[test]

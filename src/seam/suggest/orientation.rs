@@ -5,10 +5,15 @@ use super::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
 use crate::pattern::{Face, Pattern};
 use std::rc::Rc;
 
-/// Lengths of two panels that mirror each other agree to this share.
-const TWIN_LENGTH_SHARE: f64 = 0.01;
 /// Sewn edges of panels that are forms of each other, or front and back, agree to this share.
 const FORM_LENGTH_SHARE: f64 = 0.06;
+
+/// A panel that is another form of one that is taken, both by their indices in the pattern.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OtherForm {
+    pub(super) panel: usize,
+    pub(super) of: usize,
+}
 
 /// Returns true if a panel is drawn as seen through the body: as the names of halves like it say,
 /// or its file. Else backs that are drawn whole are taken to be drawn in one view with their
@@ -52,6 +57,8 @@ pub(super) fn outer_drawn_side(part: &LabeledPanel) -> Option<DrawnSide> {
 /// Gives fronts and backs to body panels whose names do not say: the deeper neck, the shorter
 /// crotch is the front.
 pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
+    back_under_yoke(parts);
+    halves_and_whole(parts);
     for (kind, role, front_is_longer) in [
         (PanelKind::Bodice, EdgeRole::Neck, true),
         (PanelKind::Trouser, EdgeRole::Crotch, false),
@@ -118,6 +125,45 @@ pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
     }
 }
 
+/// Gives front and back to the panels of a bodice that no name tells of, where some of them end at
+/// a yoke: those are the back.
+fn back_under_yoke(parts: &mut [LabeledPanel]) {
+    let is_unsaid = |p: &LabeledPanel| p.kind == PanelKind::Bodice && p.front_back.is_none();
+    let under = |p: &LabeledPanel| is_unsaid(p) && p.beside == Some(PanelKind::Yoke);
+    if !parts.iter().any(under) {
+        return;
+    }
+    for part in parts.iter_mut().filter(|p| is_unsaid(p)) {
+        part.front_back = Some(if part.beside == Some(PanelKind::Yoke) {
+            FrontBack::Back
+        } else {
+            FrontBack::Front
+        });
+    }
+}
+
+/// Gives front and back to a bodice of two halves and one whole panel, none of which a name tells
+/// of: the back has the shallower neck.
+fn halves_and_whole(parts: &mut [LabeledPanel]) {
+    let is_unsaid = |p: &LabeledPanel| p.kind == PanelKind::Bodice && p.front_back.is_none();
+    let unsaid = (0..parts.len()).filter(|i| is_unsaid(&parts[*i]));
+    let (halves, wholes): (Vec<usize>, Vec<usize>) = unsaid.partition(|i| parts[*i].half);
+    let ([a, b], [whole]) = (&halves[..], &wholes[..]) else {
+        return;
+    };
+    let neck = |i: usize| role_of_one_side(&parts[i], EdgeRole::Neck);
+    let whole_is_back = neck(*whole) < 0.5 * (neck(*a) + neck(*b));
+    let (of_whole, of_halves) = if whole_is_back {
+        (FrontBack::Back, FrontBack::Front)
+    } else {
+        (FrontBack::Front, FrontBack::Back)
+    };
+    parts[*whole].front_back = Some(of_whole);
+    for i in [*a, *b] {
+        parts[i].front_back = Some(of_halves);
+    }
+}
+
 /// Returns the length that a panel has of a role on one side of the wearer \[m\].
 fn role_of_one_side(part: &LabeledPanel, role: EdgeRole) -> f64 {
     part.role_length(role) / if part.half { 1.0 } else { 2.0 }
@@ -153,8 +199,12 @@ fn pair_of_forms(parts: &[LabeledPanel], unsaid: &[usize], role: EdgeRole) -> Ve
 
 /// Gives every half a side of the wearer, adding the mirrored copy of those that are drawn once. Of
 /// panels that are neither drawn as a pair nor called left or right the first is taken: others are
-/// other styles of the same part.
-pub(super) fn assign_left_right(pattern: &Pattern, parts: &mut Vec<LabeledPanel>) {
+/// other styles of the same part, which are returned with the panel that is taken in their place.
+pub(super) fn assign_left_right(
+    pattern: &Pattern,
+    parts: &mut Vec<LabeledPanel>,
+) -> Vec<OtherForm> {
+    let mut forms: Vec<OtherForm> = vec![];
     let mut taken: Vec<usize> = vec![];
     let mut spare: Vec<usize> = vec![];
     for i in 0..parts.len() {
@@ -169,9 +219,15 @@ pub(super) fn assign_left_right(pattern: &Pattern, parts: &mut Vec<LabeledPanel>
                 .find(|j| is_same_part(&parts[*j], part));
             match first {
                 None => Some(usual_side(part)),
-                Some(j) if are_twins(&parts[j], part) => parts[j].laterality.map(Laterality::other),
-                Some(_) => {
+                Some(j) if parts[j].features.is_twin(&part.features) => {
+                    parts[j].laterality.map(Laterality::other)
+                }
+                Some(j) => {
                     spare.push(i);
+                    forms.extend(is_form(&parts[j], part).then_some(OtherForm {
+                        panel: part.panel,
+                        of: parts[j].panel,
+                    }));
                     None
                 }
             }
@@ -208,6 +264,13 @@ pub(super) fn assign_left_right(pattern: &Pattern, parts: &mut Vec<LabeledPanel>
         }
     }
     parts.extend(copies);
+    forms
+}
+
+/// Returns true if a spare part could be set in where another is: as a short and a long sleeve.
+fn is_form(taken: &LabeledPanel, spare: &LabeledPanel) -> bool {
+    let [a, b] = [taken, spare].map(|p| p.role_length(EdgeRole::Cap));
+    a > 0.0 && (a - b).abs() <= FORM_LENGTH_SHARE * a.max(b)
 }
 
 /// Returns true for a part that is worn on both sides but usually drawn for one.
@@ -233,20 +296,6 @@ fn usual_side(part: &LabeledPanel) -> Laterality {
 
 fn is_same_part(a: &LabeledPanel, b: &LabeledPanel) -> bool {
     a.kind == b.kind && a.of == b.of && a.front_back == b.front_back && a.half == b.half
-}
-
-/// Returns true if two panels have edges of the same lengths.
-fn are_twins(a: &LabeledPanel, b: &LabeledPanel) -> bool {
-    let sorted = |p: &LabeledPanel| {
-        let mut all: Vec<f64> = p.features.edges.iter().map(|e| e.length).collect();
-        all.sort_by(f64::total_cmp);
-        all
-    };
-    let (a, b) = (sorted(a), sorted(b));
-    a.len() == b.len()
-        && a.iter()
-            .zip(&b)
-            .all(|(x, y)| (x - y).abs() <= TWIN_LENGTH_SHARE * x.max(*y) + 1e-3)
 }
 
 fn is_partner(a: &LabeledPanel, b: &LabeledPanel) -> bool {

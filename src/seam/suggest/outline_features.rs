@@ -21,6 +21,8 @@ const MAX_LEG_BULGE: f64 = 0.12;
 const MAX_LEG_DIFFERENCE: f64 = 0.03;
 const MIN_LEG_M: f64 = 0.015;
 
+/// Lengths of the edges of copies agree to this share.
+const TWIN_LENGTH_SHARE: f64 = 0.01;
 /// Edges that mirror each other agree in length to this share, and in their turns to this \[rad\].
 const MIRROR_LENGTH_SHARE: f64 = 0.01;
 const MIRROR_TURN: f64 = 0.12;
@@ -118,6 +120,18 @@ impl OutlineFeatures {
             edge.ends = edge.ends.map(reflect);
         }
         copy
+    }
+
+    /// Returns true if both outlines have edges of the same lengths.
+    pub(super) fn is_twin(&self, other: &Self) -> bool {
+        let sorted = |features: &Self| {
+            let mut all: Vec<f64> = features.edges.iter().map(|e| e.length).collect();
+            all.sort_by(f64::total_cmp);
+            all
+        };
+        let (a, b) = (sorted(self), sorted(other));
+        let alike = |(x, y): (&f64, &f64)| (x - y).abs() <= TWIN_LENGTH_SHARE * x.max(*y) + 1e-3;
+        a.len() == b.len() && a.iter().zip(&b).all(alike)
     }
 
     /// Returns true if some axis mirrors the outline onto itself.

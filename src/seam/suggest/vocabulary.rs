@@ -15,6 +15,8 @@ pub(super) enum Meaning {
     KindIfAlone(PanelKind),
     /// Of the front.
     Front,
+    /// Of the center front, or a cuff: the other names tell.
+    FrontOrCuff,
     /// Of the back.
     Back,
     /// Of the wearer's left.

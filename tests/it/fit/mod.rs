@@ -6,6 +6,7 @@ mod over;
 mod samples;
 mod seams;
 mod sizes;
+mod suggested;
 mod true_garments;
 mod verdict;
 

@@ -2,9 +2,11 @@
 
 mod check;
 mod drafts;
+mod drawn;
 mod likely_reversed;
 mod notches;
 mod suggest;
 mod suggest_kinds;
+mod suggest_unnamed;
 mod tracks;
 mod truth;

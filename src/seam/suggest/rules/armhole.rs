@@ -60,7 +60,7 @@ pub(super) fn set_in(
 ) {
     let id = format!("armhole-{side}");
     let because = "the sleeve is set into the armhole, front to front and underarm to underarm";
-    garment.sew_ring(SeamRationale::new(&id, because).gathered(), hole, cap);
+    garment.sew_ring(SeamRationale::new(&id, because).eased(), hole, cap);
 }
 
 /// Returns the side of the drawing on which the front of a sleeve lies that is drawn hem down and

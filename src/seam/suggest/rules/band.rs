@@ -33,6 +33,9 @@ impl BandEdge {
 /// Weights of ease and of the way a band is drawn, against one corner that meets.
 const EASE_WEIGHT: f64 = 6.0;
 const DRAWN_WEIGHT: f64 = 0.4;
+/// Weight of corners that are cut off, and the turn from which a corner is one \[rad\].
+const CLIPPED_WEIGHT: f64 = 1.0;
+const SHARP_CORNER_RAD: f64 = 0.5;
 /// Weight of both bands of an opening being sewn at the same edge as drawn.
 const ALIKE_WEIGHT: f64 = 1.5;
 
@@ -288,7 +291,28 @@ impl LaidBand {
             0.0
         };
         let ease = ease(opening, &self.chain).min(0.5);
-        join::agreement(opening, &self.chain) - EASE_WEIGHT * ease + drawn
+        let clipped = if self.is_clipped() {
+            CLIPPED_WEIGHT
+        } else {
+            0.0
+        };
+        join::agreement(opening, &self.chain) - EASE_WEIGHT * ease + drawn - clipped
+    }
+
+    /// Returns true if it is the edge of a cuff with sharp corners within: the free one, whose
+    /// corners are cut off.
+    fn is_clipped(&self) -> bool {
+        let features = &self.band.features;
+        let within = self
+            .long
+            .edges
+            .split_last()
+            .map_or(&[][..], |(_, rest)| rest);
+        self.band.kind == PanelKind::Cuff
+            && within.iter().any(|edge| {
+                let at = features.ring.iter().position(|e| e == edge);
+                at.is_some_and(|at| features.joints[at] > SHARP_CORNER_RAD)
+            })
     }
 
     /// Returns true if the edge lies in the lower half of the band as drawn.

@@ -1,4 +1,5 @@
-//! Hoods: two halves sewn together over the head, and to the neck.
+//! Hoods: two halves sewn together over the head, and to the neck. Hoods of three parts are not
+//! sewn.
 
 use crate::seam::suggest::edge_chain::{EdgeChain, length, reversed, up_to};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
@@ -10,6 +11,9 @@ const MIN_BETTER: f64 = 0.1;
 
 /// Sews the hood.
 pub(super) fn sew(garment: &mut GarmentModel) {
+    if is_of_three_parts(garment) {
+        return;
+    }
     let of = |garment: &GarmentModel, laterality| {
         garment
             .parts_of(PanelKind::Hood)
@@ -34,6 +38,14 @@ pub(super) fn sew(garment: &mut GarmentModel) {
         let neck = neck(garment, laterality);
         garment.sew(rationale, neck, edge(part, neck_role, neck_role));
     }
+}
+
+/// Returns true if names tell of hood panels that are no copies of each other: what goes between
+/// the halves is not known.
+fn is_of_three_parts(garment: &GarmentModel) -> bool {
+    let mut named = garment.parts_of(PanelKind::Hood).filter(|p| p.kind_named);
+    let first = named.next();
+    first.is_some_and(|first| named.any(|p| !p.features.is_twin(&first.features)))
 }
 
 /// Returns the role of the edge of a hood that fits the neck: its face and its neck look alike.

@@ -48,7 +48,8 @@ fn neck(garment: &GarmentModel) -> Option<Opening> {
 fn neckband(garment: &mut GarmentModel) {
     let Some(neck) = neck(garment) else { return };
     let whole = neck.concat();
-    if collar_on_stand(garment, &neck) {
+    // What goes round the neck beside a hood covers its seam.
+    if garment.has(PanelKind::Hood) || collar_on_stand(garment, &neck) {
         return;
     }
     let mut found: Vec<(f64, &LabeledPanel)> = vec![];
@@ -95,11 +96,17 @@ fn collar_on_stand(garment: &mut GarmentModel, neck: &Opening) -> bool {
     let Some(laid) = band::lay(garment, &neck, &stand, BandEdge::Lower) else {
         return false;
     };
-    let rationale = SeamRationale::new("collar-stand", "the stand goes round the neck").gathered();
-    garment.sew(rationale, Some(neck), Some(laid.chain.clone()));
+    let rationale = SeamRationale::new("collar-stand", "the stand goes round the neck");
+    // The round ends of a stand without corners lie beyond the neck.
+    let lower = if stand.segments.len() == 2 {
+        middle(&laid.chain, length(&neck))
+    } else {
+        laid.chain.clone()
+    };
+    garment.sew(rationale, Some(neck), Some(lower));
     let Some(free) = laid.free() else { return true };
     if let Some(fall) = band::lay(garment, &free, &collar, BandEdge::Lower) {
-        let rationale = SeamRationale::new("collar", "the collar is sewn to its stand").gathered();
+        let rationale = SeamRationale::new("collar", "the collar is sewn to its stand");
         let free = middle(&free, length(&fall.chain));
         garment.sew(rationale, Some(free), Some(fall.chain));
     }

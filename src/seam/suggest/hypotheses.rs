@@ -1,0 +1,64 @@
+//! Hypotheses of what panels are that no name tells of: a garment that they make whole is stronger
+//! evidence than the look of each.
+//!
+//! Side panels, under sleeves, yokes and hoods look like many other panels. They are looked for
+//! only where the usual reading leaves panels over, and taken only where everything that must be
+//! sewn then finds its partner, and the edges that meet are as long as each other.
+
+use super::labels::PanelKind;
+use super::reading::Reading;
+use crate::config::Limits;
+use crate::pattern::Pattern;
+
+/// Kinds that are looked for, beside the usual ones.
+const RARE: [PanelKind; 4] = [
+    PanelKind::Side,
+    PanelKind::UnderSleeve,
+    PanelKind::Yoke,
+    PanelKind::Hood,
+];
+/// Most kinds that are looked for together.
+const MAX_TOGETHER: usize = 2;
+/// Most panels of a pattern that is read more than once: each reading weighs every two of them.
+const MAX_PANELS: usize = 40;
+/// Share of the area of all panels from which one that is left over is worth another reading, and
+/// by which another reading must sew more.
+const MIN_SHARE: f64 = 0.02;
+
+/// Returns the reading that makes the most of a pattern, the usual one where others are not better.
+pub(super) fn best_reading(pattern: &Pattern, limits: &Limits) -> Reading {
+    let mut best = Reading::of(pattern, limits, &[]);
+    let mut kinds: Vec<PanelKind> = vec![];
+    let few = pattern.panels.len() <= MAX_PANELS;
+    while few && kinds.len() < MAX_TOGETHER && leaves_over(pattern, &best) {
+        let more = RARE.iter().filter(|kind| !kinds.contains(kind));
+        let ways = more.map(|kind| [kinds.as_slice(), &[*kind]].concat());
+        let found = ways.map(|rare| (Reading::of(pattern, limits, &rare), rare));
+        let mut found: Vec<(Reading, Vec<PanelKind>)> = found
+            .filter(|(reading, rare)| reading.is_exact(rare))
+            .collect();
+        found.sort_by(|a, b| grade(pattern, &b.0).total_cmp(&grade(pattern, &a.0)));
+        let Some((reading, rare)) = found.into_iter().next() else {
+            break;
+        };
+        if grade(pattern, &reading) < grade(pattern, &best) + MIN_SHARE {
+            break;
+        }
+        (best, kinds) = (reading, rare);
+    }
+    best
+}
+
+/// Returns how much of a pattern a reading explains: the trust in it, then the area that it sews.
+fn grade(pattern: &Pattern, reading: &Reading) -> f64 {
+    2.0 * reading.completeness.trust() + reading.sewn_share(pattern)
+}
+
+/// Returns true if a reading leaves a panel over that no name tells of and that is no trifle.
+fn leaves_over(pattern: &Pattern, reading: &Reading) -> bool {
+    let area = |i: usize| pattern.panels[i].area_m2.abs();
+    let all: f64 = (0..pattern.panels.len()).map(area).sum();
+    let sewn = reading.sewn(pattern);
+    let mut over = (0..pattern.panels.len()).filter(|i| !sewn.contains(i));
+    over.any(|i| reading.hints[i].kind.is_none() && area(i) >= MIN_SHARE * all)
+}
