@@ -122,7 +122,8 @@ impl LineSearch {
         None
     }
 
-    /// Computes the trial that takes `share` of `step`; returns the decrease of the objective \[J\].
+    /// Computes the trial that takes `share` of `step`; returns the decrease of the objective
+    /// \[J\].
     fn try_share(
         &self,
         share: f64,

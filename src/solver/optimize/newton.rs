@@ -290,7 +290,7 @@ impl Newton {
         let Some(accepted) = search.run(x, along, &mut energy) else {
             return false;
         };
-        // Where the energy tells nothing, neither did the model fail nor is a longer step asked for.
+        // Where the energy tells nothing, neither did the model fail nor is it to be trusted more.
         if let Some(decrease) = accepted.decrease {
             let predicted = search.predicted(accepted.share);
             self.pseudo_transient
