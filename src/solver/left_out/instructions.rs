@@ -28,7 +28,7 @@ const CELLS: usize = 13;
 const TOLERANCE: f64 = 1e-3;
 /// Steps of motion: enough to see what they take, not to come to rest.
 const STEPS: u64 = 1000;
-/// Largest share of instructions that a drape may take beyond those by hand.
+/// Largest share of instructions that a drape by motion may take beyond those by hand.
 const MORE: f64 = 0.01;
 
 /// Source files of what the plain scene lacks.
@@ -170,11 +170,14 @@ fn a_plain_drape_takes_the_instructions_of_its_terms() {
     let drape = as_a_scene(&plain, &options);
     assert!(drape.report.converged, "{}", drape.report.why);
     assert_eq!(drape.positions, bare(&plain, &options));
+    let iterations = drape.report.newton_iterations as f64;
     let (profile, [drape, bare, _]) = compare("drape_by_newton", "bare_newton");
     for function in REPORT.iter().filter(|f| !f.ends_with("find_infeasibility")) {
         assert!(profile.of(function).is_some(), "{function} did not run");
     }
-    assert!(drape as f64 <= (1.0 + MORE) * bare as f64, "{drape} {bare}");
+    // Beside its iterations it measures the start and the end once, which is less than one.
+    let most = (1.0 + 1.0 / iterations) * bare as f64;
+    assert!(drape as f64 <= most, "{drape} {bare} {iterations}");
     enters_nothing_that_it_lacks(&profile);
 }
 

@@ -368,7 +368,7 @@ mod tests {
         let potentials: [Box<dyn Potential>; 3] = [
             Box::new(SpringForce::new(springs.collect())),
             Box::new(Gravity {
-                weight: vec![Vector3::y() * 4e-4; COUNT],
+                weight: vec![Vector3::y() * 2e-4; COUNT],
                 start: vec![Vector3::zeros(); COUNT],
             }),
             Box::new(Ceiling {

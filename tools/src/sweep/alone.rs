@@ -19,13 +19,14 @@ const BESIDES: f64 = 60.0;
 pub(super) fn run(garment: &SweepGarment, options: &SweepOptions) -> io::Result<SweepLine> {
     let edge_length = options.edge_length.to_string();
     let time_limit = options.time_limit.to_string();
+    let form = options.form.to_string();
     let mut arguments = vec![
         "sweep",
         "--alone",
         "--edge-length",
         &edge_length,
         "--form",
-        options.form.word(),
+        &form,
         "--time-limit",
         &time_limit,
         &garment.name,

@@ -1,7 +1,8 @@
 //! The garments: their files, the bodies that they were drafted for, and their seams.
 
+use super::form::Form;
 use seamster::config::Limits;
-use seamster::fit::{AvatarRef, Garment, PanelSpec, PatternRef};
+use seamster::fit::{Garment, PanelSpec, PatternRef};
 use seamster::pattern::{self, ImportOptions, MIRROR, Pattern, SeamPair};
 use seamster::scene::{DressForm, Sex};
 use seamster::seam::suggest;
@@ -10,6 +11,7 @@ use seamster_fixtures::truth::suggest_truth;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
+use std::error::Error;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -111,13 +113,12 @@ impl SweepGarment {
         }
     }
 
-    /// Returns the garment as it is to be sewn, on the form of its own size, or on the default one.
-    pub(super) fn garment(&self, folder: &Path, on_own_form: bool) -> Garment {
-        let form = if on_own_form {
-            self.form
-        } else {
-            DressForm::default()
-        };
+    /// Returns the garment as it is to be sewn on a form.
+    ///
+    /// # Errors
+    /// A file of a body that cannot be read.
+    pub(super) fn garment(&self, folder: &Path, form: &Form) -> Result<Garment, Box<dyn Error>> {
+        let avatar = form.avatar(self.form)?;
         let (pattern, seams) = match &self.seams {
             SeamSource::Suggested => (self.import(), None),
             SeamSource::Pattern => {
@@ -141,10 +142,10 @@ impl SweepGarment {
             None => with_seams(pattern, &json!("suggest")),
             Some(seams) => with_true_seams(pattern, &seams),
         };
-        Garment {
-            avatar: Some(AvatarRef::form(form)),
+        Ok(Garment {
+            avatar: Some(avatar),
             ..garment
-        }
+        })
     }
 
     fn import(&self) -> Pattern {

@@ -1,8 +1,9 @@
 //! Options of the sweep.
 
+use super::form::Form;
 use super::garment::SweepGarment;
 use super::line::SweepLine;
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 /// Sews real garments.
 #[derive(Args)]
@@ -12,8 +13,9 @@ pub(crate) struct SweepOptions {
     /// Length of mesh edges, in meters.
     #[arg(long, default_value_t = 0.015)]
     pub(super) edge_length: f64,
-    /// Body that they are sewn on.
-    #[arg(long, value_enum, default_value_t = Form::Own)]
+    /// Body that they are sewn on: `own`, the form of each garment's own size; `default`, the
+    /// service's; or a file of a body, for all.
+    #[arg(long, default_value_t = Form::Own)]
     pub(super) form: Form,
     /// Leaves the seams of all garments to the service, those that are known too.
     #[arg(long)]
@@ -24,25 +26,6 @@ pub(crate) struct SweepOptions {
     /// Sews the one garment named in this process, and prints its line as JSON.
     #[arg(long, hide = true)]
     pub(super) alone: bool,
-}
-
-/// Body of a sweep.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(super) enum Form {
-    /// The form of each garment's own size.
-    Own,
-    /// The service's default form for all.
-    Default,
-}
-
-impl Form {
-    /// Returns its word on the command line.
-    pub(super) fn word(self) -> &'static str {
-        match self {
-            Self::Own => "own",
-            Self::Default => "default",
-        }
-    }
 }
 
 impl SweepOptions {
@@ -60,7 +43,7 @@ impl SweepOptions {
         SweepLine {
             name: garment.name.clone(),
             true_seams: garment.has_true_seams(),
-            form: self.form.word().to_owned(),
+            form: self.form.to_string(),
             edge_length_m: self.edge_length,
             ..SweepLine::default()
         }

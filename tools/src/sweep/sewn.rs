@@ -2,7 +2,7 @@
 
 use super::garment::SweepGarment;
 use super::line::SweepLine;
-use super::options::{Form, SweepOptions};
+use super::options::SweepOptions;
 use seamster::config::Limits;
 use seamster::fit::{self, FitOutcome, ResolvedGarment, ShippedAssets};
 use seamster::job::thread_cpu_s;
@@ -44,7 +44,7 @@ fn run(
     options: &SweepOptions,
 ) -> Result<(ResolvedGarment, FitOutcome), Box<dyn Error>> {
     let limits = Limits::default();
-    let mut garment = garment.garment(folder, options.form == Form::Own);
+    let mut garment = garment.garment(folder, &options.form)?;
     garment.simulate.edge_length_m = options.edge_length;
     garment.simulate.time_limit_s = Some(options.time_limit);
     let resolved = fit::resolve(garment, &ShippedAssets, &limits)?;
