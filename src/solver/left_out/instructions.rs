@@ -27,7 +27,7 @@ const CELLS: usize = 13;
 /// Residual to reach, far above the round-off floor.
 const TOLERANCE: f64 = 1e-3;
 /// Steps of motion: enough to see what they take, not to come to rest.
-const STEPS: u64 = 1000;
+const STEPS: u64 = 400;
 /// Largest share of instructions that a drape by motion may take beyond those by hand.
 const MORE: f64 = 0.01;
 
