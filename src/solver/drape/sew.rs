@@ -17,6 +17,11 @@ use std::ops::ControlFlow;
 
 /// Number of times that the stitches are made ten times stiffer where the seams settle with a gap.
 const STIFFENINGS: usize = 3;
+/// Iterations without a smaller gap after which a coarser mesh is left as it is: on a finer one
+/// there is more room to slide, and sewing goes on there.
+const PATIENCE: usize = 150;
+/// Share of the smallest gap so far that counts as smaller.
+const SMALLER: f64 = 0.99;
 /// Motion of explicit steps while sewing.
 const MOTION: DynamicRelaxation = DynamicRelaxation {
     method: Method::SymplecticEuler,
@@ -102,6 +107,12 @@ fn pull(
     level.monitor.begin_stage();
     let monitor = &mut level.monitor;
     let mut last_residual = f64::NAN;
+    let patience = if level.is_finest {
+        usize::MAX
+    } else {
+        PATIENCE
+    };
+    let mut smallest = (f64::INFINITY, 0);
     let mut callback = |iterate: Iterate<'_>| {
         last_residual = iterate.residual;
         let gap = seam_gap(stitches, iterate.positions);
@@ -114,9 +125,14 @@ fn pull(
             estimate_before: None,
             shape: &|| iterate.positions.to_vec(),
         });
+        if gap < SMALLER * smallest.0 {
+            smallest = (gap, iterate.number);
+        }
         let settled = gap < eps || (iterate.number > 0 && iterate.residual < SETTLED);
         if flow.is_continue() && settled {
             ControlFlow::Break(Termination::Reached)
+        } else if flow.is_continue() && iterate.number - smallest.1 > patience {
+            ControlFlow::Break(Termination::Stalled)
         } else {
             flow
         }

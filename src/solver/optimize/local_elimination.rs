@@ -25,7 +25,7 @@ const MOST_MOVING: f64 = 0.5;
 /// Smallest share of the indefinite part that is projected out, where there is no factor.
 const LEAST_MODIFICATION: f64 = 0.1;
 /// Rounds at one trial.
-const ROUNDS: usize = 3;
+const ROUNDS: usize = 6;
 /// Shares of their step that are tried, each half the one before.
 const TRIALS: usize = 4;
 
@@ -368,7 +368,7 @@ mod tests {
         let potentials: [Box<dyn Potential>; 3] = [
             Box::new(SpringForce::new(springs.collect())),
             Box::new(Gravity {
-                weight: vec![Vector3::y() * 2e-4; COUNT],
+                weight: vec![Vector3::y() * 4e-4; COUNT],
                 start: vec![Vector3::zeros(); COUNT],
             }),
             Box::new(Ceiling {

@@ -27,7 +27,6 @@ mod proximity;
 mod separate;
 mod surface;
 mod untangle;
-mod weight;
 
 pub(crate) use self::surface::{ClothSurface, LayerOrder};
 
@@ -36,13 +35,15 @@ use self::coupling::{add_blocks, is_coupled};
 use self::fixed::AllPositions;
 use self::friction::LayerFriction;
 use self::law::respond;
-use self::proximity::Proximity;
+use self::proximity::{Features, Proximity, sine_squared};
 use self::surface::ContactSurface;
-use self::weight::Weight;
 use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use nalgebra::Vector3;
 
+/// Sine squared of the angle between edges from which on they act in full. Parallel edges have no
+/// closest points; the vertices at their ends act for them.
+const NOT_PARALLEL: f64 = 1e-2;
 /// Distance beside its way that a particle may move before pairs are sought anew: the thickness,
 /// and at least so much \[m\].
 const LEAST_SLACK: f64 = 1e-3;
@@ -64,7 +65,11 @@ pub(crate) struct ClothContact {
     end: AllPositions,
     /// Cloth area of each particle \[m²\]; `#P + #F`.
     area: Vec<f64>,
+    /// The last accepted shape \[m\], of which the weights are; `#P + #F`.
+    accepted: Vec<Vector3<f64>>,
     candidates: Candidates,
+    /// Cloth area over which each candidate presses \[m²\].
+    weights: Vec<f64>,
     /// The particles that alone move, if not all do.
     moving: Option<Vec<bool>>,
     /// Candidates with a particle that moves.
@@ -89,7 +94,9 @@ impl ClothContact {
             at: positions.clone(),
             end: positions,
             area,
+            accepted: vec![],
             candidates: Candidates::default(),
+            weights: vec![],
             moving: None,
             active: vec![],
             touching: vec![],
@@ -113,7 +120,26 @@ impl ClothContact {
         }
         let slack = self.surface.most_thickness().max(LEAST_SLACK);
         self.candidates.find(&self.surface, (from, to), slack);
+        if self.accepted.is_empty() {
+            self.accepted = from.to_vec();
+        }
+        self.weigh();
         self.select();
+    }
+
+    /// Computes the weights of all candidates in the accepted shape: like the normal forces of
+    /// friction, they stay as they are within a step.
+    fn weigh(&mut self) {
+        let weight = |pair: &FeaturePair| match pair.features {
+            Features::VertexTriangle => self.area[pair.corners[0]],
+            Features::Edges => {
+                let [a, b, c, d] = pair.corners.map(|i| self.area[i]);
+                let sine = sine_squared(&pair.gather(&self.accepted));
+                let share = (sine / NOT_PARALLEL).min(1.0);
+                0.5 * (a + b).min(c + d) * share * share * (3.0 - 2.0 * share)
+            }
+        };
+        self.weights = self.candidates.pairs.iter().map(weight).collect();
     }
 
     /// Selects the candidates with a particle that moves.
@@ -144,7 +170,7 @@ impl ClothContact {
     fn for_each_touching(
         &mut self,
         x: &[Vector3<f64>],
-        mut run: impl FnMut(&FeaturePair, &Weight, &Proximity),
+        mut run: impl FnMut(&FeaturePair, f64, &Proximity),
     ) {
         self.cover(x, x);
         let moved = self.candidates.moved(x);
@@ -155,7 +181,7 @@ impl ClothContact {
             }
             let proximity = pair.proximity(x);
             if (NONE..pair.thickness).contains(&proximity.distance()) {
-                run(pair, &Weight::of(pair, &self.area, x), &proximity);
+                run(pair, self.weights[k], &proximity);
             }
         }
     }
@@ -167,7 +193,7 @@ impl ClothContact {
         };
         let mut renewal = friction.renew(x);
         self.for_each_touching(x, |pair, weight, proximity| {
-            renewal.tie(pair, weight.area, proximity);
+            renewal.tie(pair, weight, proximity);
         });
         let slipped = renewal.finish();
         self.friction = Some(friction);
@@ -204,8 +230,7 @@ impl ClothContact {
     }
 }
 
-/// Adds the second derivative of a pair's energy to `hessian`, but for that of its weight, which is
-/// small beside it and may be indefinite.
+/// Adds the second derivative of a pair's energy to `hessian`.
 fn add_pair(
     (pair, weight, proximity): (&FeaturePair, f64, &Proximity),
     hessian_modification: f64,
@@ -253,7 +278,7 @@ impl Potential for ClothContact {
         self.with_fixed(x, |contact, x| {
             let mut sum = 0.0;
             contact.for_each_touching(x, |pair, weight, proximity| {
-                sum += weight.area * respond(proximity.distance(), pair.thickness).energy;
+                sum += weight * respond(proximity.distance(), pair.thickness).energy;
             });
             sum + contact.friction.as_ref().map_or(0.0, |f| f.energy(x))
         })
@@ -262,12 +287,11 @@ impl Potential for ClothContact {
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
         self.with_fixed(x, |contact, x| {
             contact.for_each_touching(x, |pair, weight, proximity| {
-                let response = respond(proximity.distance(), pair.thickness);
-                let push = proximity.normal() * (weight.area * response.pressure);
-                for (k, &i) in pair.corners.iter().enumerate() {
+                let pressure = respond(proximity.distance(), pair.thickness).pressure;
+                let push = proximity.normal() * (weight * pressure);
+                for (&i, c) in pair.corners.iter().zip(proximity.coefficients) {
                     if let Some(force) = force.get_mut(i) {
-                        *force += push * proximity.coefficients[k];
-                        *force -= weight.slope[k] * response.energy;
+                        *force += push * c;
                     }
                 }
             });
@@ -288,7 +312,7 @@ impl Potential for ClothContact {
         };
         self.with_fixed(x, |contact, x| {
             contact.for_each_touching(x, |pair, weight, proximity| {
-                let touching = (pair, weight.area, proximity);
+                let touching = (pair, weight, proximity);
                 add_pair(touching, hessian_modification, &sparsity, hessian);
             });
             if let Some(friction) = &contact.friction {
@@ -309,11 +333,14 @@ impl Potential for ClothContact {
     /// Adds nothing: in the rest shape nothing touches, and explicit steps have no such contact.
     fn add_stiffness_bound(&self, _stiffness: &mut [f64]) {}
 
-    /// Ties what touches; returns true if other pairs touch than before, or
+    /// Takes new weights, and ties what touches; returns true if other pairs touch than before, or
     /// any slipped.
     fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
         self.with_fixed(x, |contact, x| {
+            contact.accepted.clear();
+            contact.accepted.extend_from_slice(x);
             contact.cover(x, x);
+            contact.weigh();
             let before = std::mem::take(&mut contact.touching);
             contact.couple(x);
             let slipped = contact.tie(x);

@@ -179,6 +179,14 @@ fn edges(corners: &[Vector3<f64>; 4]) -> Proximity {
     }
 }
 
+/// Returns the squared sine of the angle between the edges of the first two and of the last two
+/// corners.
+pub(super) fn sine_squared(corners: &[Vector3<f64>; 4]) -> f64 {
+    let (d1, d2) = (corners[1] - corners[0], corners[3] - corners[2]);
+    let lengths = d1.norm_squared() * d2.norm_squared();
+    d1.cross(&d2).norm_squared() / lengths.max(f64::MIN_POSITIVE)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -159,7 +159,7 @@ fn layers_that_slid_hold_each_other_by_the_coefficient_times_the_normal_force() 
     let mut held_most = 0.0;
     contact.for_each_touching(&far, |pair, weight, proximity| {
         let pressure = respond(proximity.distance(), pair.thickness).pressure;
-        held_most += 0.3 * weight.area * pressure;
+        held_most += 0.3 * weight * pressure;
     });
     let (way, force) = (Vector3::new(0.6, 0.8, 0.0), held(&contact, &far));
     assert!(force.norm() <= held_most && force.dot(&way) < -0.9 * force.norm());
