@@ -107,11 +107,8 @@ fn pull(
     level.monitor.begin_stage();
     let monitor = &mut level.monitor;
     let mut last_residual = f64::NAN;
-    let patience = if level.is_finest {
-        usize::MAX
-    } else {
-        PATIENCE
-    };
+    let is_finest = level.is_finest;
+    // The smallest gap so far, and the iteration that it is of.
     let mut smallest = (f64::INFINITY, 0);
     let mut callback = |iterate: Iterate<'_>| {
         last_residual = iterate.residual;
@@ -131,7 +128,7 @@ fn pull(
         let settled = gap < eps || (iterate.number > 0 && iterate.residual < SETTLED);
         if flow.is_continue() && settled {
             ControlFlow::Break(Termination::Reached)
-        } else if flow.is_continue() && iterate.number - smallest.1 > patience {
+        } else if flow.is_continue() && !is_finest && iterate.number - smallest.1 > PATIENCE {
             ControlFlow::Break(Termination::Stalled)
         } else {
             flow

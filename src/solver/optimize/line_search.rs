@@ -110,7 +110,7 @@ impl LineSearch {
                     objective.steepness(trial)
                 };
                 if steepness > LESS_STEEP {
-                    return Some(self.go_on(share, x, (step, trial), objective));
+                    return Some(self.go_on((share, decrease), x, (step, trial), objective));
                 } else if steepness >= -LESS_STEEP {
                     x.copy_from_slice(trial);
                     let decrease = is_measurable.then_some(decrease);
@@ -138,18 +138,18 @@ impl LineSearch {
         self.value - objective.value(trial)
     }
 
-    /// Moves `x` on from a `share` of `step` at which the objective still descends, as far as it
-    /// goes on descending.
+    /// Moves `x` on from a share of `step` that decreases the objective by `decrease` \[J\] and at
+    /// which it still descends, as far as it goes on descending. `trial` is there already.
     fn go_on(
         &self,
-        mut share: f64,
+        (mut share, mut decrease): (f64, f64),
         x: &mut [Vector3<f64>],
         (step, trial): (&[Vector3<f64>], &mut [Vector3<f64>]),
         objective: &mut impl Objective,
     ) -> AcceptedStep {
         let longest = step.iter().map(Vector3::norm).fold(0.0, f64::max);
         let rounding = self.rounding(x.len());
-        let mut decrease = self.try_share(share, x, (step, trial), objective);
+        let mut furthest = trial.to_vec();
         for _ in 0..DOUBLINGS {
             if 2.0 * share * longest > MAX_DISPLACEMENT {
                 break;
@@ -158,11 +158,10 @@ impl LineSearch {
             if further < decrease - rounding || objective.steepness(trial) <= 0.0 {
                 break;
             }
-            share *= 2.0;
-            decrease = further;
+            (share, decrease) = (2.0 * share, further);
+            furthest.copy_from_slice(trial);
         }
-        self.try_share(share, x, (step, trial), objective);
-        x.copy_from_slice(trial);
+        x.copy_from_slice(&furthest);
         AcceptedStep {
             share,
             decrease: (decrease > 4.0 * rounding).then_some(decrease),
@@ -174,45 +173,51 @@ impl LineSearch {
 mod tests {
     use super::*;
 
-    /// A saddle, the energy of which is rounding beside what it is measured from.
-    struct Saddle;
+    /// A saddle whose energy is rounding beside what it is measured from, down to an edge.
+    struct Saddle {
+        edge: f64,
+    }
 
     impl Saddle {
         const LEVEL: f64 = 1e6;
-        const EDGE: f64 = 1e-3;
+        /// The start, and the length of the step.
+        const START: f64 = 1e-9;
     }
 
     impl Objective for Saddle {
         fn value(&mut self, x: &[Vector3<f64>]) -> f64 {
-            Self::LEVEL - 0.5 * x[0].x.min(Self::EDGE).powi(2)
+            Self::LEVEL - 0.5 * x[0].x.min(self.edge).powi(2)
         }
 
         fn steepness(&mut self, trial: &[Vector3<f64>]) -> f64 {
-            if trial[0].x < Self::EDGE {
-                trial[0].x / 1e-9
+            if trial[0].x < self.edge {
+                trial[0].x / Self::START
             } else {
                 -1.0
             }
         }
     }
 
-    /// Newton's step of a modified second derivative is as long as the way from the saddle: it
-    /// would have to be taken twenty times.
+    /// The step is as long as the way from the saddle, as that of a modified second derivative is.
+    /// From 1 on it is doubled to 16, which leads to 17: 32 would lead beyond the edge at 20.
     #[test]
-    fn a_step_away_from_a_saddle_goes_on() {
+    fn a_step_away_from_a_saddle_goes_on_while_it_descends() {
         let search = LineSearch {
             value: Saddle::LEVEL,
-            slope: 1e-18,
-            curvature: 1e-18,
+            slope: Saddle::START.powi(2),
+            curvature: Saddle::START.powi(2),
             first_share: 1.0,
             trials: 6,
         };
-        let (mut x, mut trial) = ([Vector3::x() * 1e-9], [Vector3::zeros()]);
-        let step = [Vector3::x() * 1e-9];
-        let found = search.run(&mut x, (&step, &mut trial), &mut Saddle);
-        let found = found.expect("it descends");
-        assert!(x[0].x > 1e-5 && x[0].x < Saddle::EDGE, "{}", x[0].x);
-        assert!((x[0].x - 1e-9 * (1.0 + found.share)).abs() < 1e-15);
+        let most = f64::from(1_u32 << DOUBLINGS);
+        for (edge, share) in [(20.0 * Saddle::START, 16.0), (1.0, most)] {
+            let (mut x, mut trial) = ([Vector3::x() * Saddle::START], [Vector3::zeros()]);
+            let step = x;
+            let found = search.run(&mut x, (&step, &mut trial), &mut Saddle { edge });
+            let found = found.expect("it descends");
+            assert_eq!((found.share, found.decrease), (share, None));
+            assert_eq!(x[0], step[0] + step[0] * share);
+        }
     }
 
     /// Of x²/2 the step from 1 to -3 overshoots: its half, to -1, brings nothing, its quarter leads
