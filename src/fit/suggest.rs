@@ -4,7 +4,7 @@ use super::garment::{Garment, SeamsSpec};
 use crate::config::Limits;
 use crate::fault::{Fault, SeamCode, Warning};
 use crate::pattern::{MIRROR, Pattern, SeamPair};
-use crate::seam::suggest::{self, SuggestedPanel, SuggestedSeam, Suggestion};
+use crate::seam::suggest::{self, MIN_SEWN_CONFIDENCE, SuggestedPanel, SuggestedSeam, Suggestion};
 use std::collections::BTreeSet;
 
 /// Reasons and seams that one message tells.
@@ -106,7 +106,7 @@ fn none_suggested(offers: &[SuggestedSeam], warnings: &[Warning]) -> Fault {
     }
     because.insert_str(0, &format!(" ({})", names(offers)));
     let detail = format!(
-        "the seams that are suggested for this pattern are offers of a confidence below 0.5, which are not sewn unasked{because}"
+        "the seams that are suggested for this pattern are offers of a confidence below {MIN_SEWN_CONFIDENCE}, which are not sewn unasked{because}"
     );
     Fault::new(SeamCode::NoneSuggested, "/seams", detail).fix(
         "list the seams; to accept offers of `POST seams/suggest`, list them in `seams` as they are",
@@ -116,7 +116,7 @@ fn none_suggested(offers: &[SuggestedSeam], warnings: &[Warning]) -> Fault {
 /// Returns the warning of offers that are left out of a garment whose other seams are sewn.
 fn not_sewn(offers: &[SuggestedSeam]) -> Option<Warning> {
     let detail = format!(
-        "suggested seams of a confidence below 0.5 are offers and were not sewn: {}; to have them, list them in `seams` with the others",
+        "suggested seams of a confidence below {MIN_SEWN_CONFIDENCE} are offers and were not sewn: {}; to have them, list them in `seams` with the others",
         names(offers)
     );
     (!offers.is_empty()).then(|| Warning::new(SeamCode::OfferNotSewn, "/seams", detail))

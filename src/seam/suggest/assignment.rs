@@ -246,8 +246,7 @@ impl AssignmentWeights {
         if a.kind != PanelKind::Side || b.kind != PanelKind::Bodice || apart {
             return 0.0;
         }
-        let sides = if b.half { 1.0 } else { 2.0 };
-        let side = b.role_length(EdgeRole::Side) / sides;
+        let side = b.one_side_length(EdgeRole::Side);
         let edges = [EdgeRole::Side, EdgeRole::Center].map(|role| a.role_length(role));
         let off = edges.map(|edge| {
             (0.5 * ((edge / side.max(1e-6)).ln() / self.sewn_spread).powi(2))
@@ -304,13 +303,12 @@ impl AssignmentWeights {
         if roles.is_empty() {
             return 0.0;
         }
-        let sides = |p: &LabeledPanel| if p.half { 1.0 } else { 2.0 };
         let length = |p: &LabeledPanel, role| -> Option<f64> {
             let all: Vec<f64> = p
                 .segments_of(role)
                 .map(|s| p.features.length(&s.edges))
                 .collect();
-            (!all.is_empty()).then(|| all.iter().sum::<f64>() / sides(p))
+            (!all.is_empty()).then(|| all.iter().sum::<f64>() / p.sides())
         };
         let of = |role: &EdgeRole| match (length(a, *role), length(b, *role)) {
             (Some(x), Some(y)) => {

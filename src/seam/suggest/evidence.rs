@@ -28,7 +28,9 @@ pub(super) fn evidence(a: &LabeledPanel, b: &LabeledPanel) -> f64 {
 fn directed(a: &LabeledPanel, b: &LabeledPanel) -> Option<f64> {
     use EdgeRole::{Armhole, Center, Hem, Inseam, Neck, Shoulder, Side, Underarm, Waist};
     let alike = |roles: &[EdgeRole]| {
-        let fits = roles.iter().map(|role| fit(mean(a, *role), mean(b, *role)));
+        let fits = roles
+            .iter()
+            .map(|role| fit(a.mean_length(*role), b.mean_length(*role)));
         fits.fold(1.0, f64::min)
     };
     match (a.kind, b.kind) {
@@ -38,26 +40,26 @@ fn directed(a: &LabeledPanel, b: &LabeledPanel) -> Option<f64> {
         }
         (PanelKind::Bodice, PanelKind::Bodice) => Some(0.5 * alike(&[Side])),
         (PanelKind::Skirt, PanelKind::Skirt) => {
-            let widths = [a, b].map(|p| of_one_side(p, Waist).max(1e-6));
+            let widths = [a, b].map(|p| p.one_side_length(Waist).max(1e-6));
             let off = (widths[0] / widths[1]).ln() / WIDTH_SPREAD;
             Some(alike(&[Side]) * (-0.5 * off.powi(2)).exp())
         }
         (PanelKind::Trouser, PanelKind::Trouser) => Some(alike(&[Side, Inseam])),
         (PanelKind::Sleeve, PanelKind::Bodice) if is_raglan(a) && is_raglan(b) => {
-            let own = mean(b, Armhole);
+            let own = b.mean_length(Armhole);
             let fits = a
                 .segments_of(Armhole)
                 .map(|s| fit(a.features.length(&s.edges), own));
             Some(0.5 * fits.fold(0.0, f64::max))
         }
         (PanelKind::Side, PanelKind::Bodice) => {
-            let edges = [Side, Center].map(|role| fit(mean(a, role), mean(b, Side)));
+            let edges = [Side, Center].map(|role| fit(a.mean_length(role), b.mean_length(Side)));
             Some(edges[0].max(edges[1]))
         }
         (PanelKind::Side, PanelKind::Side) => Some(0.5 * alike(&[Side])),
         (PanelKind::UnderSleeve, PanelKind::Sleeve) => Some(both(a, b, Underarm)),
         (PanelKind::Yoke, PanelKind::Bodice) if b.beside == Some(PanelKind::Yoke) => {
-            Some(0.5 * fit(of_one_side(a, Hem), of_one_side(b, Neck)))
+            Some(0.5 * fit(a.one_side_length(Hem), b.one_side_length(Neck)))
         }
         (PanelKind::Yoke, PanelKind::Bodice) => Some(0.4 * alike(&[Shoulder])),
         _ => None,
@@ -71,16 +73,6 @@ fn is_raglan(part: &LabeledPanel) -> bool {
 
 fn has(part: &LabeledPanel, role: EdgeRole) -> bool {
     part.segment(role, None).is_some()
-}
-
-/// Returns the mean length of the segments of a role \[m\]; 0 where there are none.
-fn mean(part: &LabeledPanel, role: EdgeRole) -> f64 {
-    part.role_length(role) / part.segments_of(role).count().max(1) as f64
-}
-
-/// Returns the length of an edge that runs across a panel, of one side of the wearer \[m\].
-fn of_one_side(part: &LabeledPanel, role: EdgeRole) -> f64 {
-    part.role_length(role) / if part.half { 1.0 } else { 2.0 }
 }
 
 /// Returns how well both segments of a role fit, each with either of the other panel.

@@ -34,14 +34,14 @@ pub(super) fn best_reading(pattern: &Pattern, limits: &Limits) -> Reading {
         let more = RARE.iter().filter(|kind| !kinds.contains(kind));
         let ways = more.map(|kind| [kinds.as_slice(), &[*kind]].concat());
         let found = ways.map(|rare| (Reading::of(pattern, limits, &rare), rare));
-        let mut found: Vec<(Reading, Vec<PanelKind>)> = found
-            .filter(|(reading, rare)| reading.is_exact(rare))
-            .collect();
-        found.sort_by(|a, b| grade(pattern, &b.0).total_cmp(&grade(pattern, &a.0)));
-        let Some((reading, rare)) = found.into_iter().next() else {
+        let exact = found.filter(|(reading, rare)| reading.is_exact(rare));
+        let graded = exact.map(|(reading, rare)| (grade(pattern, &reading), reading, rare));
+        // Of equally good ones the first.
+        let better = graded.rev().max_by(|a, b| a.0.total_cmp(&b.0));
+        let Some((its_grade, reading, rare)) = better else {
             break;
         };
-        if grade(pattern, &reading) < grade(pattern, &best) + MIN_SHARE {
+        if its_grade < grade(pattern, &best) + MIN_SHARE {
             break;
         }
         (best, kinds) = (reading, rare);

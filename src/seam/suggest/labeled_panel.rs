@@ -163,4 +163,19 @@ impl LabeledPanel {
         let segments = self.segments_of(role);
         segments.map(|s| self.features.length(&s.edges)).sum()
     }
+
+    /// Returns the mean length of the segments of a role \[m\]; 0 where there are none.
+    pub(super) fn mean_length(&self, role: EdgeRole) -> f64 {
+        self.role_length(role) / self.segments_of(role).count().max(1) as f64
+    }
+
+    /// Returns the length that it has of a role on one side of the wearer \[m\].
+    pub(super) fn one_side_length(&self, role: EdgeRole) -> f64 {
+        self.role_length(role) / self.sides()
+    }
+
+    /// Returns the number of sides of the wearer that it covers: a half one, a whole panel two.
+    pub(super) fn sides(&self) -> f64 {
+        if self.half { 1.0 } else { 2.0 }
+    }
 }

@@ -70,7 +70,7 @@ pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
                 p.kind == kind && p.front_back.is_none() && !p.features.mirrored
             })
             .collect();
-        let length = |i: usize| role_of_one_side(&parts[i], role);
+        let length = |i: usize| parts[i].one_side_length(role);
         let forms = unsaid.clone();
         let unsaid = if unsaid.len() > 2 && kind != PanelKind::Skirt {
             pair_of_forms(parts, &unsaid, role)
@@ -107,8 +107,8 @@ pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut [LabeledPanel]) {
             if parts[i].front_back.is_some() {
                 continue;
             }
-            let own = role_of_one_side(&parts[i], role);
-            let off = |j: usize| (role_of_one_side(&parts[j], role) - own).abs();
+            let own = parts[i].one_side_length(role);
+            let off = |j: usize| (parts[j].one_side_length(role) - own).abs();
             let nearest = sides.iter().min_by(|a, b| off(a.0).total_cmp(&off(b.0)));
             parts[i].front_back = nearest.map(|(_, front_back)| *front_back);
         }
@@ -151,7 +151,7 @@ fn halves_and_whole(parts: &mut [LabeledPanel]) {
     let ([a, b], [whole]) = (&halves[..], &wholes[..]) else {
         return;
     };
-    let neck = |i: usize| role_of_one_side(&parts[i], EdgeRole::Neck);
+    let neck = |i: usize| parts[i].one_side_length(EdgeRole::Neck);
     let whole_is_back = neck(*whole) < 0.5 * (neck(*a) + neck(*b));
     let (of_whole, of_halves) = if whole_is_back {
         (FrontBack::Back, FrontBack::Front)
@@ -164,11 +164,6 @@ fn halves_and_whole(parts: &mut [LabeledPanel]) {
     }
 }
 
-/// Returns the length that a panel has of a role on one side of the wearer \[m\].
-fn role_of_one_side(part: &LabeledPanel, role: EdgeRole) -> f64 {
-    part.role_length(role) / if part.half { 1.0 } else { 2.0 }
-}
-
 /// Returns, of several panels of one kind that could all be front or back of each other, the two
 /// that differ most in `role`: the rest are other forms of these. Nothing where their sides are not
 /// as long as each other.
@@ -176,9 +171,7 @@ fn pair_of_forms(parts: &[LabeledPanel], unsaid: &[usize], role: EdgeRole) -> Ve
     let sewn = [EdgeRole::Side, EdgeRole::Shoulder, EdgeRole::Inseam];
     let is_like = |i: usize, j: usize| {
         let (a, b) = (&parts[i], &parts[j]);
-        let share = |p: &LabeledPanel, role| {
-            p.role_length(role) / p.segments_of(role).count().max(1) as f64
-        };
+        let share = |p: &LabeledPanel, role| p.mean_length(role);
         sewn.iter().all(|role| {
             let (x, y) = (share(a, *role), share(b, *role));
             (x - y).abs() <= FORM_LENGTH_SHARE * x.max(y)
@@ -188,7 +181,7 @@ fn pair_of_forms(parts: &[LabeledPanel], unsaid: &[usize], role: EdgeRole) -> Ve
     if !unsaid.iter().all(|i| is_like(first, *i)) {
         return vec![];
     }
-    let own = |i: &usize| role_of_one_side(&parts[*i], role);
+    let own = |i: &usize| parts[*i].one_side_length(role);
     let by_length = |a: &&usize, b: &&usize| own(a).total_cmp(&own(b));
     let least = unsaid.iter().min_by(by_length).copied();
     let most = unsaid.iter().max_by(by_length).copied();

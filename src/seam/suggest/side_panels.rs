@@ -29,9 +29,7 @@ pub(super) fn assign_front_back(parts: &mut [LabeledPanel]) {
 /// back, as a logarithm of their ratio.
 fn misfit(parts: &[LabeledPanel], side: &LabeledPanel, front_back: FrontBack) -> f64 {
     let body = |p: &&LabeledPanel| p.kind == PanelKind::Bodice && p.front_back == Some(front_back);
-    let length = |p: &LabeledPanel, role| {
-        (p.role_length(role) / p.segments_of(role).count().max(1) as f64).max(1e-6)
-    };
+    let length = |p: &LabeledPanel, role| p.mean_length(role).max(1e-6);
     let all = parts.iter().filter(body).flat_map(|p| {
         let own = length(p, EdgeRole::Side);
         [EdgeRole::Side, EdgeRole::Center].map(|role| (own / length(side, role)).ln().abs())

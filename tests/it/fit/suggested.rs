@@ -87,8 +87,8 @@ fn offers_are_left_out_of_a_garment_and_told() {
 #[test]
 fn garment_of_offers_alone_is_refused_with_the_reasons() {
     // A sleeve whose outline is none: without it the garment is another one.
-    let lame = polygon("sleeve", &[[0.0, 0.0], [0.1, 0.4], [0.2, 0.0]]);
-    let pattern = pattern(vec![half("front", 0.55), half("back", 0.60), lame]);
+    let misshapen = polygon("sleeve", &[[0.0, 0.0], [0.1, 0.4], [0.2, 0.0]]);
+    let pattern = pattern(vec![half("front", 0.55), half("back", 0.60), misshapen]);
     let found = suggest(&pattern, &Limits::default());
     assert!(!found.seams.is_empty() && found.seams.iter().all(|seam| seam.is_offer()));
 
