@@ -108,8 +108,7 @@ fn pull(
     let monitor = &mut level.monitor;
     let mut last_residual = f64::NAN;
     let is_finest = level.is_finest;
-    // The smallest gap so far, and the iteration that it is of.
-    let mut smallest = (f64::INFINITY, 0);
+    let mut smallest = SmallestGap::default();
     let mut callback = |iterate: Iterate<'_>| {
         last_residual = iterate.residual;
         let gap = seam_gap(stitches, iterate.positions);
@@ -122,13 +121,11 @@ fn pull(
             estimate_before: None,
             shape: &|| iterate.positions.to_vec(),
         });
-        if gap < SMALLER * smallest.0 {
-            smallest = (gap, iterate.number);
-        }
+        let stalled = smallest.has_stalled(iterate.number, gap) && !is_finest;
         let settled = gap < eps || (iterate.number > 0 && iterate.residual < SETTLED);
         if flow.is_continue() && settled {
             ControlFlow::Break(Termination::Reached)
-        } else if flow.is_continue() && !is_finest && iterate.number - smallest.1 > PATIENCE {
+        } else if flow.is_continue() && stalled {
             ControlFlow::Break(Termination::Stalled)
         } else {
             flow
@@ -141,4 +138,53 @@ fn pull(
         statistics.fallbacks.insert(Fallback::UntangledCloth);
     }
     (outcome, statistics)
+}
+
+/// The smallest gap of a pull so far.
+struct SmallestGap {
+    /// \[m\]
+    gap: f64,
+    /// Iteration that it is of.
+    iteration: usize,
+}
+
+impl Default for SmallestGap {
+    fn default() -> Self {
+        Self {
+            gap: f64::INFINITY,
+            iteration: 0,
+        }
+    }
+}
+
+impl SmallestGap {
+    /// Takes the gap of an iteration \[m\]; returns true if it has been no smaller for long.
+    fn has_stalled(&mut self, iteration: usize, gap: f64) -> bool {
+        if gap < SMALLER * self.gap {
+            *self = Self { gap, iteration };
+        }
+        iteration - self.iteration > PATIENCE
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn seams_that_close_slowly_go_on() {
+        let mut smallest = SmallestGap::default();
+        // One percent in half the patience.
+        let gap = |i: usize| 0.1 * 0.989_f64.powf(2.0 * i as f64 / PATIENCE as f64);
+        assert!((0..10 * PATIENCE).all(|i| !smallest.has_stalled(i, gap(i))));
+    }
+
+    #[test]
+    fn gaps_that_come_and_go_stall() {
+        let mut smallest = SmallestGap::default();
+        let gap = |i: usize| [3e-3, 2e-3, 4e-3][i % 3];
+        let stalled = (0..).find(|&i| smallest.has_stalled(i, gap(i)));
+        // The smallest gap is that of the second iteration.
+        assert_eq!(stalled, Some(1 + PATIENCE + 1));
+    }
 }
