@@ -14,7 +14,7 @@ mod wind;
 
 pub use avatar::{
     Avatar, AvatarCache, BodyFormat, BodyImport, BodyImportOptions, BodySample, BodySource,
-    BodyUnits, DressForm, FileAxis, LANDMARKS, Limb, LimbAxis, Limbs, OwnBody, Pose, Sex,
+    BodyUnits, DressForm, FileAxis, LANDMARKS, Limb, LimbAxis, Limbs, OwnBody, Pose, Sex, Tips,
     TriangleMesh, import_body,
 };
 pub use body::{Analytic, Body};

@@ -1,6 +1,7 @@
 //! A smooth signed distance: the tricubic spline through exact distances on a grid.
 
 use super::TriangleMesh;
+use super::enclose::enclose;
 use super::exact::ExactDistance;
 use super::lattice::Lattice;
 use super::node_distances::node_distances;
@@ -60,12 +61,34 @@ impl DistanceField {
         reach: f64,
         spacing: f64,
     ) -> Self {
+        Self::with((surface, exact), reach, spacing, |_, _| ())
+    }
+
+    /// The same, lowered where the surface would stand out of it.
+    pub(super) fn enclosing(
+        (surface, exact): (&TriangleMesh, &ExactDistance),
+        reach: f64,
+        spacing: f64,
+    ) -> Self {
+        Self::with((surface, exact), reach, spacing, |lattice, coefficients| {
+            enclose(lattice, coefficients, surface);
+        })
+    }
+
+    /// The field whose spline coefficients are changed by `adapt` before they are kept.
+    fn with(
+        (surface, exact): (&TriangleMesh, &ExactDistance),
+        reach: f64,
+        spacing: f64,
+        adapt: impl FnOnce(&Lattice, &mut [f64]),
+    ) -> Self {
         let lattice = layout(exact.bounds(), reach, spacing);
         let limit = reach + COMPUTED * lattice.spacing;
         let mut nodes = node_distances(&lattice, (surface, exact), limit);
         let offered = lattice.spacing.mul_add(1.8, reach);
         let near: Vec<bool> = nodes.iter().map(|distance| *distance <= offered).collect();
         prefilter(&lattice, &mut nodes);
+        adapt(&lattice, &mut nodes);
         let mut field = Self {
             across: [1, 2].map(|axis| lattice.size[axis].div_ceil(CELLS)),
             bricks: Vec::new(),

@@ -56,4 +56,17 @@ impl LimbAxis {
         }
         last
     }
+
+    /// Returns the radius at a length along the axis \[m\].
+    pub fn radius(&self, along: f64) -> f64 {
+        let mut left = along.max(0.0);
+        for (pair, radii) in self.points.windows(2).zip(self.radii.windows(2)) {
+            let length = (pair[1] - pair[0]).norm();
+            if left <= length {
+                return radii[0] + (radii[1] - radii[0]) * (left / length);
+            }
+            left -= length;
+        }
+        self.radii.last().copied().unwrap_or(0.0)
+    }
 }

@@ -2,6 +2,7 @@
 
 mod arm;
 mod cache;
+mod enclose;
 mod exact;
 mod field;
 mod figure;
@@ -23,6 +24,7 @@ mod slice;
 mod source;
 mod spline;
 mod surface;
+mod tips;
 mod torso;
 mod tree;
 mod tube;
@@ -37,6 +39,7 @@ pub use own::{
 };
 pub use source::BodySource;
 pub use surface::TriangleMesh;
+pub use tips::Tips;
 
 use crate::fault::Faults;
 use exact::ExactDistance;
@@ -137,13 +140,13 @@ impl Avatar {
         let (exact, field) = match hull(&surface)? {
             None => {
                 let exact = ExactDistance::new(&surface);
-                let field = DistanceField::new((&surface, &exact), REACH, OWN_SPACING);
+                let field = DistanceField::enclosing((&surface, &exact), REACH, OWN_SPACING);
                 (exact, field)
             }
             Some(hull) => {
                 let outside = hull.surface.clone();
                 let exact = ExactDistance::of_hull(hull);
-                let field = DistanceField::new((&outside, &exact), REACH, OWN_SPACING);
+                let field = DistanceField::enclosing((&outside, &exact), REACH, OWN_SPACING);
                 (exact, field)
             }
         };
@@ -207,6 +210,12 @@ impl Avatar {
         self.exact.nearest(p)
     }
 
+    /// Its tips: what stands out of it with a curvature above `sharpness` \[1/m\]; none if nothing
+    /// does.
+    pub fn tips(&self, sharpness: f64) -> Option<Tips> {
+        Tips::new(&self.surface, &self.field, sharpness)
+    }
+
     /// Length of a tape laid round the torso at height `y`, round both legs under the crotch: the
     /// perimeter of the convex hull of the slice \[m\].
     pub fn girth_at(&self, y: f64) -> Option<f64> {
@@ -227,12 +236,7 @@ impl Avatar {
     /// Length of a tape laid round a limb normal to its axis, at a length along the axis \[m\].
     pub fn limb_girth(&self, limb: Limb, along: f64) -> Option<f64> {
         let (point, direction) = self.limb(limb)?.at(along);
-        let frame = tube::Frame::normal_to(direction, point);
-        let plane = slice::Plane {
-            point,
-            across: frame.outward,
-            along: frame.forward,
-        };
+        let plane = slice::Plane::normal_to(direction, point);
         slice::girth_around(&self.surface, &plane)
     }
 }

@@ -23,6 +23,16 @@ impl Plane {
         }
     }
 
+    /// The plane through `point` normal to `direction`, which is of length 1.
+    pub(super) fn normal_to(direction: Vector3<f64>, point: Vector3<f64>) -> Self {
+        let frame = Frame::normal_to(direction, point);
+        Self {
+            point,
+            across: frame.outward,
+            along: frame.forward,
+        }
+    }
+
     /// Points of the plane in its directions \[m\]: the loops of the slice.
     pub(super) fn loops(&self, surface: &TriangleMesh) -> Vec<Vec<[f64; 2]>> {
         let normal = self.along.cross(&self.across);
@@ -152,8 +162,29 @@ pub(super) fn leg_girth(surface: &TriangleMesh, y: f64) -> Option<f64> {
 
 /// Girth of a tape about the loop of a slice that is round the point of the plane \[m\].
 pub(super) fn girth_around(surface: &TriangleMesh, plane: &Plane) -> Option<f64> {
-    let loops = plane.loops(surface);
-    tape(loops.into_iter().find(|points| is_around(points))?)
+    tape(loop_around(surface, plane)?)
+}
+
+/// Returns the middle of the loop of a slice that is round the point of the plane: the centroid of
+/// its area, and the girth of a tape about it \[m\].
+pub(super) fn middle_around(surface: &TriangleMesh, plane: &Plane) -> Option<(Vector3<f64>, f64)> {
+    let points = loop_around(surface, plane)?;
+    let (mut area, mut moment) = (0.0, [0.0; 2]);
+    for (p, q) in points.iter().zip(points.iter().cycle().skip(1)) {
+        let cross = p[0] * q[1] - p[1] * q[0];
+        area += cross;
+        for k in 0..2 {
+            moment[k] += cross * (p[k] + q[k]) / 3.0;
+        }
+    }
+    let [across, along] = moment.map(|m| m / area);
+    let middle = plane.point + plane.across * across + plane.along * along;
+    Some((middle, tape(points)?)).filter(|_| area != 0.0)
+}
+
+fn loop_around(surface: &TriangleMesh, plane: &Plane) -> Option<Vec<[f64; 2]>> {
+    let mut loops = plane.loops(surface).into_iter();
+    loops.find(|points| is_around(points))
 }
 
 /// Girth of a tape about the loop round a point, normal to a direction \[m\].
@@ -163,13 +194,7 @@ pub(super) fn girth_across(
     direction: &Vector3<f64>,
 ) -> Option<f64> {
     let direction = direction.try_normalize(1e-9)?;
-    let frame = Frame::normal_to(direction, *point);
-    let plane = Plane {
-        point: *point,
-        across: frame.outward,
-        along: frame.forward,
-    };
-    girth_around(surface, &plane)
+    girth_around(surface, &Plane::normal_to(direction, *point))
 }
 
 /// Returns true if a loop goes round the origin.

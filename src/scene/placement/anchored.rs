@@ -2,7 +2,7 @@
 
 use super::name_hint::guess;
 use super::placed::Placed;
-use super::spot::{BodyKeyPoints, NO_BODY, Spot};
+use super::spot::Spot;
 use crate::fault::{Fault, Faults, PlacementCode, pointer_token};
 use crate::pattern::{Panel, Placement, PlacementAnchor, Wrap};
 use crate::scene::Avatar;
@@ -94,11 +94,10 @@ impl AnchoredPlacement {
         let Self {
             anchor, placement, ..
         } = self;
-        let body = avatar.map_or(NO_BODY, BodyKeyPoints::of);
-        let spot = Spot::of(*anchor, &body);
         let up = Rotation2::new((90.0 - placement.up_deg.unwrap_or(90.0)).to_radians());
         let [[left, right], [bottom, top]] = bounds(panel, &up);
         let center_y = 0.5 * (bottom + top);
+        let spot = Spot::of(*anchor, avatar, top - bottom);
         let wrap = placement.wrap.unwrap_or(match spot.turn {
             Some(_) => Wrap::Cylinder,
             None => Wrap::Flat,
@@ -114,7 +113,7 @@ impl AnchoredPlacement {
             axis: spot.axis,
             radius: 0.0,
             wrap,
-            lean: spot.lean,
+            tilt: spot.tilt,
             rotation: turn(Vector3::x(), rx) * turn(Vector3::y(), ry) * turn(Vector3::z(), rz),
             offset: Vector3::from(placement.offset_m),
         };
@@ -130,8 +129,8 @@ impl AnchoredPlacement {
         ];
         // Rolled, a panel meets itself at most; half a band covers half a turn.
         let around = (right - left) / (TAU * spot.turn.unwrap_or(1.0));
-        placed.radius = if spot.lean == 0.0 {
-            let reach = radius(avatar, body.center, span, wrap) + CLEARANCE;
+        placed.radius = if spot.tilt.is_none() {
+            let reach = radius(avatar, spot.axis.z, span, wrap) + CLEARANCE;
             if wrap == Wrap::Cylinder {
                 reach.max(around)
             } else {
@@ -191,4 +190,37 @@ fn unknown(panel: &Panel) -> Faults {
     Fault::new(PlacementCode::Unknown, pointer, format!("the name of panel {} does not say where on the body it goes", panel.id))
         .fix("give \"at\": torso_front, torso_back, skirt_front, skirt_back, waist, waist_front, waist_back, neck, arm_left, arm_right or origin, or take suggested placements")
         .into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{DressForm, Limbs};
+
+    /// A strip of 40 cm by 4 cm, about the neck of a body with arms.
+    #[test]
+    fn a_collar_starts_above_the_shoulders_and_clear_of_the_neck() {
+        let form = DressForm {
+            limbs: Some(Limbs {
+                arms: true,
+                legs: false,
+            }),
+            ..DressForm::default()
+        };
+        let avatar = form.build().expect("a body");
+        let panel = Panel::rectangle("collar", [0.4, 0.04]);
+        let placement = Placement {
+            at: Some(PlacementAnchor::Neck),
+            ..Placement::default()
+        };
+        let placement = AnchoredPlacement::new(&panel, Some(&placement)).expect("a place");
+        let placed = placement.place(&panel, Face::Up, Some(&avatar));
+        let side = avatar.landmarks["neck_side_l"];
+        for k in 0..=40 {
+            let p = placed.position([0.01 * f64::from(k), 0.0]);
+            assert!(p.y > side.y && avatar.exact_distance(&p) > 0.01, "{p}");
+            // Round the neck, not round the shoulders.
+            assert!(p.x.hypot(p.z) < 2.0 * side.x.hypot(side.z), "{p}");
+        }
+    }
 }

@@ -32,7 +32,7 @@ impl Placed {
         let [low, high] = self.heights(panel);
         let beside = lower.filter(|(panel, placed)| {
             let [lowest, highest] = placed.heights(panel);
-            placed.lean == 0.0 && lowest <= high && low <= highest
+            placed.tilt.is_none() && lowest <= high && low <= highest
         });
         let points = beside.flat_map(|(panel, placed)| {
             outline(panel).map(|uv| placed.position(uv) - placed.offset)
@@ -43,7 +43,7 @@ impl Placed {
 
     /// Puts the panel `clearance` beyond what reaches so far from the axis, if anything does \[m\].
     fn beyond(mut self, reach: f64, clearance: f64) -> Self {
-        if reach > 0.0 && self.lean == 0.0 && self.radius > 0.0 {
+        if reach > 0.0 && self.tilt.is_none() && self.radius > 0.0 {
             self.radius = self.radius.max(reach + clearance);
         }
         self

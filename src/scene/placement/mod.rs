@@ -3,6 +3,7 @@
 //! to.
 
 mod anchored;
+mod arm_pose;
 mod by_seams;
 mod layered;
 mod name_hint;

@@ -5,7 +5,7 @@
 
 use super::Placed;
 use super::anchored::{bounds, outline};
-use super::spot::ARM_CLEARANCE;
+use super::arm_pose::ArmPose;
 use crate::pattern::{Panel, Wrap};
 use crate::scene::{Avatar, Limb};
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
@@ -32,24 +32,29 @@ pub(super) fn onto_arm(placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed
     } else {
         Limb::ArmRight
     };
-    let Some(arm) = avatar.limb(limb).filter(|_| is_beside) else {
+    if !is_beside || avatar.limb(limb).is_none() {
         return placed;
+    }
+    let length = |arm: &ArmPose| {
+        let along = points.iter().map(|p| (p - arm.top).dot(&arm.direction));
+        along.fold(0.0, f64::max)
     };
-    let (joint, direction) = arm.at(0.0);
-    let along = (middle - joint).dot(&direction);
-    let mut across = joint + direction * along - middle;
+    // As far as the panel reaches along the arm, which is looked at that far.
+    let upper = ArmPose::of(Some(avatar), limb, 0.0);
+    let arm = ArmPose::of(Some(avatar), limb, length(&upper));
+    let along = (middle - arm.top).dot(&arm.direction);
+    let mut across = arm.top + arm.direction * along - middle;
     let depth = -across.z;
     across.z = 0.0;
-    let is_near = (0.0..arm.length()).contains(&along) && across.norm() < NEAR;
-    let Some(up) = up_along(&placed, &-direction).filter(|_| is_near) else {
+    let is_near = (0.0..=length(&arm)).contains(&along) && across.norm() < NEAR;
+    let Some(up) = up_along(&placed, &-arm.direction).filter(|_| is_near) else {
         return placed;
     };
-    let widest = arm.radii.iter().copied().fold(0.0, f64::max);
     let pose = ArmPlace {
-        axis: joint + direction * along,
-        lean: direction.x.atan2(-direction.y),
+        axis: arm.top + arm.direction * along,
+        tilt: arm.tilt(),
         outward: if depth > 0.0 { 0.0 } else { PI },
-        least_radius: widest + ARM_CLEARANCE,
+        least_radius: arm.radius,
     };
     rolled(&placed, panel, up, &pose)
 }
@@ -58,7 +63,7 @@ pub(super) fn onto_arm(placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed
 struct ArmPlace {
     /// Point of the axis beside the panel's middle \[m\].
     axis: Vector3<f64>,
-    lean: f64,
+    tilt: Rotation3<f64>,
     outward: f64,
     least_radius: f64,
 }
@@ -83,8 +88,7 @@ fn rolled(flat: &Placed, panel: &Panel, up: Rotation2<f64>, place: &ArmPlace) ->
     // The drawing's own +x once it is turned, as it lay in space, against that of the roll.
     let drawn = flat.up * (up.inverse() * Vector2::x());
     let lay = flat.rotation * Vector3::new(drawn.x, drawn.y, 0.0);
-    let lean = Rotation3::new(Vector3::z() * place.lean);
-    let runs = lean * Vector3::new(place.outward.cos(), 0.0, -place.outward.sin());
+    let runs = place.tilt * Vector3::new(place.outward.cos(), 0.0, -place.outward.sin());
     Placed {
         up,
         key: [0.5 * (left + right), center_y],
@@ -94,7 +98,7 @@ fn rolled(flat: &Placed, panel: &Panel, up: Rotation2<f64>, place: &ArmPlace) ->
         axis: place.axis,
         radius: ((right - left) / HALF).max(place.least_radius),
         wrap: Wrap::Cylinder,
-        lean: place.lean,
+        tilt: Some(place.tilt),
         rotation: Rotation3::identity(),
         offset: Vector3::zeros(),
     }

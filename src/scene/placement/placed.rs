@@ -23,8 +23,8 @@ pub struct Placed {
     /// Distance from the axis \[m\].
     pub(super) radius: f64,
     pub(super) wrap: Wrap,
-    /// Lean of the axis about the key point; positive takes its lower end to +x \[rad\].
-    pub(super) lean: f64,
+    /// Turn about the key point that lays the axis along that of an arm; none about the trunk.
+    pub(super) tilt: Option<Rotation3<f64>>,
     pub(super) rotation: Rotation3<f64>,
     pub(super) offset: Vector3<f64>,
 }
@@ -56,8 +56,8 @@ impl Placed {
     /// Returns the same start further down a limb by as much as `ways` \[m\] lead on the whole;
     /// where they lead upwards, or the axis is that of the trunk, it stays.
     pub(super) fn moved_down_the_limb(mut self, ways: &[Vector3<f64>]) -> Self {
-        if self.lean != 0.0 && !ways.is_empty() {
-            let down = Rotation3::new(Vector3::z() * self.lean) * -Vector3::y();
+        if let Some(tilt) = self.tilt.filter(|_| !ways.is_empty()) {
+            let down = tilt * -Vector3::y();
             let mean = ways.iter().sum::<Vector3<f64>>() / ways.len() as f64;
             self.axis += down * mean.dot(&down).clamp(0.0, MOST_DOWN);
         }
@@ -77,6 +77,6 @@ impl Placed {
             up,
             self.radius * cos - flat * sin,
         );
-        self.axis + Rotation3::new(Vector3::z() * self.lean) * from_key
+        self.axis + self.tilt.map_or(from_key, |tilt| tilt * from_key)
     }
 }

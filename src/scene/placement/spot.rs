@@ -1,86 +1,50 @@
 //! Key points of a body, and the pose of panels that are put there.
 
+use super::arm_pose::ArmPose;
 use crate::pattern::PlacementAnchor;
 use crate::scene::Avatar;
 use crate::scene::avatar::Limb;
-use nalgebra::Vector3;
+use nalgebra::{Rotation3, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
 
+/// Height of a collar above the sides of the neck at the start \[m\]: there the neck is clear of the
+/// slope of the shoulders.
+const ABOVE_SHOULDERS: f64 = 0.01;
+
 /// Key points of a garment without a body.
-pub(super) const NO_BODY: BodyKeyPoints = BodyKeyPoints {
+const NO_BODY: BodyKeyPoints = BodyKeyPoints {
     shoulder: 1.4,
-    neck: 1.42,
     waist: 1.05,
     center: 0.0,
-    arm: ArmPose {
-        top: Vector3::new(0.19, 1.37, 0.0),
-        lean: ARM_SPREAD,
-        radius: 0.0,
-    },
+    neck: Vector3::new(0.0, 1.42, 0.0),
 };
-/// A sleeve starts at this angle from the body where that has no arms \[rad\]: so that it clears
-/// the sides.
-const ARM_SPREAD: f64 = 0.7;
 
-/// Room left between an arm and a sleeve at the start \[m\].
-pub(super) const ARM_CLEARANCE: f64 = 0.01;
-
-/// The left arm as sleeves see it.
+/// Key points of a body: heights, the middle in depth \[m\], and the middle of the foot of the neck.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ArmPose {
-    /// Point of the axis beside the tip of the shoulder \[m\].
-    pub(super) top: Vector3<f64>,
-    /// Angle from the vertical \[rad\].
-    pub(super) lean: f64,
-    /// Largest radius \[m\].
-    pub(super) radius: f64,
-}
-
-/// Key points of a body: heights, the middle in depth \[m\], and the left arm.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct BodyKeyPoints {
-    pub(super) shoulder: f64,
-    pub(super) neck: f64,
-    pub(super) waist: f64,
-    pub(super) center: f64,
-    pub(super) arm: ArmPose,
+struct BodyKeyPoints {
+    shoulder: f64,
+    waist: f64,
+    center: f64,
+    neck: Vector3<f64>,
 }
 
 impl BodyKeyPoints {
-    pub(super) fn of(avatar: &Avatar) -> Self {
+    fn of(avatar: &Avatar) -> Self {
         let height =
             |name: &str, otherwise: f64| avatar.landmarks.get(name).map_or(otherwise, |p| p.y);
+        let middle = |height: f64| {
+            let bounds = avatar.section_bounds(height);
+            bounds.map(|[_, z]| 0.5 * (z[0] + z[1]))
+        };
         let waist = height("waist_front", NO_BODY.waist);
-        let center = avatar
-            .section_bounds(waist)
-            .map_or(0.0, |[_, z]| 0.5 * (z[0] + z[1]));
+        let center = middle(waist).unwrap_or(0.0);
         let shoulder = height("neck_side_l", NO_BODY.shoulder);
+        let neck = shoulder + ABOVE_SHOULDERS;
         Self {
             shoulder,
-            neck: height("neck_front", shoulder),
             waist,
             center,
-            arm: ArmPose::of(avatar, center),
-        }
-    }
-}
-
-impl ArmPose {
-    fn of(avatar: &Avatar, center: f64) -> Self {
-        let Some(tip) = avatar.landmarks.get("shoulder_tip_l") else {
-            return NO_BODY.arm;
-        };
-        let Some(axis) = avatar.limb(Limb::ArmLeft) else {
-            return Self {
-                top: Vector3::new(tip.x, tip.y, center),
-                ..NO_BODY.arm
-            };
-        };
-        let (joint, direction) = axis.at(0.0);
-        Self {
-            top: joint + direction * direction.dot(&(tip - joint)),
-            lean: direction.x.atan2(-direction.y),
-            radius: axis.radii.iter().copied().fold(0.0, f64::max),
+            neck: Vector3::new(0.0, neck, middle(neck).unwrap_or(center)),
         }
     }
 }
@@ -96,26 +60,36 @@ pub(super) struct Spot {
     /// The part of a turn that a rolled panel covers at least; nothing where panels lie flat unless
     /// told.
     pub(super) turn: Option<f64>,
-    pub(super) lean: f64,
+    /// Turn of the axis onto that of an arm.
+    pub(super) tilt: Option<Rotation3<f64>>,
     /// Radius that a rolled panel has at least \[m\].
     pub(super) radius: f64,
 }
 
 impl Spot {
-    pub(super) fn of(anchor: PlacementAnchor, body: &BodyKeyPoints) -> Self {
+    /// The spot for a panel of this `length` along the axis \[m\].
+    pub(super) fn of(anchor: PlacementAnchor, avatar: Option<&Avatar>, length: f64) -> Self {
+        let body = avatar.map_or(NO_BODY, BodyKeyPoints::of);
         let spot = |height: f64, hangs: bool, outward: f64, turn: Option<f64>| Self {
             axis: Vector3::new(0.0, height, body.center),
             hangs,
             outward,
             turn,
-            lean: 0.0,
+            tilt: None,
             radius: 0.0,
         };
-        let arm = |side: f64, outward: f64, turn: f64| Self {
-            axis: Vector3::new(side * body.arm.top.x, body.arm.top.y, body.arm.top.z),
-            lean: side * body.arm.lean,
-            radius: body.arm.radius + ARM_CLEARANCE,
-            ..spot(0.0, true, outward, Some(turn))
+        let neck = |outward: f64, turn: f64| Self {
+            axis: body.neck,
+            ..spot(0.0, false, outward, Some(turn))
+        };
+        let arm = |limb: Limb, outward: f64, turn: f64| {
+            let pose = ArmPose::of(avatar, limb, length);
+            Self {
+                axis: pose.top,
+                tilt: Some(pose.tilt()),
+                radius: pose.radius,
+                ..spot(0.0, true, outward, Some(turn))
+            }
         };
         match anchor {
             PlacementAnchor::TorsoFront => spot(body.shoulder, true, 0.0, None),
@@ -125,15 +99,15 @@ impl Spot {
             PlacementAnchor::Waist => spot(body.waist, false, 0.0, Some(1.0)),
             PlacementAnchor::WaistFront => spot(body.waist, false, 0.0, Some(0.5)),
             PlacementAnchor::WaistBack => spot(body.waist, false, PI, Some(0.5)),
-            PlacementAnchor::Neck => spot(body.neck, false, 0.0, Some(1.0)),
-            PlacementAnchor::NeckFront => spot(body.neck, false, 0.0, Some(0.5)),
-            PlacementAnchor::NeckBack => spot(body.neck, false, PI, Some(0.5)),
-            PlacementAnchor::ArmLeft => arm(1.0, FRAC_PI_2, 1.0),
-            PlacementAnchor::ArmRight => arm(-1.0, -FRAC_PI_2, 1.0),
-            PlacementAnchor::ArmLeftFront => arm(1.0, 0.0, 0.5),
-            PlacementAnchor::ArmRightFront => arm(-1.0, 0.0, 0.5),
-            PlacementAnchor::ArmLeftBack => arm(1.0, PI, 0.5),
-            PlacementAnchor::ArmRightBack => arm(-1.0, PI, 0.5),
+            PlacementAnchor::Neck => neck(0.0, 1.0),
+            PlacementAnchor::NeckFront => neck(0.0, 0.5),
+            PlacementAnchor::NeckBack => neck(PI, 0.5),
+            PlacementAnchor::ArmLeft => arm(Limb::ArmLeft, FRAC_PI_2, 1.0),
+            PlacementAnchor::ArmRight => arm(Limb::ArmRight, -FRAC_PI_2, 1.0),
+            PlacementAnchor::ArmLeftFront => arm(Limb::ArmLeft, 0.0, 0.5),
+            PlacementAnchor::ArmRightFront => arm(Limb::ArmRight, 0.0, 0.5),
+            PlacementAnchor::ArmLeftBack => arm(Limb::ArmLeft, PI, 0.5),
+            PlacementAnchor::ArmRightBack => arm(Limb::ArmRight, PI, 0.5),
             PlacementAnchor::Origin => Self {
                 axis: Vector3::zeros(),
                 ..spot(0.0, true, 0.0, None)

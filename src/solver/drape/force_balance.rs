@@ -1,7 +1,8 @@
 //! Forces on a shape that was never relaxed: refused, or given up before its seams were closed.
 
 use crate::scene::Scene;
-use crate::solver::model::build::{BuildOptions, build};
+use crate::solver::model::build::build;
+use crate::solver::model::build_options::BuildOptions;
 use crate::solver::model::seams::Seams;
 use crate::solver::options::SolverOptions;
 use crate::solver::outcome::ForceBalance;

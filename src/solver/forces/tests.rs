@@ -1,8 +1,8 @@
 //! Every force against the differences of its energy, every second derivative against those of its
 //! force, and closed forms.
 
-use crate::scene::{Body, DressForm, FiberSpring};
-use crate::solver::forces::contact::{BodyContact, Friction};
+use crate::scene::{Avatar, Body, DressForm, FiberSpring};
+use crate::solver::forces::contact::{BodyContact, Facet, Friction, TipContact};
 use crate::solver::forces::*;
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use nalgebra::{DMatrix, Matrix3, Vector3};
@@ -239,6 +239,38 @@ fn contact_and_friction_are_the_gradients_of_their_energy() {
     // of the energy near 1e-7.
     check_derivatives(&mut contact, &x, 1e-7, 1e-5);
     check_convex(&mut contact, &x);
+}
+
+/// A triangle with corners 5 mm about a place on the skin, so far out.
+fn triangle_at(avatar: &Avatar, place: &Vector3<f64>, out: f64) -> Vec<Vector3<f64>> {
+    let skin = avatar.nearest_point(place);
+    let normal = avatar.sample(&skin).unwrap().normal.normalize();
+    let aside = normal.cross(&Vector3::y()).normalize();
+    let along = normal.cross(&aside);
+    [[1.0, 0.0], [-0.5, 0.8], [-0.4, -0.9]]
+        .iter()
+        .map(|[a, b]| skin + normal * out + (aside * *a + along * *b) * 5e-3)
+        .collect()
+}
+
+#[test]
+fn what_is_between_the_corners_is_kept_off_tips_and_off_nothing_else() {
+    let avatar = Arc::new(DressForm::default().build().unwrap());
+    // The busts of a form have a radius of some 6 cm; its hips in front are flatter.
+    let tips = avatar.tips(12.0).expect("shoulders and busts");
+    let facet = Facet {
+        corners: [0, 1, 2],
+        area: 1e-4,
+    };
+    let body = Body::Avatar(avatar.clone());
+    let mut contact = TipContact::new(body, tips, vec![facet], 1.0);
+    let x = triangle_at(&avatar, &avatar.landmarks["bust_point_l"], 0.8e-3);
+    assert!(contact.energy(&x) > 0.0);
+    // As of the contact of particles.
+    check_derivatives(&mut contact, &x, 1e-7, 1e-5);
+    check_convex(&mut contact, &x);
+    let x = triangle_at(&avatar, &avatar.landmarks["waist_front"], 0.8e-3);
+    assert_eq!(contact.energy(&x), 0.0);
 }
 
 #[test]

@@ -3,7 +3,8 @@
 use crate::scene::Scene;
 use crate::solver::left_out::by_hand::{self, no_clock};
 use crate::solver::left_out::scenes::{Has, scene};
-use crate::solver::model::build::{BuildOptions, build};
+use crate::solver::model::build::build;
+use crate::solver::model::build_options::BuildOptions;
 use crate::solver::model::seams::Seams;
 use crate::solver::{FrictionAnchors, SolverOptions};
 use allocation_counter::{AllocationInfo, measure};

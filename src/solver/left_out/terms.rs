@@ -5,7 +5,8 @@ use crate::config::Limits;
 use crate::progress::CancelToken;
 use crate::solver::drape;
 use crate::solver::left_out::scenes::{Has, scene};
-use crate::solver::model::build::{BuildOptions, build};
+use crate::solver::model::build::build;
+use crate::solver::model::build_options::BuildOptions;
 use crate::solver::model::seams::Seams;
 use crate::solver::{Context, DrapeReport, FrictionAnchors, SeamClose, SolverOptions};
 

@@ -1,13 +1,13 @@
 //! A body of one's own as it is kept: a closed surface and its landmarks.
 
-use super::super::limb::{Limb, LimbAxis};
+use super::super::limb::Limb;
 use super::super::{Avatar, LANDMARKS, TriangleMesh};
+use super::limb_axis::limb_axis;
 use crate::fault::{AvatarCode, Fault, Faults};
 use crate::scene::triples::{positions_schema, triangles_schema};
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::f64::consts::TAU;
 use utoipa::ToSchema;
 
 /// A body of one's own: y up, facing +z, its left at +x, on the floor at y = 0.
@@ -47,7 +47,7 @@ impl OwnBody {
         for (limb, names) in JOINTS {
             let points = names.map(|name| avatar.landmarks.get(name).copied());
             if let [Some(a), Some(b), Some(c)] = points {
-                let axis = limb_axis(&mut avatar, limb, [a, b, c]);
+                let axis = limb_axis(&avatar.surface, [a, b, c]);
                 avatar.limbs.insert(limb, axis);
             }
         }
@@ -123,22 +123,4 @@ pub(super) fn too_spread(surface: &TriangleMesh) -> Option<Fault> {
         Fault::new(AvatarCode::TooLarge, "", detail)
             .fix("leave out what is inside or beside the body, and long thin triangles")
     })
-}
-
-/// The axis of a limb through its joints; radii as of its girths there.
-fn limb_axis(avatar: &mut Avatar, limb: Limb, points: [Vector3<f64>; 3]) -> LimbAxis {
-    let length: Vec<f64> = points.windows(2).map(|p| (p[1] - p[0]).norm()).collect();
-    let axis = LimbAxis {
-        points: points.to_vec(),
-        radii: vec![0.0; 3],
-    };
-    avatar.limbs.insert(limb, axis.clone());
-    // half way to the next joint: at the first one, a slice goes through the trunk
-    let girth = |along: f64| avatar.limb_girth(limb, along).unwrap_or(0.0) / TAU;
-    let radii = vec![
-        girth(0.5 * length[0]),
-        girth(length[0]),
-        girth(length[0] + length[1]),
-    ];
-    LimbAxis { radii, ..axis }
 }

@@ -10,6 +10,7 @@
 mod body;
 mod import;
 mod landmarks;
+mod limb_axis;
 mod mend;
 mod read;
 mod scale;

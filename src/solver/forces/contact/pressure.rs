@@ -4,8 +4,8 @@
 //! deeper a vertex lies in it, and that on the middles of edges (see `chord.rs`) on their ends.
 
 use crate::scene::Scene;
+use crate::solver::forces::contact::skin::kept_distance;
 use crate::solver::forces::contact::{chord, layer};
-use crate::solver::model::build::kept_distance;
 use crate::solver::model::rest_shape::{rest_area, vertex_areas};
 use nalgebra::Vector3;
 

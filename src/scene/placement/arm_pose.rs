@@ -1,0 +1,123 @@
+//! An arm as sleeves see it: a straight tube.
+
+use crate::scene::Avatar;
+use crate::scene::avatar::{Limb, LimbAxis};
+use nalgebra::{Rotation3, Vector3};
+
+/// Room left between an arm and a sleeve at the start \[m\].
+const CLEARANCE: f64 = 0.01;
+/// A sleeve starts at this angle from the body where that has no arms \[rad\]: so that it clears
+/// the sides.
+const SPREAD: f64 = 0.7;
+/// Tip of the left shoulder of a garment without a body \[m\].
+const NO_BODY: Vector3<f64> = Vector3::new(0.19, 1.37, 0.0);
+/// Distance from the joint of the shoulder beyond which an arm is apart from the trunk \[m\].
+const BESIDE_TRUNK: f64 = 0.1;
+/// Steps along an arm at which it is looked at \[m\].
+const STEP: f64 = 0.02;
+
+/// The straight line that is nearest to the middle of an arm, as far as a sleeve reaches.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ArmPose {
+    /// Point of the line beside the tip of the shoulder \[m\].
+    pub(super) top: Vector3<f64>,
+    /// Direction down the arm, of length 1.
+    pub(super) direction: Vector3<f64>,
+    /// Distance from the line at which a sleeve clears the arm \[m\].
+    pub(super) radius: f64,
+}
+
+impl ArmPose {
+    /// The pose of an arm for a sleeve of this length from the shoulder down \[m\].
+    pub(super) fn of(avatar: Option<&Avatar>, limb: Limb, length: f64) -> Self {
+        let (side, name) = match limb {
+            Limb::ArmRight => (-1.0, "shoulder_tip_r"),
+            _ => (1.0, "shoulder_tip_l"),
+        };
+        let tip = avatar.and_then(|avatar| avatar.landmarks.get(name).copied());
+        let tip = tip.unwrap_or_else(|| NO_BODY.component_mul(&Vector3::new(side, 1.0, 1.0)));
+        match avatar.and_then(|avatar| avatar.limb(limb)) {
+            Some(axis) => Self::along(axis, &tip, length),
+            None => Self {
+                top: tip,
+                direction: Vector3::new(side * SPREAD.sin(), -SPREAD.cos(), 0.0),
+                radius: CLEARANCE,
+            },
+        }
+    }
+
+    fn along(axis: &LimbAxis, tip: &Vector3<f64>, length: f64) -> Self {
+        let (joint, upper) = axis.at(0.0);
+        let first = upper.dot(&(tip - joint));
+        let end = (first + length).clamp(STEP, axis.length());
+        let start = BESIDE_TRUNK.min(0.5 * end);
+        let count = ((end - start) / STEP).ceil();
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "the length of an arm over a step"
+        )]
+        let alongs = (0..=count as usize).map(|k| start + (end - start) * k as f64 / count);
+        let middles: Vec<_> = alongs
+            .map(|along| (axis.at(along).0, axis.radius(along)))
+            .collect();
+        let direction = (middles[middles.len() - 1].0 - middles[0].0).normalize();
+        let mean = middles.iter().map(|(p, _)| p).sum::<Vector3<f64>>() / middles.len() as f64;
+        let off = |p: &Vector3<f64>| {
+            let from = p - mean;
+            (from - direction * direction.dot(&from)).norm()
+        };
+        let reach = middles.iter().map(|(p, radius)| off(p) + radius);
+        Self {
+            top: mean + direction * direction.dot(&(tip - mean)),
+            direction,
+            radius: reach.fold(0.0, f64::max) + CLEARANCE,
+        }
+    }
+
+    /// The turn that takes the upright axis onto the arm's.
+    pub(super) fn tilt(&self) -> Rotation3<f64> {
+        let upright = -Vector3::y();
+        Rotation3::rotation_between(&upright, &self.direction)
+            .unwrap_or_else(|| Rotation3::new(Vector3::z() * std::f64::consts::PI))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An arm that hangs to its elbow and from there points 45 degrees forward.
+    fn bent() -> LimbAxis {
+        let forward = Vector3::new(0.0, -1.0, 1.0).normalize();
+        let [shoulder, elbow] = [1.4, 1.1].map(|y| Vector3::new(0.2, y, 0.0));
+        LimbAxis {
+            points: vec![shoulder, elbow, elbow + forward * 0.25],
+            radii: vec![0.05, 0.045, 0.03],
+        }
+    }
+
+    #[test]
+    fn a_short_sleeve_is_about_the_upper_arm_alone() {
+        let tip = Vector3::new(0.2, 1.42, 0.01);
+        let pose = ArmPose::along(&bent(), &tip, 0.2);
+        assert!((pose.direction + Vector3::y()).norm() < 1e-12);
+        assert!((pose.top - Vector3::new(0.2, 1.42, 0.0)).norm() < 1e-12);
+        assert!((pose.tilt() * -Vector3::y() - pose.direction).norm() < 1e-12);
+    }
+
+    #[test]
+    fn a_long_sleeve_clears_all_of_a_bent_arm() {
+        let axis = bent();
+        let pose = ArmPose::along(&axis, &Vector3::new(0.2, 1.4, 0.0), 0.6);
+        assert!(pose.direction.z > 0.2 && pose.direction.x.abs() < 1e-12);
+        // From where the arm is apart from the trunk on.
+        for k in 10..=55 {
+            let along = 0.01 * f64::from(k);
+            let from = axis.at(along).0 - pose.top;
+            let off = (from - pose.direction * pose.direction.dot(&from)).norm();
+            // The middle moves by half a step between two looks at most.
+            assert!(off + axis.radius(along) + CLEARANCE <= pose.radius + 0.5 * STEP);
+        }
+    }
+}
