@@ -12,6 +12,7 @@ mod marked;
 mod stability;
 mod sweep;
 mod truth_table;
+mod unseen;
 
 use clap::{Parser, Subcommand};
 use std::error::Error;
@@ -49,6 +50,8 @@ enum Tool {
         /// Sections to print; all of them if none is named.
         sections: Vec<String>,
     },
+    /// Suggestions of seams for drafted garments that the rules were not made with.
+    Unseen(unseen::UnseenOptions),
     /// Writes the sample patterns anew.
     DraftSamples {
         /// Folder to write them into.
@@ -67,6 +70,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         Tool::Instructions(options) => instructions::main(&options)?,
         Tool::ExplicitStep => explicit_step::main(),
         Tool::TruthTable { sections } => return Ok(truth_table::main(&sections)),
+        Tool::Unseen(options) => unseen::main(&options),
         Tool::DraftSamples { folder } => draft_samples::main(&folder)?,
     }
     Ok(ExitCode::SUCCESS)

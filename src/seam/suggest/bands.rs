@@ -11,6 +11,8 @@ const OPEN_NECK: [f64; 2] = [0.92, 1.08];
 const WAIST: [f64; 2] = [0.78, 1.12];
 const HEM: [f64; 2] = [0.70, 1.05];
 const CUFF: [f64; 2] = [0.55, 1.05];
+/// A strip over the head is as long as the edges beside it.
+const STRIP: [f64; 2] = [0.985, 1.015];
 
 /// Opposite edges of a rectangle agree to this share, and turn less than this \[rad\].
 const RECTANGLE_SHARE: f64 = 0.02;
@@ -35,10 +37,10 @@ pub(super) fn assign_openings(parts: &mut Vec<LabeledPanel>) {
         .filter(|i| parts[*i].kind == PanelKind::NeckBand && !parts[*i].kind_named)
         .collect();
     let mut lost = vec![];
-    for i in &bands {
-        match best_fit(&openings, long_edge(&parts[*i])) {
-            Some(kind) => parts[*i].kind = kind,
-            None => lost.push(*i),
+    for (i, kind) in shared_out(parts, &openings, &bands) {
+        match kind {
+            Some(kind) => parts[i].kind = kind,
+            None => lost.push(i),
         }
     }
     if assign_halves(parts, &openings, &lost) || openings.is_empty() {
@@ -61,8 +63,15 @@ fn openings(parts: &[LabeledPanel]) -> Vec<BandOpening> {
     } else {
         NECK
     };
+    let sleeved = parts.iter().any(|p| p.kind == PanelKind::Sleeve);
     let all = [
         (PanelKind::NeckBand, PanelKind::Bodice, EdgeRole::Neck, neck),
+        (
+            PanelKind::ArmBand,
+            PanelKind::Bodice,
+            EdgeRole::Armhole,
+            NECK,
+        ),
         (PanelKind::Waistband, PanelKind::Bodice, EdgeRole::Hem, HEM),
         (
             PanelKind::Waistband,
@@ -77,11 +86,18 @@ fn openings(parts: &[LabeledPanel]) -> Vec<BandOpening> {
             WAIST,
         ),
         (PanelKind::Cuff, PanelKind::Sleeve, EdgeRole::Hem, CUFF),
+        (PanelKind::Hood, PanelKind::Hood, EdgeRole::Center, STRIP),
     ];
     let found = all.iter().filter_map(|(band, host, role, shares)| {
-        let around = if *host == PanelKind::Sleeve {
+        let around = if *host == PanelKind::Hood {
+            let half = parts.iter().find(|p| p.kind == *host && p.half)?;
+            half.role_length(*role)
+        } else if *host == PanelKind::Sleeve {
             let sleeve = parts.iter().find(|p| p.kind == *host && !p.half)?;
             sleeve.role_length(*role)
+        } else if *role == EdgeRole::Armhole {
+            let free = if sleeved { 0.0 } else { 0.5 };
+            free * around(parts, *host, *role)
         } else if *role == EdgeRole::Neck {
             around(parts, *host, *role) + sleeve_necks(parts)
         } else {
@@ -144,6 +160,45 @@ fn best_fit(openings: &[BandOpening], length: f64) -> Option<PanelKind> {
     best.map(|(kind, ..)| *kind)
 }
 
+/// Returns the kind of each band: the closest fits first, each opening given to one band and its
+/// twins. A band that fits none that is left is another form of one that does.
+fn shared_out(
+    parts: &[LabeledPanel],
+    openings: &[BandOpening],
+    bands: &[usize],
+) -> Vec<(usize, Option<PanelKind>)> {
+    let mut fits: Vec<(f64, usize, usize)> = vec![];
+    for i in bands {
+        for (k, opening) in openings.iter().enumerate() {
+            let long = long_edge(&parts[*i]);
+            if best_fit(&[*opening], long).is_some() {
+                fits.push(((long / opening.1).ln().abs(), *i, k));
+            }
+        }
+    }
+    fits.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut taken: Vec<(usize, usize)> = vec![];
+    for (_, i, k) in fits {
+        let is_twin = |j: usize| parts[i].features.is_twin(&parts[j].features);
+        let of_others = |(j, other): &(usize, usize)| *other == k && !is_twin(*j);
+        // Of bands for neck and armholes the two that are alike go round the armholes.
+        let alike = bands.iter().any(|j| *j != i && is_twin(*j));
+        let armholes = openings.iter().any(|o| o.0 == PanelKind::ArmBand);
+        if alike && armholes && openings[k].0 == PanelKind::NeckBand {
+            continue;
+        }
+        if !taken.iter().any(|(j, _)| *j == i) && !taken.iter().any(of_others) {
+            taken.push((i, k));
+        }
+    }
+    let kind = |i: usize| {
+        let own = taken.iter().find(|(j, _)| *j == i);
+        let own = own.map(|(_, k)| openings[*k].0);
+        own.or_else(|| best_fit(openings, long_edge(&parts[i])))
+    };
+    bands.iter().map(|i| (*i, kind(*i))).collect()
+}
+
 /// Makes waistbands of the two bands that fit no opening alone, where they fit one together;
 /// returns true if they do.
 fn assign_halves(parts: &mut [LabeledPanel], openings: &[BandOpening], lost: &[usize]) -> bool {
@@ -165,7 +220,7 @@ fn assign_halves(parts: &mut [LabeledPanel], openings: &[BandOpening], lost: &[u
 }
 
 /// Returns true for a panel of four straight edges, opposite ones as long as each other.
-fn is_rectangle(part: &LabeledPanel) -> bool {
+pub(super) fn is_rectangle(part: &LabeledPanel) -> bool {
     let [a, b, c, d] = part.features.ring[..] else {
         return false;
     };

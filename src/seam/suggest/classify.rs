@@ -6,9 +6,9 @@ use super::labels::{FrontBack, Laterality, PanelKind};
 use super::lexicon::Lexicon;
 use super::orientation::OtherForm;
 use super::outline_features::OutlineFeatures;
-use super::penalties::{drawing_penalty, half_penalty, upright};
+use super::penalties::{Drawn, drawing_penalty, half_penalty, upright};
 use super::{align, assignment, bands, names, orientation, side_panels, strays};
-use crate::pattern::Pattern;
+use crate::pattern::{Panel, Pattern};
 use std::collections::BTreeSet;
 use std::rc::Rc;
 
@@ -46,7 +46,9 @@ pub(super) struct Classification {
 
 /// Labels the panels of a pattern; those without a telling name may also be of `rare` kinds.
 pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classification {
-    let names: Vec<&str> = pattern.panels.iter().map(|p| p.name.as_str()).collect();
+    let drawn: Vec<&str> = pattern.panels.iter().map(|p| p.name.as_str()).collect();
+    let spelled = names::spelled_out(&drawn);
+    let names: Vec<&str> = spelled.iter().map(String::as_str).collect();
     let common = names::common_start(&names);
     let shared = names::shared(&names);
     let lexicon = Lexicon::new();
@@ -54,13 +56,10 @@ pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classificat
     let mut hints: Vec<names::NameHints> = pattern
         .panels
         .iter()
-        .map(|panel| {
-            let name = if panel.name.is_empty() {
-                &panel.id
-            } else {
-                &panel.name
-            };
-            let code = panel.name.get(common..).unwrap_or_default();
+        .zip(&names)
+        .map(|(panel, name)| {
+            let code = name.get(common..).unwrap_or_default();
+            let name = if name.is_empty() { &panel.id } else { *name };
             let mut hints = names::hints(&lexicon, name, code, &shared);
             if panel.copy_of.is_some() {
                 hints.laterality = hints.laterality.map(Laterality::other);
@@ -89,7 +88,7 @@ pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classificat
                 &figures,
                 (index, Rc::new(OutlineFeatures::of(panel, slits))),
                 hints,
-                (upright(panel), &context),
+                (panel, &context),
             )
         })
         .collect();
@@ -148,12 +147,17 @@ fn candidates(
     figures: &Figures,
     (panel, features): (usize, Rc<OutlineFeatures>),
     hints: &names::NameHints,
-    (upright, context): (Option<bool>, &NameContext<'_>),
+    (drawing, context): (&Panel, &NameContext<'_>),
 ) -> Vec<LabeledPanel> {
     let kinds = context.kinds(hints);
     let kinds_there = context.there();
     let named = hints.kind.is_some() || hints.front_back.is_some();
-    let symmetric = features.is_symmetric();
+    let upright = upright(drawing);
+    let drawn = match (drawing.unfolded, features.is_symmetric()) {
+        (true, true) => Drawn::Unfolded,
+        (_, true) => Drawn::Symmetric,
+        _ => Drawn::Uneven,
+    };
     let mut found: Vec<LabeledPanel> = vec![];
     for kind in kinds {
         // A yoke takes the shoulders of the back; the front keeps its own.
@@ -169,7 +173,10 @@ fn candidates(
         let own = figures.templates(kind).map(|template| (template, None));
         for (template, beside) in own.chain(beside) {
             let against = template.rarity
-                + half_penalty((kind, template.half), hints, symmetric, &figures.penalties);
+                + half_penalty((kind, template.half), hints, drawn, &figures.penalties);
+            if against.is_infinite() {
+                continue;
+            }
             for alignment in align::align(&features, template, &figures.alignment)
                 .into_iter()
                 .take(MAX_LABELINGS)

@@ -97,7 +97,9 @@ impl Completeness {
             for role in needed_roles(garment, part) {
                 let is_open = |e: &usize| !edges.contains(&(part.panel, *e));
                 let entry = (part.panel % count, role);
-                if part.role_edges(role).iter().any(is_open) && !open.contains(&entry) {
+                let edges = part.role_edges(role);
+                let lacks = edges.is_empty() && lacks_shoulders(garment, part, role);
+                if (lacks || edges.iter().any(is_open)) && !open.contains(&entry) {
                     open.push(entry);
                 }
             }
@@ -125,6 +127,14 @@ impl Completeness {
         } else {
             1.0
         }
+    }
+
+    /// Returns the panels that are not sewn, or not all round, by their index.
+    pub(super) fn unfinished(&self) -> BTreeSet<usize> {
+        let loose = self.loose.iter().map(|(panel, _)| *panel);
+        loose
+            .chain(self.open.iter().map(|(panel, _)| *panel))
+            .collect()
     }
 
     /// Tells of every panel that is not sewn, and why the seams are not to be trusted.
@@ -323,6 +333,16 @@ fn needed_roles(garment: &GarmentModel, part: &LabeledPanel) -> Vec<EdgeRole> {
         roles.push(EdgeRole::Armhole);
     }
     roles
+}
+
+/// Returns true if the role is the shoulder, and a panel was read without one though sleeves are
+/// set in beside it: those have none that run up to the neck.
+fn lacks_shoulders(garment: &GarmentModel, part: &LabeledPanel, role: EdgeRole) -> bool {
+    let mut sleeves = garment.parts_of(PanelKind::Sleeve);
+    part.kind == PanelKind::Bodice
+        && role == EdgeRole::Shoulder
+        && part.beside.is_none()
+        && sleeves.any(|p| p.segment(EdgeRole::Cap, None).is_some())
 }
 
 /// Returns the name of a role in a sentence.

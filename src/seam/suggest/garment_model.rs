@@ -5,6 +5,7 @@ use super::join;
 use super::labeled_panel::{LabeledPanel, RoleSegment};
 use super::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 use super::orientation::OtherForm;
+use std::collections::BTreeSet;
 
 /// Ease above which two edges are no seam, unless one of them may be gathered; and then.
 const MAX_EASE: f64 = 0.30;
@@ -21,6 +22,9 @@ const GATHERED_UNNAMED_EASE: f64 = 0.85;
 const EASED_UNNAMED_EASE: f64 = 0.13;
 /// Trust that ease leaves at least, where much of it is usual.
 const GATHERED_TRUST: f64 = 0.7;
+
+/// Confidence of a seam that may as well stay open, at most.
+const OFFERED: f64 = 0.45;
 
 /// A seam that a rule proposes.
 #[derive(Clone, Debug)]
@@ -43,6 +47,8 @@ pub(super) struct SeamRationale<'a> {
     pub(super) gather: bool,
     /// Ease up to which that is trusted where no names tell.
     pub(super) unnamed_ease: f64,
+    /// True if it may as well stay open: it is an offer.
+    pub(super) offered: bool,
 }
 
 impl<'a> SeamRationale<'a> {
@@ -53,6 +59,7 @@ impl<'a> SeamRationale<'a> {
             because,
             gather: false,
             unnamed_ease: GATHERED_UNNAMED_EASE,
+            offered: false,
         }
     }
 
@@ -60,6 +67,14 @@ impl<'a> SeamRationale<'a> {
     pub(super) fn gathered(self) -> Self {
         Self {
             gather: true,
+            ..self
+        }
+    }
+
+    /// Returns the rationale of a seam that may as well stay open.
+    pub(super) fn offered(self) -> Self {
+        Self {
+            offered: true,
             ..self
         }
     }
@@ -255,7 +270,9 @@ impl GarmentModel {
             return false;
         }
         let fit = self.recognition_confidence(whole);
+        let judged = self.judged_by_shape(whole);
         let count = parts.len();
+        let most_confidence = if rationale.offered { OFFERED } else { 0.99 };
         for (i, sides) in parts.into_iter().enumerate() {
             let ease = join_ease(&sides);
             let usual = self.ease_trust(rationale, &sides);
@@ -268,9 +285,9 @@ impl GarmentModel {
                 id,
                 sides,
                 gather: ease > MAX_EASE,
-                confidence: (fit * (0.4 + 0.6 * usual)).clamp(0.01, 0.99),
+                confidence: (fit * (0.4 + 0.6 * usual)).clamp(0.01, most_confidence),
                 because: format!(
-                    "{}; the lengths agree to {:.1} %",
+                    "{}; the lengths agree to {:.1} %{judged}",
                     rationale.because,
                     100.0 * ease
                 ),
@@ -303,6 +320,18 @@ impl GarmentModel {
             USUAL_EASE
         };
         (-0.5 * (ease / usual).powi(2)).exp().max(least)
+    }
+
+    /// Returns the end of a reason, where shape alone tells what panels of a seam are.
+    fn judged_by_shape(&self, sides: [&EdgeChain; 2]) -> String {
+        let part = |step: &EdgeStep| self.parts.iter().find(|p| p.panel == step.panel);
+        let parts = sides.into_iter().flatten().filter_map(part);
+        let kinds: BTreeSet<&str> = parts.filter(|p| !p.named).map(|p| p.kind.noun()).collect();
+        if kinds.is_empty() {
+            return String::new();
+        }
+        let kinds: Vec<&str> = kinds.into_iter().collect();
+        format!("; no name says so: {} by shape alone", kinds.join(" and "))
     }
 
     /// Returns how sure it is that the panels of a seam are what they are taken for, from 0 to 1.

@@ -5,7 +5,9 @@
 //! only where the usual reading leaves panels over, and taken only where everything that must be
 //! sewn then finds its partner, and the edges that meet are as long as each other.
 
+use super::cut_edges::CutPattern;
 use super::labels::PanelKind;
+use super::missing_corners;
 use super::reading::Reading;
 use crate::config::Limits;
 use crate::pattern::Pattern;
@@ -46,7 +48,35 @@ pub(super) fn best_reading(pattern: &Pattern, limits: &Limits) -> Reading {
         }
         (best, kinds) = (reading, rare);
     }
+    if few && (best.completeness.trust() < 1.0 || leaves_over(pattern, &best)) {
+        best = with_missing_corners(pattern, limits, &kinds, best);
+    }
     best
+}
+
+/// Returns the reading with corners that the file lacks, where one of them makes the pattern whole;
+/// else the one without.
+fn with_missing_corners(
+    pattern: &Pattern,
+    limits: &Limits,
+    rare: &[PanelKind],
+    usual: Reading,
+) -> Reading {
+    let open = usual.completeness.unfinished();
+    let ways = missing_corners::ways(pattern, &usual.hints, &open);
+    let read = ways.iter().map(|cuts| {
+        let cut = CutPattern::new(pattern, cuts);
+        let mut reading = Reading::of(&cut.pattern, limits, rare);
+        for seam in &mut reading.seams {
+            seam.pair.a = cut.restored(&seam.pair.a);
+            seam.pair.b = cut.restored(&seam.pair.b);
+        }
+        reading
+    });
+    let whole = read.filter(|reading| reading.completeness.trust() > usual.completeness.trust());
+    let graded = whole.map(|reading| (grade(pattern, &reading) + reading.confidence(), reading));
+    let best = graded.max_by(|a, b| a.0.total_cmp(&b.0));
+    best.map_or(usual, |(_, reading)| reading)
 }
 
 /// Returns how much of a pattern a reading explains: the trust in it, then the area that it sews.

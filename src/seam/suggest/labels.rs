@@ -34,6 +34,30 @@ pub(super) enum PanelKind {
 impl PanelKind {
     /// Kinds that a panel may be whose name says only front or back, or nothing.
     pub(super) const BODY: [Self; 3] = [Self::Bodice, Self::Skirt, Self::Trouser];
+
+    /// Returns the word for such a panel in a sentence.
+    pub(super) fn noun(self) -> &'static str {
+        match self {
+            Self::Bodice => "a bodice",
+            Self::Skirt => "a skirt",
+            Self::Trouser => "trousers",
+            Self::Sleeve => "a sleeve",
+            Self::UnderSleeve => "an under sleeve",
+            Self::Side => "a side panel",
+            Self::Yoke => "a yoke",
+            Self::Hood => "a hood",
+            Self::Collar => "a collar",
+            Self::CollarStand => "a collar stand",
+            Self::NeckBand => "a neck band",
+            Self::ArmBand => "an armhole band",
+            Self::Cuff => "a cuff",
+            Self::Waistband => "a waistband",
+            Self::Godet => "a godet",
+            Self::Pocket => "a pocket",
+            Self::Placket => "a placket",
+            Self::Layer => "a facing",
+        }
+    }
 }
 
 /// Front or back of the body.

@@ -4,6 +4,7 @@
 //! one language at a time and only if nothing is left over: `Vorderteil`, `FRONTPANEL`, but not
 //! `butterfly`. Scripts without spaces between words are searched for the longest words.
 
+use super::grown_codes;
 use super::vocabulary::{Entry, Language, Meaning, Vocabulary};
 use super::words::{folded, is_unspaced};
 use std::collections::{BTreeMap, BTreeSet};
@@ -26,6 +27,7 @@ pub(super) struct Lexicon {
     /// The longest first.
     unspaced: Vec<(String, Meaning)>,
     codes: Stems,
+    code_beginnings: Vec<Entry>,
 }
 
 impl Lexicon {
@@ -53,6 +55,7 @@ impl Lexicon {
             phrases,
             unspaced,
             codes,
+            code_beginnings: vocabulary.code_beginnings,
         }
     }
 
@@ -75,7 +78,11 @@ impl Lexicon {
                 found.insert(*meaning);
                 at += phrase.len();
             } else {
-                found.extend(self.meanings_of_root(&roots[at]));
+                let known: Vec<Meaning> = self.meanings_of_root(&roots[at]).collect();
+                if known.is_empty() && !self.is_known(&roots[at]) {
+                    found.extend(grown_codes::parts(&self.code_beginnings, &roots[at].stem));
+                }
+                found.extend(known);
                 at += 1;
             }
         }
@@ -91,6 +98,12 @@ impl Lexicon {
         all.filter_map(|stems| stems.get(&root.stem))
             .flatten()
             .copied()
+    }
+
+    /// Returns true if a word is in some table, though it may mean nothing by itself.
+    fn is_known(&self, root: &Root) -> bool {
+        let mut tables = self.languages.iter().map(|(_, stems)| stems);
+        self.codes.contains_key(&root.stem) || tables.any(|stems| stems.contains_key(&root.stem))
     }
 
     /// Returns the roots of a word; itself where it is not known.

@@ -1,13 +1,11 @@
 //! Hints in the name of a panel: its name split into words, and what the lexicon says of them.
 
+use super::grown_codes;
 use super::labels::{FrontBack, Laterality, PanelKind};
 use super::lexicon::Lexicon;
 use super::vocabulary::{Meaning, PRECEDENCE};
 use super::words::split;
 use std::collections::BTreeSet;
-
-/// Longest code, in letters, that may have grown together with what stands before it.
-const MAX_CODE: usize = 4;
 
 /// Hints that a name gives.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -35,6 +33,30 @@ pub(super) fn tell_cuffs_from_fronts(hints: &mut [NameHints]) {
     }
 }
 
+/// Returns names with `LF` spelled out as left where others of them have `RT`: else it is a left
+/// front.
+pub(super) fn spelled_out(names: &[&str]) -> Vec<String> {
+    let has_right = |name: &&str| split(name).iter().any(|word| word == "rt");
+    let is_pair = names.iter().any(has_right);
+    let spelled = |name: &&str| -> String {
+        let parts = name.split_inclusive(|c: char| !c.is_alphanumeric());
+        parts
+            .map(|part| if is_pair { left(part) } else { part.to_owned() })
+            .collect()
+    };
+    names.iter().map(spelled).collect()
+}
+
+/// Returns `LF` as left, with what ends the word.
+fn left(part: &str) -> String {
+    let word = part.trim_end_matches(|c: char| !c.is_alphanumeric());
+    if word.eq_ignore_ascii_case("lf") {
+        format!("left{}", &part[word.len()..])
+    } else {
+        part.to_owned()
+    }
+}
+
 /// Returns the hints of `name`.
 ///
 /// `code` is what is left of the name without what all names of the pattern begin with. `shared`
@@ -51,7 +73,7 @@ pub(super) fn hints(
     let codes = split(code);
     let mut meanings = lexicon.meanings(&words);
     meanings.extend(lexicon.meanings(&codes));
-    meanings.extend(codes.iter().flat_map(|word| grown_code(word)));
+    meanings.extend(codes.iter().flat_map(|word| grown_codes::ending(word)));
     meanings.extend(words.iter().chain(&codes).flat_map(|w| side_prefix(w)));
     let has = |meaning| meanings.contains(&meaning);
     let mut kinds = kinds(&meanings);
@@ -104,17 +126,6 @@ fn body_kind(meanings: &BTreeSet<Meaning>) -> Option<PanelKind> {
     let found = kinds(meanings).into_iter();
     let mut body = found.filter(|kind| matches!(kind, PanelKind::Trouser | PanelKind::Skirt));
     body.next()
-}
-
-/// Meanings of a code grown together with a name before it: "RACERBK" after "RACE".
-fn grown_code(word: &str) -> Option<Meaning> {
-    let ends = |code: &str| word.chars().count() <= MAX_CODE && word.ends_with(code);
-    match () {
-        () if ends("fr") => Some(Meaning::Front),
-        () if ends("bk") => Some(Meaning::Back),
-        () if ends("co") => Some(Meaning::KindIfOnly(PanelKind::Collar)),
-        () => None,
-    }
 }
 
 /// Meanings of one or two letters grown together with a kind that they stand before: `lf` in

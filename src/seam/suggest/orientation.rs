@@ -8,6 +8,9 @@ use std::rc::Rc;
 /// Sewn edges of panels that are forms of each other, or front and back, agree to this share.
 const FORM_LENGTH_SHARE: f64 = 0.06;
 
+/// Edges of a side panel that differ by less do not tell which lies at the side.
+const MIN_SHOWN_SHARE: f64 = 0.02;
+
 /// A panel that is another form of one that is taken, both by their indices in the pattern.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct OtherForm {
@@ -211,7 +214,7 @@ pub(super) fn assign_left_right(
                 .copied()
                 .find(|j| is_same_part(&parts[*j], part));
             match first {
-                None => Some(usual_side(part)),
+                None => Some(shown_side(part).unwrap_or_else(|| usual_side(part))),
                 Some(j) if parts[j].features.is_twin(&part.features) => {
                     parts[j].laterality.map(Laterality::other)
                 }
@@ -285,6 +288,24 @@ fn usual_side(part: &LabeledPanel) -> Laterality {
     } else {
         Laterality::Left
     }
+}
+
+/// Returns the side of the wearer that the outline of a side panel beside the front or the back
+/// shows: its edge at the side ends at the underarm, the other one above.
+fn shown_side(part: &LabeledPanel) -> Option<Laterality> {
+    if part.kind != PanelKind::Side {
+        return None;
+    }
+    part.front_back?;
+    let [before, after] = part.beside(part.segment(EdgeRole::Hem, None)?)?;
+    let [before, after] = [before, after].map(|s| part.features.length(&s.edges));
+    if (before - after).abs() < MIN_SHOWN_SHARE * before.max(after) {
+        return None;
+    }
+    // In clockwise order the edge after the hem goes up the left of the drawing.
+    let first = part.first_drawn_side();
+    let outer = if after < before { first } else { first.other() };
+    Some(part.laterality_of(outer))
 }
 
 fn is_same_part(a: &LabeledPanel, b: &LabeledPanel) -> bool {

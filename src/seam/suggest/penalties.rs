@@ -33,13 +33,28 @@ pub(super) struct PenaltyWeights {
     max_hood_face_curl_rad: f64,
 }
 
+/// How a panel was drawn, as far as it tells half panels from whole ones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Drawn {
+    /// On the fold: what is there is all of it.
+    Unfolded,
+    /// It is its own mirror image.
+    Symmetric,
+    Uneven,
+}
+
 /// Returns the penalty for taking a panel for half or for whole.
 pub(super) fn half_penalty(
     (kind, half): (PanelKind, bool),
     hints: &names::NameHints,
-    symmetric: bool,
+    drawn: Drawn,
     weights: &PenaltyWeights,
 ) -> f64 {
+    let symmetric = drawn != Drawn::Uneven;
+    let sided = hints.laterality.is_some();
+    if half && (drawn == Drawn::Unfolded || symmetric && kind == PanelKind::Bodice && !sided) {
+        return f64::INFINITY;
+    }
     let halved = match kind {
         PanelKind::Sleeve => Some(hints.front_back.is_some()),
         PanelKind::Bodice | PanelKind::Skirt if hints.laterality.is_some() => Some(true),

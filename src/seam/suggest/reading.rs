@@ -67,6 +67,12 @@ impl Reading {
         proposed.filter(move |seam| sure.contains(seam.id.as_str()))
     }
 
+    /// Returns the mean confidence of its seams.
+    pub(super) fn confidence(&self) -> f64 {
+        let sum: f64 = self.seams.iter().map(|seam| seam.confidence).sum();
+        sum / self.seams.len().max(1) as f64
+    }
+
     /// Returns the share of the area of all panels that is sewn.
     pub(super) fn sewn_share(&self, pattern: &Pattern) -> f64 {
         let area = |i: usize| pattern.panels[i].area_m2.abs();

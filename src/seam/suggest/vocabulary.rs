@@ -59,6 +59,8 @@ pub(super) struct Vocabulary {
     pub(super) languages: Vec<Language>,
     pub(super) unspaced: Vec<Entry>,
     pub(super) codes: Vec<Entry>,
+    /// What a code may begin with that ends in a place.
+    pub(super) code_beginnings: Vec<Entry>,
 }
 
 impl Vocabulary {

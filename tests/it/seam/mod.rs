@@ -8,5 +8,6 @@ mod notches;
 mod suggest;
 mod suggest_kinds;
 mod suggest_unnamed;
+mod suggest_unseen;
 mod tracks;
 mod truth;

@@ -219,3 +219,52 @@ fn half_a_hood_meets_the_middle_of_a_back_that_lies_on_both_sides() {
     });
     assert!(within, "the middle of the back's neck is no corner");
 }
+
+#[test]
+fn strip_of_a_hood_lies_between_its_halves() {
+    let hood = drawn(
+        "hood_side",
+        &[
+            &[[0.0, 0.0]],
+            &[[0.0, 0.33], [0.10, 0.36], [0.2, 0.33], [0.24, 0.22]],
+            &[[0.20, 0.0]],
+        ],
+    );
+    let long = hood.edges[1].length_m;
+    let found = suggested(vec![
+        bodice("front", 0.10),
+        bodice("back", 0.04),
+        hood,
+        rectangle("hood_middle", long, 0.08),
+    ]);
+    are_joined(
+        &found,
+        &[
+            ["hood_middle", "hood_side"],
+            ["front", "hood_side"],
+            ["back", "hood_middle"],
+        ],
+    );
+}
+
+#[test]
+fn ends_of_a_collar_stay_free() {
+    let collar = |name: &str| {
+        drawn(
+            name,
+            &[
+                &[[0.0, 0.0]],
+                &[[-0.02, 0.06], [0.22, 0.065]],
+                &[[0.46, 0.06]],
+                &[[0.44, 0.0], [0.22, 0.005]],
+            ],
+        )
+    };
+    let found = suggested(vec![
+        bodice("front", 0.10),
+        bodice("back", 0.04),
+        collar("collar"),
+    ]);
+    are_joined(&found, &[["collar", "front"], ["back", "collar"]]);
+    assert!(!sure(&found).contains("neckband-ends"));
+}

@@ -1,6 +1,7 @@
 //! Bands: waistbands, cuffs, collars, bindings. A long edge goes round an opening, the ends meet
 //! each other.
 
+use crate::seam::suggest::bands;
 use crate::seam::suggest::edge_chain::{EdgeChain, EdgeStep, reversed};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
 use crate::seam::suggest::join;
@@ -117,10 +118,45 @@ fn sew_single(
         return None;
     }
     let (a, b) = (laid.end(true), laid.end(false));
-    if !is_sewn(garment, a.as_ref()) {
-        garment.sew(ends_rationale(&format!("{}-ends", rationale.id)), a, b);
+    let id = format!("{}-ends", rationale.id);
+    let ends = match ends(garment, band) {
+        Ends::Sewn => Some(ends_rationale(&id)),
+        Ends::Offered => Some(ends_rationale(&id).offered()),
+        Ends::Free => None,
+    };
+    if let Some(ends) = ends.filter(|_| !is_sewn(garment, a.as_ref())) {
+        garment.sew(ends, a, b);
     }
     Some([laid.free()?, vec![]])
+}
+
+/// Ends of a band that goes round an opening by itself.
+enum Ends {
+    Sewn,
+    /// They may as well lie side by side at the center front.
+    Offered,
+    Free,
+}
+
+/// Returns the state of the ends of a band. Those of collars meet at the center front and are not
+/// sewn, but for collars drawn as a tube is: rectangles. At the neck of a front of two halves
+/// nothing is closed that the front leaves open.
+fn ends(garment: &GarmentModel, band: &LabeledPanel) -> Ends {
+    let at_neck = matches!(
+        band.kind,
+        PanelKind::NeckBand | PanelKind::Collar | PanelKind::CollarStand
+    );
+    let front = garment.part(PanelKind::Bodice, FrontBack::Front, Laterality::Left);
+    let opens = front.is_some_and(|front| front.half);
+    match (at_neck, opens, bands::is_rectangle(band)) {
+        (false, ..) => Ends::Sewn,
+        (true, true, _) if band.kind == PanelKind::NeckBand => Ends::Offered,
+        (true, true, _) => Ends::Free,
+        (true, false, true) if band.kind == PanelKind::NeckBand => Ends::Sewn,
+        (true, false, true) => Ends::Offered,
+        (true, false, false) if band.kind == PanelKind::NeckBand && band.kind_named => Ends::Sewn,
+        (true, false, false) => Ends::Free,
+    }
 }
 
 /// Sews two bands, each along its part of the opening.

@@ -6,6 +6,8 @@ mod cuff;
 mod dart;
 mod godet;
 mod hood;
+mod hood_edges;
+mod hood_of_three;
 mod neck;
 mod raglan;
 mod side;

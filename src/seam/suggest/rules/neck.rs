@@ -17,6 +17,8 @@ const ROUND_NECKS: [PanelKind; 3] = [
 const MAX_EASE: f64 = 0.36;
 /// A stand that reaches less beyond its collar ends with it \[m\].
 const MIN_BEYOND_M: f64 = 0.004;
+/// A collar has at least this share of the length of its stand.
+const MIN_FALL: f64 = 0.8;
 /// Weight of a band's misfit against ease.
 const MISFIT_WEIGHT: f64 = 0.05;
 
@@ -105,7 +107,12 @@ fn collar_on_stand(garment: &mut GarmentModel, neck: &Opening) -> bool {
     };
     garment.sew(rationale, Some(neck), Some(lower));
     let Some(free) = laid.free() else { return true };
-    if let Some(fall) = band::lay(garment, &free, &collar, BandEdge::Lower) {
+    // The collar may be shorter than its stand: its edges are compared with the middle of that.
+    let long = collar.segments_of(EdgeRole::Long);
+    let lengths = long.map(|s| collar.features.length(&s.edges));
+    let shortest = lengths.fold(length(&free), f64::min);
+    let between = middle(&free, shortest.max(MIN_FALL * length(&free)));
+    if let Some(fall) = band::lay(garment, &between, &collar, BandEdge::Lower) {
         let rationale = SeamRationale::new("collar", "the collar is sewn to its stand");
         let free = middle(&free, length(&fall.chain));
         garment.sew(rationale, Some(free), Some(fall.chain));

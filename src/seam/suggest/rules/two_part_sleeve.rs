@@ -10,6 +10,9 @@ use crate::seam::suggest::labels::{DrawnSide, EdgeRole, Laterality, PanelKind};
 /// An armhole may begin at a corner this far from where the middle of the under sleeve meets it
 /// \[m\].
 const CORNER_TOLERANCE_M: f64 = 0.004;
+/// A notch on the cap of an under sleeve marks the underarm if it is this near to its middle, as a
+/// share of the cap.
+const NEAR_MIDDLE: f64 = 0.3;
 
 /// Gives upper sleeves that are called neither left nor right the side of the wearer that their
 /// front belongs to: the left if it lies on the left of the drawing.
@@ -22,6 +25,28 @@ pub(super) fn assign_left_right(garment: &mut GarmentModel) {
                 DrawnSide::Right => Laterality::Right,
             });
         }
+    }
+    turn_under_sleeves(garment);
+}
+
+/// Gives under sleeves that are called neither left nor right the side on which their outer side is
+/// out: their front lies on the other side of the drawing than that of the upper sleeve.
+fn turn_under_sleeves(garment: &mut GarmentModel) {
+    let on_left = |garment: &GarmentModel, kind| {
+        let here = |p: &&LabeledPanel| !p.half && p.laterality == Some(Laterality::Left);
+        garment.parts_of(kind).find(here).cloned()
+    };
+    let upper = on_left(garment, PanelKind::Sleeve);
+    let under = on_left(garment, PanelKind::UnderSleeve);
+    let (Some(upper), Some(under)) = (upper, under) else {
+        return;
+    };
+    if is_crossed(&upper, &under) {
+        return;
+    }
+    let is_unsaid = |p: &&mut LabeledPanel| p.kind == PanelKind::UnderSleeve && !p.laterality_named;
+    for part in garment.parts.iter_mut().filter(is_unsaid) {
+        part.laterality = part.laterality.map(Laterality::other);
     }
 }
 
@@ -51,23 +76,38 @@ pub(super) fn sew(garment: &mut GarmentModel, laterality: Laterality, side: &str
     // From the front of the arm over it, then under it back to the front.
     let over = cap_from(&upper, front);
     let below = cap_from(&under, if crossed { front } else { front.other() });
-    let (Some(over), Some(mut below)) = (over, below) else {
+    let (Some(over), Some(below)) = (over, below) else {
         return;
     };
-    if crossed {
-        below = reversed(&below);
-    }
     let hole = armhole::of(garment, laterality);
     let hole = hole.map(|hole| {
-        // Up the front and down the back. The middle of the under sleeve lies at the underarm, so
-        // that the seam in front of the arm meets the armhole half its width up the front.
+        // Up the front and down the back. The middle of the under sleeve, or a notch near to it,
+        // lies at the underarm: so far up the front the seam in front of the arm meets the armhole.
         let ring = reversed(&hole.around_from_underarm());
         let whole = (length(&below) + length(&over)).max(f64::MIN_POSITIVE);
-        let before = 0.5 * length(&below) / whole * length(&ring);
+        let before = length(&below) * (1.0 - underarm(&under, &below)) / whole * length(&ring);
         beginning_at(&ring, before, CORNER_TOLERANCE_M)
     });
     let cap = [over, below].concat();
     armhole::set_in(garment, side, hole, Some(cap));
+}
+
+/// Returns the place of the underarm along the cap of an under sleeve, as a share of it.
+fn underarm(under: &LabeledPanel, cap: &EdgeChain) -> f64 {
+    let whole = length(cap).max(f64::MIN_POSITIVE);
+    let mut before = 0.0;
+    let mut marked: Vec<f64> = vec![];
+    for step in cap {
+        let notches = under.features.notches.iter();
+        for (_, at) in notches.filter(|(edge, _)| *edge == step.edge) {
+            let along = if step.forward { *at } else { 1.0 - at };
+            marked.push((before + along * step.length) / whole);
+        }
+        before += step.length;
+    }
+    let off = |at: &f64| (at - 0.5).abs();
+    let near = marked.into_iter().filter(|at| off(at) < NEAR_MIDDLE);
+    near.min_by(|a, b| off(a).total_cmp(&off(b))).unwrap_or(0.5)
 }
 
 /// Returns true if the left edge of the upper sleeve as drawn fits the right one of the under

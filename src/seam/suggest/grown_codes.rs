@@ -1,0 +1,72 @@
+//! Codes of several parts grown together: a kind or a place of the garment, then front or back,
+//! then left or right, as `SKF`, `BDB`, `CUFL`.
+
+use super::labels::PanelKind;
+use super::vocabulary::{Entry, Meaning};
+
+/// Longest code of several parts, in letters.
+const MAX_CODE: usize = 6;
+/// Longest code, in letters, that may have grown together with what stands before it.
+const MAX_GROWN: usize = 4;
+
+/// Endings of a code that say front or back.
+const DEPTHS: [(&str, Meaning); 4] = [
+    ("f", Meaning::Front),
+    ("fr", Meaning::Front),
+    ("b", Meaning::Back),
+    ("bk", Meaning::Back),
+];
+/// Endings of a code that say left or right.
+const SIDES: [(&str, Meaning); 7] = [
+    ("l", Meaning::Left),
+    ("lh", Meaning::Left),
+    ("lt", Meaning::Left),
+    ("r", Meaning::Right),
+    ("rh", Meaning::Right),
+    ("rt", Meaning::Right),
+    ("rgt", Meaning::Right),
+];
+
+/// Returns the meanings of a word that is a beginning and a place; nothing where it is not.
+pub(super) fn parts(beginnings: &[Entry], word: &str) -> Vec<Meaning> {
+    if word.chars().count() > MAX_CODE {
+        return vec![];
+    }
+    let begins = |entry: &Entry| -> Option<Vec<Meaning>> {
+        let mut words = entry.words.iter();
+        let places = words.find_map(|start| places(word.strip_prefix(start.as_str())?))?;
+        Some([vec![entry.means], places].concat())
+    };
+    beginnings.iter().filter_map(begins).flatten().collect()
+}
+
+/// Returns the places that letters say: front or back, left or right, or both; nothing where they
+/// say anything else.
+fn places(letters: &str) -> Option<Vec<Meaning>> {
+    let of = |table: &[(&str, Meaning)], text: &str| {
+        let mut all = table.iter();
+        all.find(|(ending, _)| *ending == text).map(|found| found.1)
+    };
+    if letters.is_empty() {
+        return Some(vec![]);
+    }
+    let one = of(&DEPTHS, letters).or_else(|| of(&SIDES, letters));
+    if let Some(one) = one {
+        return Some(vec![one]);
+    }
+    DEPTHS.iter().find_map(|(ending, depth)| {
+        let side = of(&SIDES, letters.strip_prefix(ending)?)?;
+        Some(vec![*depth, side])
+    })
+}
+
+/// Returns the meaning of a code grown together with a name before it: `RACERBK` after `RACE`.
+pub(super) fn ending(word: &str) -> Option<Meaning> {
+    let ends = |code: &str| word.chars().count() <= MAX_GROWN && word.ends_with(code);
+    match () {
+        () if ends("fr") => Some(Meaning::Front),
+        () if ends("bk") => Some(Meaning::Back),
+        () if ends("co") => Some(Meaning::KindIfOnly(PanelKind::Collar)),
+        () => None,
+    }
+}
