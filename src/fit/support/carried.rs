@@ -13,6 +13,8 @@ const ABOVE_WAIST: f64 = 0.08;
 const BELOW_HIP: f64 = 0.01;
 /// Furthest that the top edge of a strapless garment may be below the points of the bust \[m\].
 const BELOW_BUST: f64 = 0.02;
+/// Share of the way from waist to bust above which a top edge starts that the bust holds.
+const HELD_BY_BUST: f64 = 0.8;
 /// Furthest that a crotch seam may hang below the crotch \[m\].
 const BELOW_CROTCH: f64 = 0.06;
 
@@ -65,14 +67,15 @@ pub(super) fn off_the_bust(avatar: &Avatar, top: &[Vector3<f64>]) -> Option<Stri
     })
 }
 
-/// Returns true if a garment that begins with the edge `top` is held by the bust, not by the waist.
+/// Returns true if a garment that begins with the edge `top` is held by the bust, not by the waist,
+/// above which a band of 100 mm ends.
 pub(super) fn begins_at_the_bust(avatar: &Avatar, top: &[Vector3<f64>]) -> bool {
     let height = |name: &str| avatar.landmarks.get(name).map(|p| p.y);
     let (Some(waist), Some(bust)) = (height("waist_front"), height("bust_point_l")) else {
         return false;
     };
     let lowest = top.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
-    lowest > 0.5 * (waist + bust)
+    lowest > waist + HELD_BY_BUST * (bust - waist)
 }
 
 /// Returns the fault of a crotch seam that hangs too low, in words: `seam` are the points at which

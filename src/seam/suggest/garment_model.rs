@@ -25,6 +25,10 @@ const GATHERED_TRUST: f64 = 0.7;
 
 /// Confidence of a seam that may as well stay open, at most.
 const OFFERED: f64 = 0.45;
+/// The same of one of two ways that are as good as each other.
+const GUESSED: f64 = 0.5;
+/// Most that a seam has otherwise.
+const MOST_CONFIDENCE: f64 = 0.99;
 
 /// A seam that a rule proposes.
 #[derive(Clone, Debug)]
@@ -47,8 +51,8 @@ pub(super) struct SeamRationale<'a> {
     pub(super) gather: bool,
     /// Ease up to which that is trusted where no names tell.
     pub(super) unnamed_ease: f64,
-    /// True if it may as well stay open: it is an offer.
-    pub(super) offered: bool,
+    /// Confidence that it has at most.
+    pub(super) most: f64,
 }
 
 impl<'a> SeamRationale<'a> {
@@ -59,7 +63,7 @@ impl<'a> SeamRationale<'a> {
             because,
             gather: false,
             unnamed_ease: GATHERED_UNNAMED_EASE,
-            offered: false,
+            most: MOST_CONFIDENCE,
         }
     }
 
@@ -74,7 +78,19 @@ impl<'a> SeamRationale<'a> {
     /// Returns the rationale of a seam that may as well stay open.
     pub(super) fn offered(self) -> Self {
         Self {
-            offered: true,
+            most: OFFERED,
+            ..self
+        }
+    }
+
+    /// Returns the rationale of a seam of which nothing tells between two ways.
+    pub(super) fn guessed(self, is_guess: bool) -> Self {
+        Self {
+            most: if is_guess {
+                GUESSED.min(self.most)
+            } else {
+                self.most
+            },
             ..self
         }
     }
@@ -272,7 +288,6 @@ impl GarmentModel {
         let fit = self.recognition_confidence(whole);
         let judged = self.judged_by_shape(whole);
         let count = parts.len();
-        let most_confidence = if rationale.offered { OFFERED } else { 0.99 };
         for (i, sides) in parts.into_iter().enumerate() {
             let ease = join_ease(&sides);
             let usual = self.ease_trust(rationale, &sides);
@@ -285,7 +300,7 @@ impl GarmentModel {
                 id,
                 sides,
                 gather: ease > MAX_EASE,
-                confidence: (fit * (0.4 + 0.6 * usual)).clamp(0.01, most_confidence),
+                confidence: (fit * (0.4 + 0.6 * usual)).clamp(0.01, rationale.most),
                 because: format!(
                     "{}; the lengths agree to {:.1} %{judged}",
                     rationale.because,

@@ -29,7 +29,7 @@ const SIDES: [(&str, Meaning); 7] = [
 
 /// Returns the meanings of a word that is a beginning and a place; nothing where it is not.
 pub(super) fn parts(beginnings: &[Entry], word: &str) -> Vec<Meaning> {
-    if word.chars().count() > MAX_CODE {
+    if word.chars().count() > MAX_CODE || is_lettered(word) {
         return vec![];
     }
     let begins = |entry: &Entry| -> Option<Vec<Meaning>> {
@@ -38,6 +38,11 @@ pub(super) fn parts(beginnings: &[Entry], word: &str) -> Vec<Meaning> {
         Some([vec![entry.means], places].concat())
     };
     beginnings.iter().filter_map(begins).flatten().collect()
+}
+
+/// Returns true for front or back after the letter of a style: `SFR` is no right side of a front.
+fn is_lettered(word: &str) -> bool {
+    word.chars().count() == 3 && ["fr", "bk"].iter().any(|code| word.ends_with(code))
 }
 
 /// Returns the places that letters say: front or back, left or right, or both; nothing where they
@@ -68,5 +73,21 @@ pub(super) fn ending(word: &str) -> Option<Meaning> {
         () if ends("bk") => Some(Meaning::Back),
         () if ends("co") => Some(Meaning::KindIfOnly(PanelKind::Collar)),
         () => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn front_after_the_letter_of_a_style_is_no_right_side() {
+        let sides = [Entry {
+            words: ["sf", "sb"].map(str::to_owned).to_vec(),
+            means: Meaning::KindIfOnly(PanelKind::Side),
+        }];
+        assert_eq!(parts(&sides, "sfr"), []);
+        assert_eq!(ending("sfr"), Some(Meaning::Front));
+        assert_eq!(parts(&sides, "sfl"), [sides[0].means, Meaning::Left]);
     }
 }

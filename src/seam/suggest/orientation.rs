@@ -214,7 +214,11 @@ pub(super) fn assign_left_right(
                 .copied()
                 .find(|j| is_same_part(&parts[*j], part));
             match first {
-                None => Some(shown_side(part).unwrap_or_else(|| usual_side(part))),
+                None => Some(
+                    shown_side(part)
+                        .or_else(|| drawn_side_of_body(parts, part))
+                        .unwrap_or_else(|| usual_side(part)),
+                ),
                 Some(j) if parts[j].features.is_twin(&part.features) => {
                     parts[j].laterality.map(Laterality::other)
                 }
@@ -288,6 +292,23 @@ fn usual_side(part: &LabeledPanel) -> Laterality {
     } else {
         Laterality::Left
     }
+}
+
+/// Returns the side of the wearer for which a side panel is drawn between front and back: that of
+/// their halves.
+fn drawn_side_of_body(parts: &[LabeledPanel], part: &LabeledPanel) -> Option<Laterality> {
+    let is_half = |front_back: FrontBack, p: &LabeledPanel| {
+        p.kind == PanelKind::Bodice && p.half && p.front_back == Some(front_back)
+    };
+    let half = |front_back: FrontBack| {
+        let mut drawn = parts.iter().filter(|p| !p.features.mirrored);
+        let half = drawn.find(|p| is_half(front_back, p))?;
+        let shown = outer_drawn_side(half).map(|side| half.laterality_of(side));
+        half.laterality.filter(|_| half.laterality_named).or(shown)
+    };
+    let is_side = part.kind == PanelKind::Side;
+    let of_front = is_side.then(|| half(FrontBack::Front))?;
+    of_front.or_else(|| half(FrontBack::Back))
 }
 
 /// Returns the side of the wearer that the outline of a side panel beside the front or the back

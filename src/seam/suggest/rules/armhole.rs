@@ -1,14 +1,19 @@
 //! Armholes: what front, side panels, back and yoke make of them together.
 
 use super::side;
-use crate::seam::suggest::edge_chain::EdgeChain;
+use crate::seam::suggest::edge_chain::{EdgeChain, beginning_at, length};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
+
+/// A ring begins at a corner that is as near to where it would begin \[m\].
+const MIN_PART_M: f64 = 0.008;
 
 /// An armhole from the shoulder down the front, then up the back to the shoulder.
 pub(super) struct Armhole {
     pub(super) down: EdgeChain,
     pub(super) up: EdgeChain,
+    /// Length of the end of the way down that side panels between front and back have \[m\].
+    between: f64,
 }
 
 impl Armhole {
@@ -17,9 +22,11 @@ impl Armhole {
         [self.down.clone(), self.up.clone()].concat()
     }
 
-    /// Returns the armhole from the underarm up the back and down the front.
+    /// Returns the armhole from the underarm up the back and down the front. Under the arm is the
+    /// middle of what is between front and back.
     pub(super) fn around_from_underarm(&self) -> EdgeChain {
-        [self.up.clone(), self.down.clone()].concat()
+        let ring = [self.up.clone(), self.down.clone()].concat();
+        beginning_at(&ring, length(&ring) - 0.5 * self.between, MIN_PART_M)
     }
 }
 
@@ -35,8 +42,12 @@ pub(super) fn of(garment: &GarmentModel, laterality: Laterality) -> Option<Armho
     }
     let mut down = front.unwrap_or_default();
     let mut up = EdgeChain::new();
+    let mut between = 0.0;
     for laid in &row {
         let chain = laid.armhole().unwrap_or_default();
+        if laid.panel.front_back.is_none() {
+            between += length(&chain);
+        }
         if laid.panel.front_back == Some(FrontBack::Back) {
             up.extend(chain);
         } else {
@@ -48,7 +59,7 @@ pub(super) fn of(garment: &GarmentModel, laterality: Laterality) -> Option<Armho
         let over = garment.chain(PanelKind::Yoke, FrontBack::Back, place, EdgeRole::Hem);
         up.extend(over.unwrap_or_default());
     }
-    (!down.is_empty() && !up.is_empty()).then_some(Armhole { down, up })
+    (!down.is_empty() && !up.is_empty()).then_some(Armhole { down, up, between })
 }
 
 /// Sets a sleeve's cap into an armhole.

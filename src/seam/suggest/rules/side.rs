@@ -1,6 +1,7 @@
 //! Side panels: between front and back, one or several on each side of the wearer, as under the arm
 //! of a jacket or beside princess seams.
 
+use super::armhole::usual_front_side;
 use crate::seam::suggest::edge_chain::{EdgeChain, reversed};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
 use crate::seam::suggest::labeled_panel::{LabeledPanel, RoleSegment};
@@ -8,6 +9,8 @@ use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 
 /// Side panels of one side that are looked at: their ways to lie are tried one with another.
 const MAX_ROW: usize = 4;
+/// Difference of the sums of eases of two ways that are as good as each other.
+const ALIKE: f64 = 0.01;
 /// Ease that counts as much as any greater one: one edge that fits nowhere must not decide alone.
 const MAX_EASE: f64 = 0.5;
 
@@ -17,6 +20,8 @@ pub(super) struct LaidSide {
     pub(super) panel: LabeledPanel,
     /// True if the edge before its hem in order of numbers faces the front.
     before_hem: bool,
+    /// True if that is a guess: both edges fit on either side, and no name tells left from right.
+    pub(super) is_guess: bool,
 }
 
 impl LaidSide {
@@ -69,6 +74,7 @@ pub(super) fn row(garment: &GarmentModel, laterality: Laterality) -> Vec<LaidSid
         let each = parts.iter().enumerate().map(|(i, part)| LaidSide {
             panel: (*part).clone(),
             before_hem: way >> i & 1 == 1,
+            is_guess: false,
         });
         each.collect()
     };
@@ -80,9 +86,25 @@ pub(super) fn row(garment: &GarmentModel, laterality: Laterality) -> Vec<LaidSid
         };
         joints.iter().map(cost).sum()
     };
-    let ways = 0..1_usize << parts.len();
-    let best = ways.min_by(|a, b| misfit(a).total_cmp(&misfit(b)));
-    laid(best.unwrap_or_default())
+    let misfits: Vec<f64> = (0..1_usize << parts.len())
+        .map(|way| misfit(&way))
+        .collect();
+    let least = misfits.iter().copied().fold(f64::INFINITY, f64::min);
+    let is_as_good = |way: usize| misfits[way] <= least + ALIKE;
+    let drawn = parts.iter().enumerate();
+    let front = usual_front_side(laterality);
+    let drawn = drawn.map(|(i, part)| usize::from(part.first_drawn_side() != front) << i);
+    let drawn: usize = drawn.sum();
+    let turned = |way: &usize| (way ^ drawn).count_ones();
+    let ways = (0..misfits.len()).filter(|&way| is_as_good(way));
+    let Some(best) = ways.min_by_key(turned) else {
+        return laid(0);
+    };
+    let mut row = laid(best);
+    for (i, side) in row.iter_mut().enumerate() {
+        side.is_guess = is_as_good(best ^ 1 << i) && !side.panel.laterality_named;
+    }
+    row
 }
 
 /// Returns both sides of the seams from the front over the side panels to the back, from the hem
@@ -111,15 +133,22 @@ pub(super) fn sew(garment: &mut GarmentModel, laterality: Laterality, side: &str
     let row = row(garment, laterality);
     let joints = joints(garment, laterality, &row);
     let several = joints.len() > 1;
+    let is_guess = row.iter().any(|laid| laid.is_guess);
     for (i, [a, b]) in joints.into_iter().enumerate() {
         let (id, because) = if several {
             let id = format!("side-{side}-{}", i + 1);
-            (id, "panels round the body meet side to side, hem to hem")
+            let because = if is_guess {
+                "panels round the body meet side to side, hem to hem; both sides of a side panel fit in front, and which faces it is a guess"
+            } else {
+                "panels round the body meet side to side, hem to hem"
+            };
+            (id, because)
         } else {
             let because = "front and back meet at the side, hem to hem and armhole to armhole";
             (format!("side-{side}"), because)
         };
-        garment.sew(SeamRationale::new(&id, because), a, b);
+        let rationale = SeamRationale::new(&id, because).guessed(is_guess);
+        garment.sew(rationale, a, b);
     }
 }
 
