@@ -265,11 +265,13 @@ fn what_is_between_the_corners_is_kept_off_tips_and_off_nothing_else() {
     let body = Body::Avatar(avatar.clone());
     let mut contact = TipContact::new(body, tips, vec![facet], 1.0);
     let x = triangle_at(&avatar, &avatar.landmarks["bust_point_l"], 0.8e-3);
+    contact.accept(&x);
     assert!(contact.energy(&x) > 0.0);
     // As of the contact of particles.
     check_derivatives(&mut contact, &x, 1e-7, 1e-5);
     check_convex(&mut contact, &x);
     let x = triangle_at(&avatar, &avatar.landmarks["waist_front"], 0.8e-3);
+    contact.accept(&x);
     assert_eq!(contact.energy(&x), 0.0);
 }
 

@@ -1,10 +1,11 @@
 //! Places within triangles kept off tips of the body: what stands out of it more sharply than the
 //! mesh can follow comes through between the particles.
 //!
-//! They feel the layer that middles of edges do (`chord.rs`), without friction, which the particles
+//! They feel a layer about as thick as particles do: a tip that is between two places still is
+//! nearer to the cloth than they are. Which triangles are near a tip is that of the last accepted
+//! step (lagged), so that within a step there is one energy. Without friction, which the particles
 //! have.
 
-use super::chord;
 use super::layer;
 use crate::scene::{Body, BodySample, Tips};
 use crate::solver::forces::active_elements::ActiveElements;
@@ -12,6 +13,8 @@ use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::Vector3;
 
+/// Thickness of the layer \[m\].
+const OFFSET: f64 = 2e-3;
 /// Parts of the corners in each place: quarters of the edges, whose middles have contact of their
 /// own, and what is between them.
 const PLACES: [[f64; 3]; 9] = [
@@ -25,8 +28,9 @@ const PLACES: [[f64; 3]; 9] = [
     [0.25, 0.5, 0.25],
     [0.25, 0.25, 0.5],
 ];
-/// Times the distance at which a tip matters up to which one is looked for.
-const FAR: f64 = 4.0;
+/// Distance between a triangle's circle and a tip up to which they are near \[m\]: most steps move
+/// less.
+const NEAR: f64 = 0.01;
 /// Pairs of corners, each with itself too.
 const PAIRS: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
 /// A triangle between three particles.
@@ -35,14 +39,6 @@ pub(crate) struct Facet {
     pub(crate) corners: [usize; 3],
     /// Cloth area \[m²\].
     pub(crate) area: f64,
-}
-
-/// A triangle whose middle was so far from all tips.
-#[derive(Clone, Copy, Debug)]
-struct Clearance {
-    middle: Vector3<f64>,
-    /// \[m\]
-    distance: f64,
 }
 
 /// A place within a triangle that is in the layer.
@@ -64,7 +60,8 @@ pub(crate) struct TipContact {
     tips: Tips,
     facets: Vec<Facet>,
     hardness: f64,
-    clearances: Vec<Clearance>,
+    /// Numbers of the triangles near a tip.
+    near: Vec<usize>,
     slots: Vec<[Slot; 6]>,
     active: ActiveElements,
 }
@@ -73,14 +70,10 @@ impl TipContact {
     /// Returns contact of `facets` with those `tips` of the body; its pressure acts over `hardness`
     /// times their area.
     pub(crate) fn new(body: Body, tips: Tips, facets: Vec<Facet>, hardness: f64) -> Self {
-        let never = Clearance {
-            middle: Vector3::repeat(f64::INFINITY),
-            distance: 0.0,
-        };
         Self {
             body,
             tips,
-            clearances: vec![never; facets.len()],
+            near: Vec::new(),
             facets,
             hardness,
             slots: Vec::new(),
@@ -88,33 +81,24 @@ impl TipContact {
         }
     }
 
-    /// Returns true if triangle `k` may reach a tip.
-    fn is_near(&mut self, k: usize, corners: &[Vector3<f64>; 3]) -> bool {
+    /// Returns true if a tip is near a triangle.
+    fn is_near(&self, facet: &Facet, x: &[Vector3<f64>]) -> bool {
+        let corners = facet.corners.map(|i| x[i]);
         let middle = corners.iter().sum::<Vector3<f64>>() / 3.0;
         let far = corners.iter().map(|corner| (corner - middle).norm());
-        let needed = far.fold(0.0, f64::max) + chord::OFFSET;
-        let known = self.clearances[k];
-        // Infinite where nothing was looked for yet.
-        if (middle - known.middle).norm() < known.distance - needed {
-            return false;
-        }
-        let distance = self.tips.distance(&middle, FAR * needed);
-        self.clearances[k] = Clearance { middle, distance };
-        distance < needed
+        let within = far.fold(0.0, f64::max) + NEAR;
+        self.tips.distance(&middle, within) < within
     }
 
     /// Calls `run` with every place of an acting triangle near a tip that is in the layer.
-    fn for_each_touching(&mut self, x: &[Vector3<f64>], mut run: impl FnMut(&Touch<'_>)) {
-        let active = self.active.clone();
-        active.for_each(self.facets.len(), |number| {
-            let facet = self.facets[number];
+    fn for_each_touching(&self, x: &[Vector3<f64>], mut run: impl FnMut(&Touch<'_>)) {
+        self.active.for_each(self.near.len(), |k| {
+            let number = self.near[k];
+            let facet = &self.facets[number];
             let corners = facet.corners.map(|i| x[i]);
-            if !self.is_near(number, &corners) {
-                return;
-            }
             for parts in &PLACES {
                 let sample = self.body.sample(&place(&corners, parts));
-                let Some(sample) = sample.filter(|sample| sample.distance < chord::OFFSET) else {
+                let Some(sample) = sample.filter(|sample| sample.distance < OFFSET) else {
                     continue;
                 };
                 run(&Touch {
@@ -123,7 +107,7 @@ impl TipContact {
                     parts,
                     // A tip may be narrower than what lies between two places.
                     area: facet.area / 3.0 * self.hardness,
-                    depth: chord::OFFSET - sample.distance,
+                    depth: OFFSET - sample.distance,
                     sample,
                 });
             }
@@ -174,7 +158,6 @@ impl Potential for TipContact {
         hessian_modification: f64,
         hessian: &mut BlockMatrix,
     ) {
-        let slots = std::mem::take(&mut self.slots);
         self.for_each_touching(x, |touch| {
             let BodySample {
                 normal, curvature, ..
@@ -182,21 +165,28 @@ impl Potential for TipContact {
             let mut block = normal * normal.transpose() * layer::slope(touch.depth);
             block -= curvature * ((1.0 - hessian_modification) * layer::pressure(touch.depth));
             block *= touch.area;
-            for (&(i, j), &slot) in PAIRS.iter().zip(&slots[touch.number]) {
+            for (&(i, j), &slot) in PAIRS.iter().zip(&self.slots[touch.number]) {
                 hessian.add(slot, &(block * (touch.parts[i] * touch.parts[j])));
             }
         });
-        self.slots = slots;
     }
 
     fn narrow(&mut self, moving: Option<&[bool]>) {
-        let facets = &self.facets;
-        self.active.narrow(moving, facets.len(), |k, moving| {
-            facets[k].corners.iter().any(|&i| moving[i])
+        let (near, facets) = (&self.near, &self.facets);
+        self.active.narrow(moving, near.len(), |k, moving| {
+            let corners = &facets[near[k]].corners;
+            corners.iter().any(|&i| moving[i])
         });
     }
 
     fn add_stiffness_bound(&self, _stiffness: &mut [f64]) {
         // Few triangles are near tips, and what is there is kept off by particles as well.
+    }
+
+    /// Finds anew which triangles are near a tip.
+    fn accept(&mut self, x: &[Vector3<f64>]) -> bool {
+        let near = |number: &usize| self.is_near(&self.facets[*number], x);
+        self.near = (0..self.facets.len()).filter(near).collect();
+        false
     }
 }
