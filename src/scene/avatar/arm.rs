@@ -46,10 +46,10 @@ impl Arm {
         let shoulder = root.armpit + outward * radius - direction * (0.5 * start);
         let upper = elbow_distance(shoulder - root.tip, direction, UPPER * measures.length);
         let fore = (1.0 - UPPER) * measures.length;
+        let joints = [0.0, upper, upper + fore].map(|s| shoulder + direction * s);
         let axis = LimbAxis {
-            points: [0.0, upper, upper + fore]
-                .map(|s| shoulder + direction * s)
-                .to_vec(),
+            joints,
+            points: joints.to_vec(),
             radii: [measures.upper_arm, measures.elbow, measures.wrist]
                 .map(|girth| girth / TAU)
                 .to_vec(),

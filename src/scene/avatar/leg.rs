@@ -88,6 +88,7 @@ impl Leg {
             rings,
             tip,
             axis: LimbAxis {
+                joints: [hip, knee, bottom],
                 points: vec![hip, knee, bottom],
                 radii: [measures.thigh, measures.knee, measures.ankle]
                     .map(|girth| girth / TAU)

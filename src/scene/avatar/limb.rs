@@ -15,10 +15,11 @@ pub enum Limb {
     LegRight,
 }
 
-/// The axis of a limb: from the shoulder joint over the elbow to the wrist, or from the hip joint
-/// over the knee to the ankle.
+/// The axis of a limb, from the shoulder joint to the wrist, or from the hip joint to the ankle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimbAxis {
+    /// Shoulder, elbow and wrist, or hip, knee and ankle \[m\]; they may lie beside the middle.
+    pub joints: [Vector3<f64>; 3],
     /// Points of the axis \[m\], two or more.
     pub points: Vec<Vector3<f64>>,
     /// Radius of the limb at each point \[m\]: its girth over 2 pi.
@@ -28,9 +29,10 @@ pub struct LimbAxis {
 impl LimbAxis {
     /// Returns the same axis on the other side of the body.
     pub(super) fn mirrored(&self) -> Self {
-        let points = self.points.iter();
+        let opposite = |p: &Vector3<f64>| Vector3::new(-p.x, p.y, p.z);
         Self {
-            points: points.map(|p| Vector3::new(-p.x, p.y, p.z)).collect(),
+            joints: self.joints.each_ref().map(opposite),
+            points: self.points.iter().map(opposite).collect(),
             radii: self.radii.clone(),
         }
     }

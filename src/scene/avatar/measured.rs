@@ -70,9 +70,7 @@ impl Avatar {
         choose: fn(f64, f64) -> f64,
     ) -> Option<f64> {
         let girths = limbs.map(|limb| {
-            let [a, b, c] = self.limb(limb)?.points[..] else {
-                return None;
-            };
+            let [a, b, c] = self.limb(limb)?.joints;
             let direction = if from > 1.0 { c - b } else { c - a };
             let places = (0..=STEPS).map(|k| from + (to - from) * k as f64 / STEPS as f64);
             let girths = places.filter_map(|at| {

@@ -91,8 +91,10 @@ mod tests {
     fn bent() -> LimbAxis {
         let forward = Vector3::new(0.0, -1.0, 1.0).normalize();
         let [shoulder, elbow] = [1.4, 1.1].map(|y| Vector3::new(0.2, y, 0.0));
+        let joints = [shoulder, elbow, elbow + forward * 0.25];
         LimbAxis {
-            points: vec![shoulder, elbow, elbow + forward * 0.25],
+            joints,
+            points: joints.to_vec(),
             radii: vec![0.05, 0.045, 0.03],
         }
     }

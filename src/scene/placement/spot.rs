@@ -7,8 +7,8 @@ use crate::scene::avatar::Limb;
 use nalgebra::{Rotation3, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Height of a collar above the sides of the neck at the start \[m\]: there the neck is clear of the
-/// slope of the shoulders.
+/// Height of a collar above the sides of the neck at the start \[m\]: there the neck is clear of
+/// the slope of the shoulders.
 const ABOVE_SHOULDERS: f64 = 0.01;
 
 /// Key points of a garment without a body.
@@ -19,7 +19,7 @@ const NO_BODY: BodyKeyPoints = BodyKeyPoints {
     neck: Vector3::new(0.0, 1.42, 0.0),
 };
 
-/// Key points of a body: heights, the middle in depth \[m\], and the middle of the foot of the neck.
+/// Key points of a body: heights, the middle in depth, and the middle of the foot of the neck \[m\].
 #[derive(Clone, Copy, Debug)]
 struct BodyKeyPoints {
     shoulder: f64,

@@ -16,6 +16,7 @@ const LOWER: [f64; 3] = [0.33, 0.67, 1.0];
 /// Returns the axis of the limb with these joints, from the first of them on.
 pub(super) fn limb_axis(surface: &TriangleMesh, joints: [Vector3<f64>; 3]) -> LimbAxis {
     let mut axis = LimbAxis {
+        joints,
         points: vec![joints[0]],
         radii: vec![],
     };
