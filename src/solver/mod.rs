@@ -25,7 +25,7 @@ mod statistics;
 
 pub use crate::solver::context::Context;
 pub use crate::solver::drape::multilevel::{drape, drape_on};
-pub use crate::solver::forces::contact::{contact_force, contact_pressure, kept_distance};
+pub use crate::solver::forces::contact::kept_distance;
 pub use crate::solver::forces::friction_anchors::FrictionAnchors;
 pub use crate::solver::integrate::{
     Frame, MotionEnergy, MotionReport, StableStep, Start, Trajectory, allowed_step, stable_step,
@@ -34,6 +34,7 @@ pub use crate::solver::integrate::{
 pub use crate::solver::model::build::springs;
 pub use crate::solver::options::{Analysis, MembraneModel, Method, SeamClose, SolverOptions};
 pub use crate::solver::outcome::Drape;
+pub use crate::solver::report::contact_force::{contact_force, contact_pressure};
 pub use crate::solver::report::measure::rms_distance;
 pub use crate::solver::report::schema::{
     Advice, CpuSeconds, DrapeReport, Energy, ErrorPoint, Intersection, IntersectionKind,

@@ -45,7 +45,9 @@ pub(super) fn body_contact(
         terms.push(Box::new(ChordContact::new(body.clone(), chords, reuse)));
     }
     if build_options.finest && !build_options.explicit {
-        terms.extend(tip_contact(scene, body, dof_map));
+        let corners = dof_map.triangles(&scene.mesh.triangles);
+        let tips = tip_contact(scene, body, corners);
+        terms.extend(tips.map(|tips| Box::new(tips) as Box<dyn Potential>));
     }
     terms
 }
@@ -69,32 +71,30 @@ fn chords(scene: &Scene, dof_map: &DofMap) -> Vec<Chord> {
     areas.into_iter().map(chord).collect()
 }
 
-/// Returns contact with the tips of the body that are too sharp for the mesh; none if there are
-/// none.
-fn tip_contact(scene: &Scene, body: &Body, dof_map: &DofMap) -> Option<Box<dyn Potential>> {
-    let facets = facets(scene, dof_map);
-    let area: f64 = facets.iter().map(|facet| facet.area).sum();
-    // Of a triangle of the mean area and equal sides.
-    let edge_square = 4.0 / 3.0_f64.sqrt() * area / facets.len() as f64;
-    // Half an edge sags by its square times the curvature over 8.
-    let tips = body.avatar()?.tips(32.0 * SAG_FELT / edge_square)?;
-    Some(Box::new(TipContact::new(
-        body.clone(),
-        tips,
-        facets,
-        scene.body_hardness,
-    )))
-}
-
-/// Returns the triangles of the mesh that are between three particles.
-fn facets(scene: &Scene, dof_map: &DofMap) -> Vec<Facet> {
-    let corners = dof_map.triangles(&scene.mesh.triangles);
+/// Returns contact of the triangles of the mesh, between these particles, with the tips of the body
+/// that are too sharp for it; none if there are none.
+pub(crate) fn tip_contact(
+    scene: &Scene,
+    body: &Body,
+    corners: Vec<[usize; 3]>,
+) -> Option<TipContact> {
     let facets = corners.into_iter().zip(&scene.mesh.triangles);
-    facets
+    let facets: Vec<_> = facets
         .filter(|([a, b, c], _)| a != b && b != c && c != a)
         .map(|(corners, t)| Facet {
             corners,
             area: rest_area(t.map(|v| scene.mesh.uv[v])).abs(),
         })
-        .collect()
+        .collect();
+    let area: f64 = facets.iter().map(|facet| facet.area).sum();
+    // Of a triangle of the mean area and equal sides.
+    let edge_square = 4.0 / 3.0_f64.sqrt() * area / facets.len() as f64;
+    // Half an edge sags by its square times the curvature over 8.
+    let tips = body.avatar()?.tips(32.0 * SAG_FELT / edge_square)?;
+    Some(TipContact::new(
+        body.clone(),
+        tips,
+        facets,
+        scene.body_hardness,
+    ))
 }

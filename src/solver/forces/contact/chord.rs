@@ -13,7 +13,7 @@ use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
 use nalgebra::{Matrix3, Vector3};
 
 /// Thickness of the layer that middles of edges feel \[m\].
-pub(super) const OFFSET: f64 = 1.5e-3;
+pub(crate) const OFFSET: f64 = 1.5e-3;
 
 /// An edge between two particles.
 #[derive(Clone, Copy, Debug)]

@@ -1,11 +1,13 @@
 //! Normal force \[N\] and pressure \[Pa\] of the body on each vertex of a drape, without friction.
 //!
 //! Both follow from the shape alone: the layer on the skin (see `body.rs`) presses harder the
-//! deeper a vertex lies in it, and that on the middles of edges (see `chord.rs`) on their ends.
+//! deeper a vertex lies in it, that on the middles of edges (see `chord.rs`) on their ends, and that
+//! on places near tips of the body (see `tip.rs`) on the corners of their triangles.
 
 use crate::scene::Scene;
-use crate::solver::forces::contact::skin::kept_distance;
-use crate::solver::forces::contact::{chord, layer};
+use crate::solver::forces::Potential;
+use crate::solver::forces::contact::{chord, kept_distance, layer};
+use crate::solver::model::body_contact::tip_contact;
 use crate::solver::model::rest_shape::{rest_area, vertex_areas};
 use nalgebra::Vector3;
 
@@ -36,6 +38,10 @@ pub fn contact_force(scene: &Scene, positions: &[Vector3<f64>]) -> Vec<Vector3<f
             force[i] += half;
             force[j] += half;
         }
+    }
+    if let Some(mut tips) = tip_contact(scene, body, scene.mesh.triangles.clone()) {
+        tips.accept(positions);
+        tips.add_force(positions, &mut force);
     }
     force
 }
