@@ -61,18 +61,27 @@ pub(super) fn support(
         .iter()
         .filter_map(|opening| misplaced(opening, panels, &ends))
         .collect();
-    faults.extend(hanging(avatar, &openings, positions));
+    let hanging = hanging(avatar, &openings, positions);
+    // Cloth that was laid flat hangs far below where it began, by edges that are where they belong.
+    let carried_m = found.sank_m.filter(|_| {
+        let is_told = |o: &WornOpening| matches!(o.after, Encircled::Neck | Encircled::Trunk);
+        hanging.is_none() && openings.iter().any(is_told)
+    });
+    faults.extend(hanging);
     faults.extend(turned(scene, positions));
     let seam = crotch_seam(scene, &openings).map(|v| positions[v]);
     faults.extend(carried::low_crotch(avatar, seam));
     faults.extend(girths::overstretched(scene, positions));
-    if found.ok != Some(true) {
+    if found.ok != Some(true) && carried_m.is_none() {
         faults.insert(0, found.because.clone());
     }
-    let because = if faults.is_empty() {
-        found.because.clone()
-    } else {
-        faults.join("; ")
+    let because = match (faults.is_empty(), carried_m) {
+        (false, _) => faults.join("; "),
+        (true, Some(sank_m)) => format!(
+            "it came to rest on the body, which carries it by its openings, {:.0} mm lower than it was laid",
+            sank_m * 1e3
+        ),
+        (true, None) => found.because.clone(),
     };
     Support {
         ok: Some(faults.is_empty()),
@@ -81,6 +90,7 @@ pub(super) fn support(
             .iter()
             .map(|opening| told(opening, panels))
             .collect(),
+        sank_m: None,
     }
 }
 
@@ -108,6 +118,7 @@ fn not_judged(because: &str) -> Support {
         ok: None,
         because: format!("not judged: {because}"),
         openings: vec![],
+        sank_m: None,
     }
 }
 
@@ -255,13 +266,34 @@ mod tests {
 
     /// The verdict on the shape that `moved` makes of the start.
     fn judged(moved: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Support {
-        let scene = top();
-        let shape: Vec<_> = scene.start.iter().map(moved).collect();
         let at_rest = Support {
             ok: Some(true),
             ..Support::default()
         };
-        support(&scene, &["front", "back"], &shape, &at_rest)
+        judged_as(moved, &at_rest)
+    }
+
+    /// The same where the solver found this.
+    fn judged_as(moved: impl Fn(&Vector3<f64>) -> Vector3<f64>, found: &Support) -> Support {
+        let scene = top();
+        let shape: Vec<_> = scene.start.iter().map(moved).collect();
+        support(&scene, &["front", "back"], &shape, found)
+    }
+
+    #[test]
+    fn cloth_that_sank_is_worn_where_its_openings_are_where_they_belong() {
+        let sunk = Support {
+            ok: Some(false),
+            because: "it sank by 300 mm: nothing holds it where it was put".to_owned(),
+            sank_m: Some(0.3),
+            ..Support::default()
+        };
+        let worn = judged_as(dressed, &sunk);
+        assert_eq!(worn.ok, Some(true), "{}", worn.because);
+        assert!(worn.because.contains("300 mm lower"), "{}", worn.because);
+        let off = judged_as(|p| *p, &sunk);
+        assert_eq!(off.ok, Some(false));
+        assert!(off.because.contains("it sank"), "{}", off.because);
     }
 
     /// Front and back, 10 cm before and behind the shoulders, drawn together onto them.

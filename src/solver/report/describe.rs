@@ -169,6 +169,7 @@ fn support(scene: &Scene, outcome: &DrapeOutcome) -> Support {
         "{:.0} mm {way} than it was sewn",
         outcome.sunk_m.abs() * 1e3
     );
+    let mut sank_m = None;
     let (ok, because) = if scene.body.is_none() {
         (None, "there is no avatar".to_owned())
     } else if outcome.end.is_err() {
@@ -182,6 +183,7 @@ fn support(scene: &Scene, outcome: &DrapeOutcome) -> Support {
             format!("it came to rest with cloth {inside_mm:.0} mm inside the body"),
         )
     } else if outcome.sunk_m > FALLEN {
+        sank_m = Some(outcome.sunk_m);
         (
             Some(false),
             format!("it sank by {sunk_mm:.0} mm: nothing holds it where it was put"),
@@ -193,6 +195,7 @@ fn support(scene: &Scene, outcome: &DrapeOutcome) -> Support {
         ok,
         because,
         openings: vec![],
+        sank_m,
     }
 }
 

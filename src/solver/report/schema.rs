@@ -188,6 +188,9 @@ pub struct Support {
     /// The openings of the garment: neck, armholes, wrists, waist, hem.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub openings: Vec<SupportOpening>,
+    /// Distance by which its middle sank, where nothing else speaks against it \[m\].
+    #[serde(skip)]
+    pub sank_m: Option<f64>,
 }
 
 /// An opening of a garment, and what it goes round.
