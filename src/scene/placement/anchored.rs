@@ -1,5 +1,6 @@
 //! A panel put at a key point of the body.
 
+use super::cone::Cone;
 use super::name_hint::guess;
 use super::placed::Placed;
 use super::spot::Spot;
@@ -113,6 +114,7 @@ impl AnchoredPlacement {
             axis: spot.axis,
             radius: 0.0,
             wrap,
+            cone: None,
             tilt: spot.tilt,
             rotation: turn(Vector3::x(), rx) * turn(Vector3::y(), ry) * turn(Vector3::z(), rz),
             offset: Vector3::from(placement.offset_m),
@@ -140,6 +142,38 @@ impl AnchoredPlacement {
             around.max(CLEARANCE).max(spot.radius)
         };
         placed
+    }
+}
+
+impl AnchoredPlacement {
+    /// Returns the same start rolled to a cone about the trunk, where the panel's stitches to itself,
+    /// pairs of points of the drawing, make one of it.
+    pub(super) fn coned(
+        &self,
+        placed: Placed,
+        panel: &Panel,
+        stitches: &[[[f64; 2]; 2]],
+        avatar: Option<&Avatar>,
+    ) -> Placed {
+        let is_about_trunk = placed.wrap == Wrap::Cylinder && placed.tilt.is_none();
+        let is_turned = self.placement.rotate_deg != [0.0; 3];
+        if !is_about_trunk || is_turned || self.turns() || self.anchor == PlacementAnchor::Origin {
+            return placed;
+        }
+        let upright = |uv: [f64; 2]| placed.up * Vector2::from(uv);
+        let outline: Vec<_> = outline(panel).map(upright).collect();
+        let stitches: Vec<_> = stitches.iter().map(|pair| pair.map(upright)).collect();
+        let Some(cone) = Cone::of(&outline, &stitches) else {
+            return placed;
+        };
+        let top = placed.axis.y;
+        let span = [top - cone.height(&outline), top];
+        let reach = radius(avatar, placed.axis.z, span, Wrap::Cylinder) + CLEARANCE;
+        Placed {
+            radius: reach.max(cone.radius()),
+            cone: Some(cone),
+            ..placed
+        }
     }
 }
 

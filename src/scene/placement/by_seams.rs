@@ -54,8 +54,22 @@ pub fn place_panels(
             _ => placed,
         }
     };
-    let mut placed: Vec<Placed> = panels.iter().map(place).collect();
     let of_panel = own_stitches(panels.len(), stitches);
+    let to_itself = |panel: usize| {
+        let own = of_panel[panel].iter();
+        let own = own.filter(move |[a, b]| a.panel == b.panel);
+        own.map(|pair| pair.map(|point| point.uv))
+            .collect::<Vec<_>>()
+    };
+    let placed = panels.iter().map(place).enumerate();
+    let placed = placed.map(|(number, placed)| {
+        let panel = &panels[number];
+        let stitches = to_itself(number);
+        panel
+            .placement
+            .coned(placed, panel.panel, &stitches, avatar)
+    });
+    let mut placed: Vec<Placed> = placed.collect();
     let mut is_settled: Vec<bool> = panels
         .iter()
         .map(|panel| !panel.placement.turns())

@@ -5,6 +5,7 @@
 mod anchored;
 mod arm_pose;
 mod by_seams;
+mod cone;
 mod layered;
 mod name_hint;
 mod on_arm;

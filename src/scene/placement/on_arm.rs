@@ -98,6 +98,7 @@ fn rolled(flat: &Placed, panel: &Panel, up: Rotation2<f64>, place: &ArmPlace) ->
         axis: place.axis,
         radius: ((right - left) / HALF).max(place.least_radius),
         wrap: Wrap::Cylinder,
+        cone: None,
         tilt: Some(place.tilt),
         rotation: Rotation3::identity(),
         offset: Vector3::zeros(),

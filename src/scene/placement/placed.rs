@@ -1,5 +1,6 @@
 //! The way of a panel from its drawing to its start in space.
 
+use super::cone::Cone;
 use crate::pattern::Wrap;
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 
@@ -23,6 +24,8 @@ pub struct Placed {
     /// Distance from the axis \[m\].
     pub(super) radius: f64,
     pub(super) wrap: Wrap,
+    /// The cone that it is rolled to in place of the cylinder.
+    pub(super) cone: Option<Cone>,
     /// Turn about the key point that lays the axis along that of an arm; none about the trunk.
     pub(super) tilt: Option<Rotation3<f64>>,
     pub(super) rotation: Rotation3<f64>,
@@ -33,6 +36,9 @@ impl Placed {
     /// Start position of the pattern point `uv` \[m\].
     pub fn position(&self, uv: [f64; 2]) -> Vector3<f64> {
         let upright = self.up * Vector2::from(uv);
+        if let Some(cone) = &self.cone {
+            return self.on_cone(cone, &upright) + self.offset;
+        }
         let middle = self.rolled(0.0, self.center_y - self.key[1]);
         let p = self.rolled(
             self.sense * (upright.x - self.key[0]),
@@ -62,6 +68,14 @@ impl Placed {
             self.axis += down * mean.dot(&down).clamp(0.0, MOST_DOWN);
         }
         self
+    }
+
+    /// The point of the turned drawing on a cone, whose narrow end is at the key point.
+    fn on_cone(&self, cone: &Cone, upright: &Vector2<f64>) -> Vector3<f64> {
+        let [turn, out, down] = cone.place(upright);
+        let (sin, cos) = (self.outward + self.sense * turn).sin_cos();
+        let radius = self.radius + out;
+        self.axis + Vector3::new(radius * sin, -down, radius * cos)
     }
 
     /// The point `along` the panel's width from its key point and `up` from it \[m\].
