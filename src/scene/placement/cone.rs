@@ -50,11 +50,7 @@ impl Cone {
         let apart = (stitches.iter().map(off).sum::<f64>() / count).sqrt();
         let from_a = a - apex;
         let between = from_a.y.atan2(from_a.x) + 0.5 * turn;
-        let beside: f64 = outline
-            .iter()
-            .map(|p| (p - apex).dot(&Vector2::new(between.cos(), between.sin())))
-            .sum();
-        let (middle, angle) = if beside > 0.0 {
+        let (middle, angle) = if is_crossed(outline, &apex, between) {
             (between, turn.abs())
         } else {
             (between + PI, TAU - turn.abs())
@@ -95,6 +91,17 @@ impl Cone {
     }
 }
 
+/// Returns true if a closed outline crosses the half line from `apex` in this direction \[rad\].
+fn is_crossed(outline: &[Vector2<f64>], apex: &Vector2<f64>, direction: f64) -> bool {
+    let along = Vector2::new(direction.cos(), direction.sin());
+    let next = outline.iter().cycle().skip(1);
+    let mut pieces = outline.iter().zip(next).map(|(p, q)| (p - apex, q - apex));
+    pieces.any(|(p, q)| {
+        let [a, b] = [along.perp(&p), along.perp(&q)];
+        (a >= 0.0) != (b >= 0.0) && along.dot(&(p + (q - p) * (a / (a - b)))) > 0.0
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -107,7 +114,8 @@ mod tests {
             Vector2::new(0.3 + radius * angle.cos(), 0.1 + radius * angle.sin())
         };
         let shares = (0..=20).map(|k| f64::from(k) / 20.0 - 0.5);
-        let outline = shares.flat_map(|share| [point(share, 0.2), point(share, 0.8)]);
+        let inner = shares.clone().map(|share| point(share, 0.2));
+        let outline = inner.chain(shares.rev().map(|share| point(share, 0.8)));
         let radii = (0..=6).map(|k| 0.2 + 0.1 * f64::from(k));
         let stitches = radii.map(|radius| [point(-0.5, radius), point(0.5, radius)]);
         (outline.collect(), stitches.collect())

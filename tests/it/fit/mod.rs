@@ -1,6 +1,7 @@
 //! Tests of `fit`: garments sewn from pattern to report.
 
 mod garmentcode;
+mod laid;
 mod layers;
 mod over;
 mod samples;
