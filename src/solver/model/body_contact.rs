@@ -18,6 +18,10 @@ const EXPLICIT_REUSE: f64 = 2e-5;
 /// Sag of half an edge over a curve of the body that is felt \[m\].
 const SAG_FELT: f64 = 1e-3;
 
+/// Least curvature of a tip \[1/m\]: long edges sag over all of a body, and what is rounder is left
+/// to them.
+const TIP: f64 = 100.0;
+
 /// Returns the terms that keep cloth off `body`.
 pub(super) fn body_contact(
     scene: &Scene,
@@ -90,7 +94,8 @@ pub(crate) fn tip_contact(
     // Of a triangle of the mean area and equal sides.
     let edge_square = 4.0 / 3.0_f64.sqrt() * area / facets.len() as f64;
     // Half an edge sags by its square times the curvature over 8.
-    let tips = body.avatar()?.tips(32.0 * SAG_FELT / edge_square)?;
+    let sharpness = (32.0 * SAG_FELT / edge_square).max(TIP);
+    let tips = body.avatar()?.tips(sharpness)?;
     Some(TipContact::new(
         body.clone(),
         tips,

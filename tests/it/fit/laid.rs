@@ -4,6 +4,7 @@
 
 use seamster::fit::{Garment, PatternRef};
 use seamster::pattern::Panel;
+use seamster::scene::DressForm;
 use seamster::solver::DrapeReport;
 use seamster_fixtures::panels::{panel_of, pattern, polygon, rectangle, with_hole};
 use serde_json::{Value, json};
@@ -14,7 +15,8 @@ const WAIST: f64 = 0.76;
 
 /// Sews panels with these fields of a garment.
 fn sewn(panels: Vec<Panel>, fields: Value) -> DrapeReport {
-    let mut garment = json!({"default_fabric": "cotton-poplin", "avatar": {"form": {}}});
+    let mut garment =
+        json!({"default_fabric": "cotton-poplin", "avatar": {"form": DressForm::default()}});
     let all = garment.as_object_mut().unwrap();
     all.extend(fields.as_object().unwrap().clone());
     let mut garment: Garment = serde_json::from_value(garment).unwrap();
