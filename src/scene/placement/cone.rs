@@ -81,8 +81,8 @@ impl Cone {
         (1.0 - self.share * self.share).sqrt()
     }
 
-    /// Returns the angle round the axis from the middle of the panel \[rad\], the distance outward and
-    /// the one down from the narrow end \[m\].
+    /// Returns the angle round the axis from the middle of the panel \[rad\], the distance outward
+    /// and the one down from the narrow end \[m\].
     pub(super) fn place(&self, p: &Vector2<f64>) -> [f64; 3] {
         let from = p - self.apex;
         let angle = (from.y.atan2(from.x) - self.middle + PI).rem_euclid(TAU) - PI;

@@ -19,7 +19,7 @@ const NO_BODY: BodyKeyPoints = BodyKeyPoints {
     neck: Vector3::new(0.0, 1.42, 0.0),
 };
 
-/// Key points of a body: heights, the middle in depth, and the middle of the foot of the neck \[m\].
+/// Key points of a body: heights, the middle in depth, and that of the foot of the neck \[m\].
 #[derive(Clone, Copy, Debug)]
 struct BodyKeyPoints {
     shoulder: f64,

@@ -75,6 +75,15 @@ pub(super) enum Laterality {
 }
 
 impl Laterality {
+    /// Returns the side of the drawing on which the front of a sleeve or side panel lies that is
+    /// drawn hem down and face up: the left for a left one.
+    pub(super) fn usual_front_side(self) -> DrawnSide {
+        match self {
+            Self::Left => DrawnSide::Left,
+            Self::Right => DrawnSide::Right,
+        }
+    }
+
     pub(super) fn other(self) -> Self {
         match self {
             Self::Left => Self::Right,

@@ -1,8 +1,8 @@
 //! Normal force \[N\] and pressure \[Pa\] of the body on each vertex of a drape, without friction.
 //!
 //! Both follow from the shape alone: the layer on the skin (see `body.rs`) presses harder the
-//! deeper a vertex lies in it, that on the middles of edges (see `chord.rs`) on their ends, and that
-//! on places near tips of the body (see `tip.rs`) on the corners of their triangles.
+//! deeper a vertex lies in it, that on the middles of edges (see `chord.rs`) on their ends, and
+//! that on places near tips of the body (see `tip.rs`) on the corners of their triangles.
 
 use crate::scene::Scene;
 use crate::solver::forces::Potential;

@@ -3,7 +3,7 @@
 use super::side;
 use crate::seam::suggest::edge_chain::{EdgeChain, beginning_at, length};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
-use crate::seam::suggest::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
+use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 
 /// A ring begins at a corner that is as near to where it would begin \[m\].
 const MIN_PART_M: f64 = 0.008;
@@ -72,13 +72,4 @@ pub(super) fn set_in(
     let id = format!("armhole-{side}");
     let because = "the sleeve is set into the armhole, front to front and underarm to underarm";
     garment.sew_ring(SeamRationale::new(&id, because).eased(), hole, cap);
-}
-
-/// Returns the side of the drawing on which the front of a sleeve lies that is drawn hem down and
-/// face up: the left for a left sleeve.
-pub(super) fn usual_front_side(laterality: Laterality) -> DrawnSide {
-    match laterality {
-        Laterality::Left => DrawnSide::Left,
-        Laterality::Right => DrawnSide::Right,
-    }
 }

@@ -1,6 +1,5 @@
 //! Raglan: sleeves that run up to the neck, between front and back.
 
-use super::armhole;
 use crate::seam::suggest::edge_chain::{EdgeChain, length, reversed};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
@@ -78,7 +77,7 @@ pub(super) fn front_side(
             };
         }
     }
-    armhole::usual_front_side(laterality)
+    laterality.usual_front_side()
 }
 
 /// Returns the neck that front, back and both sleeves make, from the wearer's left round the front.

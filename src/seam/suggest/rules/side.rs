@@ -1,7 +1,6 @@
 //! Side panels: between front and back, one or several on each side of the wearer, as under the arm
 //! of a jacket or beside princess seams.
 
-use super::armhole::usual_front_side;
 use crate::seam::suggest::edge_chain::{EdgeChain, reversed};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
 use crate::seam::suggest::labeled_panel::{LabeledPanel, RoleSegment};
@@ -92,7 +91,7 @@ pub(super) fn row(garment: &GarmentModel, laterality: Laterality) -> Vec<LaidSid
     let least = misfits.iter().copied().fold(f64::INFINITY, f64::min);
     let is_as_good = |way: usize| misfits[way] <= least + ALIKE;
     let drawn = parts.iter().enumerate();
-    let front = usual_front_side(laterality);
+    let front = laterality.usual_front_side();
     let drawn = drawn.map(|(i, part)| usize::from(part.first_drawn_side() != front) << i);
     let drawn: usize = drawn.sum();
     let turned = |way: &usize| (way ^ drawn).count_ones();

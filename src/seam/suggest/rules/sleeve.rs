@@ -111,7 +111,7 @@ fn whole(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
     if part.segment(EdgeRole::Cap, None).is_none() {
         return;
     }
-    let front = armhole::usual_front_side(laterality);
+    let front = laterality.usual_front_side();
     let hole = armhole::of(garment, laterality).map(|hole| hole.around_from_underarm());
     let cap = part.segment(EdgeRole::Cap, None).map(|segment| {
         let chain = part.chain(segment);

@@ -60,7 +60,7 @@ pub(super) fn sew(garment: &mut GarmentModel, laterality: Laterality, side: &str
         return;
     };
     let crossed = is_crossed(&upper, &under);
-    let front = front_side(&upper).unwrap_or_else(|| armhole::usual_front_side(laterality));
+    let front = front_side(&upper).unwrap_or_else(|| laterality.usual_front_side());
     for (drawn_side, name) in [(front, "front"), (front.other(), "back")] {
         let other = if crossed {
             drawn_side.other()
