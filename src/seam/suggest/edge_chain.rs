@@ -12,6 +12,9 @@ pub(super) struct EdgeStep {
     pub(super) span: [f64; 2],
 }
 
+/// A ring begins at a corner that is as near to where it would begin \[m\].
+pub(super) const CORNER_TOLERANCE_M: f64 = 0.004;
+
 /// All of an edge.
 pub(super) const WHOLE: [f64; 2] = [0.0, 1.0];
 

@@ -9,6 +9,8 @@ const MAX_CODE: usize = 6;
 /// Longest code, in letters, that may have grown together with what stands before it.
 const MAX_GROWN: usize = 4;
 
+/// Codes of front and back that are not a letter and another one.
+const WHOLE: [&str; 2] = ["fr", "bk"];
 /// Endings of a code that say front or back.
 const DEPTHS: [(&str, Meaning); 4] = [
     ("f", Meaning::Front),
@@ -28,21 +30,24 @@ const SIDES: [(&str, Meaning); 7] = [
 ];
 
 /// Returns the meanings of a word that is a beginning and a place; nothing where it is not.
+///
+/// Codes of two letters are not taken apart: `SKFR` is the front of a skirt, and `SFR` the front of
+/// a style S, neither the right one of `SF`.
 pub(super) fn parts(beginnings: &[Entry], word: &str) -> Vec<Meaning> {
-    if word.chars().count() > MAX_CODE || is_lettered(word) {
+    if word.chars().count() > MAX_CODE {
         return vec![];
     }
+    let last = WHOLE.into_iter().find(|code| word.ends_with(code));
+    let place = |start: &String| {
+        let rest = word.strip_prefix(start.as_str())?;
+        let is_whole = |part: &str| last.is_none_or(|code| part.ends_with(code));
+        places(rest).filter(|_| is_whole(rest) || is_whole(start))
+    };
     let begins = |entry: &Entry| -> Option<Vec<Meaning>> {
-        let mut words = entry.words.iter();
-        let places = words.find_map(|start| places(word.strip_prefix(start.as_str())?))?;
+        let places = entry.words.iter().find_map(place)?;
         Some([vec![entry.means], places].concat())
     };
     beginnings.iter().filter_map(begins).flatten().collect()
-}
-
-/// Returns true for front or back after the letter of a style: `SFR` is no right side of a front.
-fn is_lettered(word: &str) -> bool {
-    word.chars().count() == 3 && ["fr", "bk"].iter().any(|code| word.ends_with(code))
 }
 
 /// Returns the places that letters say: front or back, left or right, or both; nothing where they
@@ -87,6 +92,11 @@ mod tests {
             means: Meaning::KindIfOnly(PanelKind::Side),
         }];
         assert_eq!(parts(&sides, "sfr"), []);
+        let skirt = [Entry {
+            words: vec!["sk".to_owned()],
+            means: Meaning::Kind(PanelKind::Skirt),
+        }];
+        assert_eq!(parts(&skirt, "skfr"), [skirt[0].means, Meaning::Front]);
         assert_eq!(ending("sfr"), Some(Meaning::Front));
         assert_eq!(parts(&sides, "sfl"), [sides[0].means, Meaning::Left]);
     }

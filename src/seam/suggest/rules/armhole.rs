@@ -1,12 +1,9 @@
 //! Armholes: what front, side panels, back and yoke make of them together.
 
 use super::side;
-use crate::seam::suggest::edge_chain::{EdgeChain, beginning_at, length};
+use crate::seam::suggest::edge_chain::{CORNER_TOLERANCE_M, EdgeChain, beginning_at, length};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
-
-/// A ring begins at a corner that is as near to where it would begin \[m\].
-const MIN_PART_M: f64 = 0.008;
 
 /// An armhole from the shoulder down the front, then up the back to the shoulder.
 pub(super) struct Armhole {
@@ -26,7 +23,11 @@ impl Armhole {
     /// middle of what is between front and back.
     pub(super) fn around_from_underarm(&self) -> EdgeChain {
         let ring = [self.up.clone(), self.down.clone()].concat();
-        beginning_at(&ring, length(&ring) - 0.5 * self.between, MIN_PART_M)
+        beginning_at(
+            &ring,
+            length(&ring) - 0.5 * self.between,
+            CORNER_TOLERANCE_M,
+        )
     }
 }
 
@@ -62,14 +63,22 @@ pub(super) fn of(garment: &GarmentModel, laterality: Laterality) -> Option<Armho
     (!down.is_empty() && !up.is_empty()).then_some(Armhole { down, up, between })
 }
 
-/// Sets a sleeve's cap into an armhole.
+/// Sets a sleeve's cap into the armhole of one side of the wearer.
 pub(super) fn set_in(
     garment: &mut GarmentModel,
-    side: &str,
+    laterality: Laterality,
     hole: Option<EdgeChain>,
     cap: Option<EdgeChain>,
 ) {
+    let side = match laterality {
+        Laterality::Left => "left",
+        Laterality::Right => "right",
+    };
     let id = format!("armhole-{side}");
     let because = "the sleeve is set into the armhole, front to front and underarm to underarm";
-    garment.sew_ring(SeamRationale::new(&id, because).eased(), hole, cap);
+    // The order along the ring is that of the side panels in it.
+    let row = side::row(garment, laterality);
+    let is_guess = row.iter().any(|laid| laid.is_guess);
+    let rationale = SeamRationale::new(&id, because).eased().guessed(is_guess);
+    garment.sew_ring(rationale, hole, cap);
 }

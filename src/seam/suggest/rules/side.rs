@@ -137,7 +137,7 @@ pub(super) fn sew(garment: &mut GarmentModel, laterality: Laterality, side: &str
         let (id, because) = if several {
             let id = format!("side-{side}-{}", i + 1);
             let because = if is_guess {
-                "panels round the body meet side to side, hem to hem; both sides of a side panel fit in front, and which faces it is a guess"
+                "panels round the body meet side to side, hem to hem; either edge of a side panel fits in front, and which does is a guess: if it is the other, exchange the two"
             } else {
                 "panels round the body meet side to side, hem to hem"
             };

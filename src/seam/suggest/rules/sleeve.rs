@@ -86,7 +86,7 @@ fn halves(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
         Some(cap)
     });
     let hole = armhole::of(garment, laterality).map(|hole| hole.around_from_shoulder());
-    armhole::set_in(garment, side, hole, cap);
+    armhole::set_in(garment, laterality, hole, cap);
 }
 
 /// Sews a sleeve of one panel.
@@ -121,5 +121,5 @@ fn whole(garment: &mut GarmentModel, laterality: Laterality, side: &str) {
             chain
         }
     });
-    armhole::set_in(garment, side, hole, cap);
+    armhole::set_in(garment, laterality, hole, cap);
 }

@@ -2,14 +2,13 @@
 //! behind the arm, and set into the armhole together.
 
 use super::armhole;
-use crate::seam::suggest::edge_chain::{EdgeChain, beginning_at, length, reversed};
+use crate::seam::suggest::edge_chain::{
+    CORNER_TOLERANCE_M, EdgeChain, beginning_at, length, reversed,
+};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale, ease};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{DrawnSide, EdgeRole, Laterality, PanelKind};
 
-/// An armhole may begin at a corner this far from where the middle of the under sleeve meets it
-/// \[m\].
-const CORNER_TOLERANCE_M: f64 = 0.004;
 /// A notch on the cap of an under sleeve marks the underarm if it is this near to its middle, as a
 /// share of the cap.
 const NEAR_MIDDLE: f64 = 0.3;
@@ -89,7 +88,7 @@ pub(super) fn sew(garment: &mut GarmentModel, laterality: Laterality, side: &str
         beginning_at(&ring, before, CORNER_TOLERANCE_M)
     });
     let cap = [over, below].concat();
-    armhole::set_in(garment, side, hole, Some(cap));
+    armhole::set_in(garment, laterality, hole, Some(cap));
 }
 
 /// Returns the place of the underarm along the cap of an under sleeve, as a share of it.
