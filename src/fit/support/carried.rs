@@ -13,7 +13,8 @@ const ABOVE_WAIST: f64 = 0.08;
 const BELOW_HIP: f64 = 0.01;
 /// Furthest that the top edge of a strapless garment may be below the points of the bust \[m\].
 const BELOW_BUST: f64 = 0.02;
-/// Share of the way from waist to bust above which a top edge starts that the bust holds.
+/// Share of the way from waist to bust above which a top edge starts that the bust holds: of the
+/// 140 mm on a body of 1.68 m a band of 100 mm at the waist takes 0.7.
 const HELD_BY_BUST: f64 = 0.8;
 /// Furthest that a crotch seam may hang below the crotch \[m\].
 const BELOW_CROTCH: f64 = 0.06;
@@ -67,8 +68,7 @@ pub(super) fn off_the_bust(avatar: &Avatar, top: &[Vector3<f64>]) -> Option<Stri
     })
 }
 
-/// Returns true if a garment that begins with the edge `top` is held by the bust, not by the waist,
-/// above which a band of 100 mm ends.
+/// Returns true if a garment that begins with the edge `top` is held by the bust, not by the waist.
 pub(super) fn begins_at_the_bust(avatar: &Avatar, top: &[Vector3<f64>]) -> bool {
     let height = |name: &str| avatar.landmarks.get(name).map(|p| p.y);
     let (Some(waist), Some(bust)) = (height("waist_front"), height("bust_point_l")) else {

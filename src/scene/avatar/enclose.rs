@@ -14,6 +14,7 @@ use std::collections::BTreeSet;
 
 /// Distance by which the surface may stand out \[m\].
 const OUTSIDE: f64 = 1e-4;
+
 /// Lowers spline `coefficients` of the distance at the nodes of `lattice` \[m\] where `surface`
 /// stands out.
 pub(super) fn enclose(lattice: &Lattice, coefficients: &mut [f64], surface: &TriangleMesh) {

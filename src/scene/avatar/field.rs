@@ -61,7 +61,7 @@ impl DistanceField {
         reach: f64,
         spacing: f64,
     ) -> Self {
-        Self::with((surface, exact), reach, spacing, |_, _| ())
+        Self::build((surface, exact), reach, spacing, false)
     }
 
     /// The same, lowered where the surface would stand out of it.
@@ -70,17 +70,14 @@ impl DistanceField {
         reach: f64,
         spacing: f64,
     ) -> Self {
-        Self::with((surface, exact), reach, spacing, |lattice, coefficients| {
-            enclose(lattice, coefficients, surface);
-        })
+        Self::build((surface, exact), reach, spacing, true)
     }
 
-    /// The field whose spline coefficients are changed by `adapt` before they are kept.
-    fn with(
+    fn build(
         (surface, exact): (&TriangleMesh, &ExactDistance),
         reach: f64,
         spacing: f64,
-        adapt: impl FnOnce(&Lattice, &mut [f64]),
+        is_enclosing: bool,
     ) -> Self {
         let lattice = layout(exact.bounds(), reach, spacing);
         let limit = reach + COMPUTED * lattice.spacing;
@@ -88,7 +85,9 @@ impl DistanceField {
         let offered = lattice.spacing.mul_add(1.8, reach);
         let near: Vec<bool> = nodes.iter().map(|distance| *distance <= offered).collect();
         prefilter(&lattice, &mut nodes);
-        adapt(&lattice, &mut nodes);
+        if is_enclosing {
+            enclose(&lattice, &mut nodes, surface);
+        }
         let mut field = Self {
             across: [1, 2].map(|axis| lattice.size[axis].div_ceil(CELLS)),
             bricks: Vec::new(),

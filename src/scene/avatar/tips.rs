@@ -22,13 +22,10 @@ impl Tips {
             sample.is_some_and(|s| s.curvature.symmetric_eigenvalues().max() > sharpness)
         };
         let is_sharp: Vec<bool> = surface.vertices.iter().map(is_sharp).collect();
-        let triangles = surface.triangles.iter();
-        let triangles = triangles.filter(|t| t.iter().any(|&v| is_sharp[v]));
-        let surface = TriangleMesh {
-            vertices: surface.vertices.clone(),
-            triangles: triangles.copied().collect(),
-        };
-        (!surface.triangles.is_empty()).then(|| Self(Tree::new(&surface)))
+        let triangles = surface.triangles.iter().enumerate();
+        let sharp = triangles.filter(|(_, t)| t.iter().any(|&v| is_sharp[v]));
+        let sharp: Vec<usize> = sharp.map(|(t, _)| t).collect();
+        (!sharp.is_empty()).then(|| Self(Tree::of(surface, sharp)))
     }
 
     /// Distance of a point from the nearest tip, or `within` \[m\] if that is less.

@@ -55,9 +55,13 @@ pub(super) struct Nearest {
 
 impl Tree {
     pub(super) fn new(surface: &TriangleMesh) -> Self {
-        let mut leaves: Vec<_> = (0..surface.triangles.len())
-            .map(|t| (t, surface.corners(t)))
-            .collect();
+        Self::of(surface, 0..surface.triangles.len())
+    }
+
+    /// The tree of these triangles of a surface alone.
+    pub(super) fn of(surface: &TriangleMesh, triangles: impl IntoIterator<Item = usize>) -> Self {
+        let triangles = triangles.into_iter();
+        let mut leaves: Vec<_> = triangles.map(|t| (t, surface.corners(t))).collect();
         let mut nodes = Vec::new();
         let count = leaves.len();
         grow(&mut leaves, (0, count), &mut nodes);

@@ -143,9 +143,7 @@ impl AnchoredPlacement {
         };
         placed
     }
-}
 
-impl AnchoredPlacement {
     /// Returns the same start rolled to a cone about the trunk, where the panel's stitches to
     /// itself, pairs of points of the drawing, make one of it.
     pub(super) fn coned(

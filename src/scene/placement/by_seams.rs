@@ -45,31 +45,23 @@ pub fn place_panels(
     stitches: &[[SeamPoint; 2]],
     avatar: Option<&Avatar>,
 ) -> Vec<Placed> {
-    let place = |panel: &PanelPlacement<'_>| {
+    let of_panel = own_stitches(panels.len(), stitches);
+    let place = |(panel, stitches): (&PanelPlacement<'_>, &Vec<OwnStitch>)| {
         let placed = panel.placement.place(panel.panel, panel.face, avatar);
         match avatar {
             Some(avatar) if panel.placement.is_about_other_body() => {
                 onto_arm(placed, panel.panel, avatar)
             }
-            _ => placed,
+            _ => {
+                let to_itself = stitches.iter().filter(|[a, b]| a.panel == b.panel);
+                let to_itself: Vec<_> = to_itself.map(|pair| pair.map(|p| p.uv)).collect();
+                panel
+                    .placement
+                    .coned(placed, panel.panel, &to_itself, avatar)
+            }
         }
     };
-    let of_panel = own_stitches(panels.len(), stitches);
-    let to_itself = |panel: usize| {
-        let own = of_panel[panel].iter();
-        let own = own.filter(move |[a, b]| a.panel == b.panel);
-        own.map(|pair| pair.map(|point| point.uv))
-            .collect::<Vec<_>>()
-    };
-    let placed = panels.iter().map(place).enumerate();
-    let placed = placed.map(|(number, placed)| {
-        let panel = &panels[number];
-        let stitches = to_itself(number);
-        panel
-            .placement
-            .coned(placed, panel.panel, &stitches, avatar)
-    });
-    let mut placed: Vec<Placed> = placed.collect();
+    let mut placed: Vec<Placed> = panels.iter().zip(&of_panel).map(place).collect();
     let mut is_settled: Vec<bool> = panels
         .iter()
         .map(|panel| !panel.placement.turns())

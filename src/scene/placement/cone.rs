@@ -1,7 +1,7 @@
 //! The cone that a panel becomes where two of its edges that run about a point of its plane are
 //! sewn to each other, as of a circle skirt in one piece.
 
-use nalgebra::{Rotation2, Vector2};
+use nalgebra::{Matrix2, Rotation2, Vector2};
 use std::f64::consts::{PI, TAU};
 
 /// Least and largest angle of such a panel about the point \[rad\]: narrower ones hang well rolled
@@ -32,23 +32,11 @@ impl Cone {
         if stitches.len() < STITCHES {
             return None;
         }
-        let count = stitches.len() as f64;
-        let mean = |side: usize| stitches.iter().map(|s| s[side]).sum::<Vector2<f64>>() / count;
-        let [a, b] = [mean(0), mean(1)];
-        let (mut cos, mut sin) = (0.0, 0.0);
-        for stitch in stitches {
-            let (p, q) = (stitch[0] - a, stitch[1] - b);
-            cos += p.dot(&q);
-            sin += p.perp(&q);
-        }
-        let turn = f64::atan2(sin, cos);
+        let (apex, turn) = turn_about(stitches)?;
         let rotation = Rotation2::new(turn);
-        // The point that the turn leaves where it is.
-        let rest = nalgebra::Matrix2::identity() - rotation.matrix();
-        let apex = rest.try_inverse()? * (b - rotation * a);
         let off = |s: &[Vector2<f64>; 2]| (apex + rotation * (s[0] - apex) - s[1]).norm_squared();
-        let apart = (stitches.iter().map(off).sum::<f64>() / count).sqrt();
-        let from_a = a - apex;
+        let apart = (stitches.iter().map(off).sum::<f64>() / stitches.len() as f64).sqrt();
+        let from_a = middle(stitches, 0) - apex;
         let between = from_a.y.atan2(from_a.x) + 0.5 * turn;
         let (middle, angle) = if is_crossed(outline, &apex, between) {
             (between, turn.abs())
@@ -89,6 +77,27 @@ impl Cone {
         let along = from.norm() - self.inner;
         [angle / self.share, along * self.share, along * self.slope()]
     }
+}
+
+/// Returns the turn of the plane that takes the first points of the pairs nearest to the second ones
+/// (least squares), and the point that it leaves where it is; none where that is a shift.
+fn turn_about(pairs: &[[Vector2<f64>; 2]]) -> Option<(Vector2<f64>, f64)> {
+    let [a, b] = [middle(pairs, 0), middle(pairs, 1)];
+    let (mut cos, mut sin) = (0.0, 0.0);
+    for pair in pairs {
+        let (p, q) = (pair[0] - a, pair[1] - b);
+        cos += p.dot(&q);
+        sin += p.perp(&q);
+    }
+    let turn = f64::atan2(sin, cos);
+    let rotation = Rotation2::new(turn);
+    let moved = Matrix2::identity() - rotation.matrix();
+    Some((moved.try_inverse()? * (b - rotation * a), turn))
+}
+
+/// Returns the mean of the first or the second points of pairs.
+fn middle(pairs: &[[Vector2<f64>; 2]], which: usize) -> Vector2<f64> {
+    pairs.iter().map(|pair| pair[which]).sum::<Vector2<f64>>() / pairs.len() as f64
 }
 
 /// Returns true if a closed outline crosses the half line from `apex` in this direction \[rad\].

@@ -32,9 +32,9 @@ pub(super) fn onto_arm(placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed
     } else {
         Limb::ArmRight
     };
-    if !is_beside || avatar.limb(limb).is_none() {
+    let Some(axis) = avatar.limb(limb).filter(|_| is_beside) else {
         return placed;
-    }
+    };
     let length = |arm: &ArmPose| {
         let along = points.iter().map(|p| (p - arm.top).dot(&arm.direction));
         along.fold(0.0, f64::max)
@@ -46,7 +46,7 @@ pub(super) fn onto_arm(placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed
     let mut across = arm.top + arm.direction * along - middle;
     let depth = -across.z;
     across.z = 0.0;
-    let is_near = (0.0..=length(&arm)).contains(&along) && across.norm() < NEAR;
+    let is_near = (0.0..axis.length()).contains(&along) && across.norm() < NEAR;
     let Some(up) = up_along(&placed, &-arm.direction).filter(|_| is_near) else {
         return placed;
     };
