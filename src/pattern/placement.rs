@@ -74,6 +74,8 @@ pub enum PlacementAnchor {
 pub enum Wrap {
     /// Flat.
     Flat,
-    /// Rolled about the body's vertical axis, without stretch.
+    /// Rolled about the body's vertical axis, without stretch; to a cone where two edges of the
+    /// panel run about a point of its plane and are sewn to each other, as of a circle skirt in one
+    /// piece.
     Cylinder,
 }
