@@ -42,21 +42,18 @@ impl Tally {
         self.score.add(score);
         self.garments += 1;
         self.refused += usize::from(score.suggested == 0);
-        let clean = score.found == score.seams && score.right == score.suggested;
-        self.without_error += usize::from(clean);
+        self.without_error += usize::from(score.is_without_error());
     }
 
     fn print(&self, name: &str) {
-        let (recall, precision) = (self.score.recall(), self.score.precision());
-        let f1 = 2.0 * recall * precision / (recall + precision).max(1e-9);
         println!(
             "| {name} | {} | {:.3} | {:.3} ({}/{}) | {:.3} ({}/{}) | {} | {} |",
             self.garments,
-            f1,
-            precision,
+            self.score.f1(),
+            self.score.precision(),
             self.score.right,
             self.score.suggested,
-            recall,
+            self.score.recall(),
             self.score.found,
             self.score.seams,
             self.without_error,
