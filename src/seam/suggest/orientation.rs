@@ -297,6 +297,9 @@ fn usual_side(part: &LabeledPanel) -> Laterality {
 /// Returns the side of the wearer for which a side panel is drawn between front and back: that of
 /// their halves.
 fn drawn_side_of_body(parts: &[LabeledPanel], part: &LabeledPanel) -> Option<Laterality> {
+    if part.kind != PanelKind::Side {
+        return None;
+    }
     let is_half = |front_back: FrontBack, p: &LabeledPanel| {
         p.kind == PanelKind::Bodice && p.half && p.front_back == Some(front_back)
     };
@@ -306,9 +309,7 @@ fn drawn_side_of_body(parts: &[LabeledPanel], part: &LabeledPanel) -> Option<Lat
         let shown = outer_drawn_side(half).map(|side| half.laterality_of(side));
         half.laterality.filter(|_| half.laterality_named).or(shown)
     };
-    let is_side = part.kind == PanelKind::Side;
-    let of_front = is_side.then(|| half(FrontBack::Front))?;
-    of_front.or_else(|| half(FrontBack::Back))
+    half(FrontBack::Front).or_else(|| half(FrontBack::Back))
 }
 
 /// Returns the side of the wearer that the outline of a side panel beside the front or the back
