@@ -79,7 +79,7 @@ impl Cone {
     }
 }
 
-/// Returns the turn of the plane that takes the first points of the pairs nearest to the second ones
+/// Returns the turn of the plane that takes the first points of the pairs nearest to the second
 /// (least squares), and the point that it leaves where it is; none where that is a shift.
 fn turn_about(pairs: &[[Vector2<f64>; 2]]) -> Option<(Vector2<f64>, f64)> {
     let [a, b] = [middle(pairs, 0), middle(pairs, 1)];

@@ -34,6 +34,10 @@ pub(super) fn run(garment: &SweepGarment, options: &SweepOptions) -> io::Result<
     if options.suggest {
         arguments.push("--suggest");
     }
+    let each = options.drafted.map(|each| each.to_string());
+    if let Some(each) = &each {
+        arguments.extend(["--drafted", each]);
+    }
     let allowed = Duration::from_secs_f64(PATIENCE * options.time_limit + BESIDES);
     let error = match child::run(&arguments, allowed, Stdio::inherit())? {
         None => format!("ended after {:.0} s", allowed.as_secs_f64()),

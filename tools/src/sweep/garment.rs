@@ -7,7 +7,8 @@ use seamster::pattern::{self, ImportOptions, MIRROR, Pattern, SeamPair};
 use seamster::scene::{DressForm, Sex};
 use seamster::seam::suggest;
 use seamster_fixtures::drafts;
-use seamster_fixtures::truth::suggest_truth;
+use seamster_fixtures::truth::suggest_truth::{self, SuggestionTruth};
+use seamster_fixtures::unseen::{self, UnseenGarment};
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,14 +17,22 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A garment of the folder.
+/// A garment to sew.
 pub(super) struct SweepGarment {
-    /// Name of its file, without its ending.
+    /// Name of its file, without its ending; of drafted ones, their design and their seed.
     pub(super) name: String,
     /// Body of its own size.
     form: DressForm,
-    file: PathBuf,
+    panels: PanelSource,
     seams: SeamSource,
+}
+
+/// Source of the panels of a garment.
+enum PanelSource {
+    /// A file of the folder.
+    File(PathBuf),
+    /// Drafted here, with its seams.
+    Drafted(Box<SuggestionTruth>),
 }
 
 /// Source of the seams of a garment.
@@ -66,11 +75,25 @@ pub(super) fn list(folder: &Path) -> io::Result<Vec<SweepGarment>> {
                 sex: size.sex,
                 ..size.form
             },
-            file,
+            panels: PanelSource::File(file),
             name,
         })
     };
     sizes.garments.into_iter().map(garment).collect()
+}
+
+/// Returns so many garments of each design that suggestions were not made with, on forms that their
+/// panels are drafted for.
+pub(super) fn drafted(each: u64) -> Vec<SweepGarment> {
+    let mut all = unseen::developed(each);
+    all.extend(unseen::held_out(each));
+    let garment = |garment: UnseenGarment| SweepGarment {
+        name: format!("{}-{}", garment.design.replace(' ', "-"), garment.seed),
+        form: garment.form,
+        panels: PanelSource::Drafted(Box::new(garment.truth)),
+        seams: SeamSource::Draft,
+    };
+    all.into_iter().map(garment).collect()
 }
 
 fn find_pattern(folder: &Path, name: &str) -> io::Result<PathBuf> {
@@ -119,23 +142,32 @@ impl SweepGarment {
     /// A file of a body that cannot be read.
     pub(super) fn garment(&self, folder: &Path, form: &Form) -> Result<Garment, Box<dyn Error>> {
         let avatar = form.avatar(self.form)?;
-        let (pattern, seams) = match &self.seams {
-            SeamSource::Suggested => (self.import(), None),
-            SeamSource::Pattern => {
-                let pattern = self.import();
+        let (pattern, seams) = match (&self.panels, &self.seams) {
+            (PanelSource::File(file), SeamSource::Suggested) => (self.import(file), None),
+            (PanelSource::File(file), SeamSource::Pattern) => {
+                let pattern = self.import(file);
                 let seams = pattern.seams.clone();
                 (pattern, Some(seams))
             }
-            SeamSource::Draft => {
+            (PanelSource::File(_), SeamSource::Draft) => {
                 let draft = drafts::garment(&folder.join("dxf"), &self.name);
                 (draft.pattern, Some(draft.pairs))
             }
-            SeamSource::Written(file) => {
+            (PanelSource::File(_), SeamSource::Written(file)) => {
                 let truth = suggest_truth::written(file, folder);
                 (
                     truth.pattern,
                     Some(as_worn(truth.seams, truth.alternatives)),
                 )
+            }
+            (PanelSource::Drafted(truth), SeamSource::Suggested) => (truth.pattern.clone(), None),
+            (PanelSource::Drafted(truth), _) => {
+                let strict = |seam: &SeamPair| SeamPair {
+                    allow_twist: false,
+                    ..seam.clone()
+                };
+                let seams = truth.seams.iter().map(strict).collect();
+                (truth.pattern.clone(), Some(seams))
             }
         };
         let garment = match seams {
@@ -148,8 +180,8 @@ impl SweepGarment {
         })
     }
 
-    fn import(&self) -> Pattern {
-        let bytes = fs::read(&self.file).expect("the folder has it");
+    fn import(&self, file: &Path) -> Pattern {
+        let bytes = fs::read(file).expect("the folder has it");
         pattern::import(&bytes, &ImportOptions::default(), &Limits::default())
             .unwrap_or_else(|faults| panic!("{}: {faults}", self.name))
     }

@@ -2,7 +2,8 @@
 //!
 //! The garments of `own_size.json` in the folder that `SEAMSTER_TEST_DATA` names, each on the form
 //! of its own size, the default form or a body from a file; first those whose seams are known, then
-//! those by suggested seams. Each is a process of its own, so that its memory is its own and a
+//! those by suggested seams. With `--drafted`, garments drafted by seeds instead, on forms that they
+//! are drafted for. Each is a process of its own, so that its memory is its own and a
 //! crash is a row too. A JSON line each goes to `target/sweep.jsonl`, a picture from four sides to
 //! `target/sweep/`.
 
@@ -30,17 +31,24 @@ const PICTURES: &str = "target/sweep";
 /// # Errors
 /// Files that cannot be read or written.
 pub(crate) fn main(options: &SweepOptions) -> io::Result<()> {
-    let Some(folder) = env::var_os("SEAMSTER_TEST_DATA").map(PathBuf::from) else {
-        eprintln!("SEAMSTER_TEST_DATA is to name the folder of real patterns");
-        process::exit(2);
+    let folder = env::var_os("SEAMSTER_TEST_DATA").map(PathBuf::from);
+    let (folder, mut garments) = match (options.drafted, folder) {
+        (Some(each), folder) => (folder.unwrap_or_default(), garment::drafted(each)),
+        (None, Some(folder)) => {
+            let garments = garment::list(&folder)?;
+            (folder, garments)
+        }
+        (None, None) => {
+            eprintln!("SEAMSTER_TEST_DATA is to name the folder of real patterns");
+            process::exit(2);
+        }
     };
-    let mut garments = garment::list(&folder)?;
     garments.retain(|garment| options.names(garment));
     if options.suggest {
         garments.iter_mut().for_each(SweepGarment::forget_seams);
     }
     if garments.is_empty() {
-        eprintln!("own_size.json names no such garment");
+        eprintln!("there is no such garment");
         process::exit(2);
     }
     if options.alone {

@@ -20,6 +20,9 @@ pub(crate) struct SweepOptions {
     /// Leaves the seams of all garments to the service, those that are known too.
     #[arg(long)]
     pub(super) suggest: bool,
+    /// Instead of the folder's garments, so many drafted ones of each design of `unseen`.
+    #[arg(long)]
+    pub(super) drafted: Option<u64>,
     /// CPU time allowed to each, in seconds.
     #[arg(long, default_value_t = 60.0)]
     pub(super) time_limit: f64,

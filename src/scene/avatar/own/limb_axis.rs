@@ -40,8 +40,8 @@ mod tests {
     use super::super::super::{DressForm, Limb, Limbs};
     use super::*;
 
-    /// The arms of a form are straight round tubes; joints 20 mm in front of their axis give it back
-    /// to a tenth of that: near the shoulder they are not quite round.
+    /// The arms of a form are straight round tubes; joints 20 mm in front of their axis give it
+    /// back to a tenth of that: near the shoulder they are not quite round.
     #[test]
     fn joints_beside_the_middle_give_the_axis_in_the_middle() {
         let form = DressForm {
