@@ -7,7 +7,7 @@ use super::reversal::{self, ReversalDetector};
 use super::run_resolver::RunResolver;
 use super::{
     Face, FaceRequest, RoutedSeam, Seam, SeamCheck, SeamCheckInput, SeamFinding, SeamSet,
-    StartPositions, Stretch, division_count, ease, overlap, twist,
+    StartPositions, Stretch, division_count, ease, outside, overlap, twist,
 };
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, SeamCode, Warning};
@@ -69,7 +69,7 @@ pub fn check_placed(
             .errors
             .push(too_many(pairs.len(), limits.seams));
         let colorer = FaceColorer {
-            fronts_first: &fronts_first,
+            leads: &fronts_first,
             shorter_order: &|_, _| None,
         };
         let set = SeamSet {
@@ -94,12 +94,16 @@ pub fn check_placed(
         relations: &relations,
         starts,
     };
+    let coloring = color(&context, &stated, &fronts_first);
+    let leads: Vec<_> = fronts_first
+        .iter()
+        .map(|&(panel, _)| (panel, coloring.faces[panel]))
+        .collect();
     let detector = ReversalDetector {
         context: &context,
         stated: &stated,
-        fronts_first: &fronts_first,
+        leads: &leads,
     };
-    let coloring = color(&context, &stated, &fronts_first);
     for twist in twist::find(&context, &stated, &coloring) {
         findings[twist.seam].errors.push(twist.fault);
         corrected.extend(twist.corrected);
@@ -126,7 +130,7 @@ pub fn check_placed(
 fn color(
     context: &SeamCheckContext<'_>,
     stated: &[Option<Face>],
-    fronts_first: &[usize],
+    fronts_first: &[(usize, Face)],
 ) -> FaceColoring {
     let shorter_order = |implied: &SeamRelations<'_>, faces: &[Vec<Face>; 2]| {
         let mut seams = context.seams.iter();
@@ -134,10 +138,14 @@ fn color(
         reversal::shorter_order(context.pattern, seam, faces, context.starts)
     };
     let colorer = FaceColorer {
-        fronts_first,
+        leads: fronts_first,
         shorter_order: &shorter_order,
     };
-    colorer.color(stated, context.relations)
+    let coloring = colorer.color(stated, context.relations);
+    FaceColoring {
+        faces: outside::faces(context, stated, &coloring),
+        ..coloring
+    }
 }
 
 fn too_many(count: usize, most: usize) -> Fault {

@@ -74,6 +74,11 @@ impl Chords {
         found.rms.is_finite().then_some(found)
     }
 
+    /// Length of the longer side \[m\].
+    pub(super) fn length(&self) -> f64 {
+        self.length
+    }
+
     /// Returns what the other order leaves of this one's length, in thousandths, if it is far
     /// shorter.
     ///

@@ -27,7 +27,8 @@ pub(super) type ShorterOrderFn<'a> =
 
 /// Colors panels and orders `auto` seams.
 pub(super) struct FaceColorer<'a> {
-    pub fronts_first: &'a [usize],
+    /// Panels whose faces lead those of their parts, in this order.
+    pub leads: &'a [(usize, Face)],
     pub shorter_order: ShorterOrderFn<'a>,
 }
 
@@ -65,7 +66,7 @@ impl FaceColorer<'_> {
             let reason = self.reversal_reason(implied, &parity);
             join_seam(implied, reason, &mut parity, &mut found);
         }
-        found.faces = faces::color_faces(self.fronts_first, parity);
+        found.faces = faces::color_faces(self.leads, parity);
         found
     }
 
@@ -100,7 +101,7 @@ impl FaceColorer<'_> {
         let faces = [&implied.picked, &implied.reversed].map(|relations| {
             let mut parity = parity.clone();
             parity.join_all(relations);
-            faces::color_faces(self.fronts_first, parity)
+            faces::color_faces(self.leads, parity)
         });
         (self.shorter_order)(implied, &faces)
     }
@@ -134,7 +135,7 @@ mod tests {
     #[test]
     fn nothing_requested_colors_every_panel_up() {
         let colorer = FaceColorer {
-            fronts_first: &[1, 0],
+            leads: &[(1, Face::Up), (0, Face::Up)],
             shorter_order: &|_, _| None,
         };
         let found = colorer.color(&[None, None], &[]);

@@ -115,24 +115,24 @@ pub(super) fn stated_relations(stated: &[Option<Face>]) -> impl Iterator<Item = 
     })
 }
 
-/// Returns the panels, those first that a name says are fronts.
-pub(super) fn fronts_first(pattern: &Pattern) -> Vec<usize> {
+/// Returns the panels, those first that a name says are fronts, each with its face up.
+pub(super) fn fronts_first(pattern: &Pattern) -> Vec<(usize, Face)> {
     let panels = 0..pattern.panels.len();
     let (mut fronts, others): (Vec<usize>, Vec<usize>) =
         panels.partition(|&i| is_front(pattern, i));
     fronts.extend(others);
-    fronts
+    fronts.into_iter().map(|panel| (panel, Face::Up)).collect()
 }
 
 /// Returns faces from what is known: the node after the last panel is up; a part that is not tied
-/// to it has the face of its front, or else its first panel, up.
-pub(super) fn color_faces(fronts_first: &[usize], mut parity: ParityUnionFind) -> Vec<Face> {
-    let count = fronts_first.len();
+/// to it has the face of the first of its panels in `leads`, which names each panel once.
+pub(super) fn color_faces(leads: &[(usize, Face)], mut parity: ParityUnionFind) -> Vec<Face> {
+    let count = leads.len();
     let (stated_head, stated_same) = parity.find(count);
     let mut up = BTreeMap::from([(stated_head, stated_same)]);
-    for &panel in fronts_first {
+    for &(panel, face) in leads {
         let (head, same) = parity.find(panel);
-        up.entry(head).or_insert(same);
+        up.entry(head).or_insert(same == (face == Face::Up));
     }
     let face = |panel| {
         let (head, same) = parity.find(panel);

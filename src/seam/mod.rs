@@ -15,6 +15,7 @@ mod finding;
 mod input;
 mod marks;
 mod matching;
+mod outside;
 mod overlap;
 mod parity;
 mod path;

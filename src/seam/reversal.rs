@@ -15,7 +15,8 @@ use crate::pattern::{Match, Pattern, SeamPair};
 pub(super) struct ReversalDetector<'a> {
     pub context: &'a SeamCheckContext<'a>,
     pub stated: &'a [Option<Face>],
-    pub fronts_first: &'a [usize],
+    /// Panels whose faces lead those of their parts, in this order.
+    pub leads: &'a [(usize, Face)],
 }
 
 /// A seam that is far shorter in the other order: chords as sewn and in the other one.
@@ -76,7 +77,7 @@ impl ReversalDetector<'_> {
             return None;
         }
         others.join_all(&implied.reversed);
-        let other_faces = faces::color_faces(self.fronts_first, others);
+        let other_faces = faces::color_faces(self.leads, others);
         let other = chords(&seam.reversed(), &other_faces)?;
         as_sewn.remaining_permille(&other).map(|_| LikelyReversal {
             seam: implied.seam,

@@ -2,11 +2,11 @@
 //! upright is laid round, a sleeve has its cap at the shoulder, or further down the arm where the
 //! shoulder is dropped, a collar its ends where the neck opens.
 
+use super::Placed;
+use super::lifted;
 use super::on_arm::onto_arm;
-use super::{AnchoredPlacement, Placed};
-use crate::pattern::Panel;
+use super::panel_placement::{PanelPlacement, SeamPoint};
 use crate::scene::Avatar;
-use crate::seam::Face;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Stitches of a panel that are looked at at most, evenly spread.
@@ -14,26 +14,6 @@ const STITCHES: usize = 100;
 /// Share of the sum of squares that another pose must save to be taken: where a panel fits alike
 /// in several, it stays as it was placed.
 const SAVED: f64 = 0.1;
-
-/// A panel and where it is to start.
-#[derive(Clone, Copy, Debug)]
-pub struct PanelPlacement<'a> {
-    /// The panel.
-    pub panel: &'a Panel,
-    /// The key point of the body that it starts at.
-    pub placement: &'a AnchoredPlacement,
-    /// The side that is out.
-    pub face: Face,
-}
-
-/// A point of a panel's seam.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SeamPoint {
-    /// Index of the panel.
-    pub panel: usize,
-    /// Point on its drawing \[m\].
-    pub uv: [f64; 2],
-}
 
 /// Places `panels` on `avatar`, or in free space without one.
 ///
@@ -62,6 +42,9 @@ pub fn place_panels(
         }
     };
     let mut placed: Vec<Placed> = panels.iter().zip(&of_panel).map(place).collect();
+    if let Some(avatar) = avatar {
+        lifted::lift(&mut placed, panels, stitches, avatar);
+    }
     let mut is_settled: Vec<bool> = panels
         .iter()
         .map(|panel| !panel.placement.turns())
@@ -141,7 +124,8 @@ fn turned(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pattern::{Placement, PlacementAnchor, Wrap};
+    use crate::pattern::{Panel, Placement, PlacementAnchor, Wrap};
+    use crate::scene::placement::AnchoredPlacement;
     use crate::seam::Face;
 
     fn anchored(panel: &Panel, at: PlacementAnchor) -> AnchoredPlacement {

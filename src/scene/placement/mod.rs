@@ -7,11 +7,14 @@ mod arm_pose;
 mod by_seams;
 mod cone;
 mod layered;
+mod lifted;
 mod name_hint;
 mod on_arm;
+mod panel_placement;
 mod placed;
 mod spot;
 
 pub use anchored::AnchoredPlacement;
-pub use by_seams::{PanelPlacement, SeamPoint, place_panels};
+pub use by_seams::place_panels;
+pub use panel_placement::{PanelPlacement, SeamPoint};
 pub use placed::Placed;

@@ -1,0 +1,153 @@
+//! Panels whose shoulder seams would close through the shoulders start so much higher that they
+//! close above them, and what hangs from them goes along.
+//!
+//! A strap that starts below the top of the shoulder, or is pulled below it by a skirt that starts
+//! far down, is drawn through it or off it to the side, and the garment ends round the waist.
+
+use super::panel_placement::{PanelPlacement, SeamPoint};
+use super::placed::Placed;
+use crate::pattern::Wrap;
+use crate::scene::Avatar;
+use nalgebra::Vector3;
+
+/// Depth below the tip of the shoulder within which a seam is one of the shoulder \[m\]: most of the
+/// way to the armpit of a body of middle size.
+const SHOULDER_DEPTH: f64 = 0.1;
+/// Distance from the body that a stitch has all along \[m\], once it is high enough.
+const CLEAR: f64 = 0.01;
+/// Steps in height \[m\], and their number: what is lower still starts elsewhere for a reason.
+const STEP: f64 = 0.005;
+const STEPS: u32 = 40;
+/// Points at which a stitch is looked at, and stitches that are looked at, at most.
+const POINTS: u32 = 24;
+const STITCHES: usize = 500;
+/// Distance from the middle within which a seam from front to back goes between the legs \[m\].
+const BETWEEN_LEGS: f64 = 0.1;
+
+/// The flat panels about the trunk, and their stitches to each other.
+struct Trunk<'a> {
+    placed: &'a mut [Placed],
+    stitches: Vec<[SeamPoint; 2]>,
+}
+
+/// Lifts the panels of the upper trunk until their stitches from front to back over the shoulders
+/// are clear of the body, and those that hang from them as far as their seams are lower.
+pub(super) fn lift(
+    placed: &mut [Placed],
+    panels: &[PanelPlacement<'_>],
+    stitches: &[[SeamPoint; 2]],
+    avatar: &Avatar,
+) {
+    let landmark = |name| avatar.landmarks.get(name).copied();
+    let (Some(tip), Some(waist)) = (landmark("shoulder_tip_l"), landmark("waist_front")) else {
+        return;
+    };
+    let stitches = stitches.iter().copied();
+    let of_trunk = stitches.filter(|pair| pair.iter().all(|p| is_about_trunk(&placed[p.panel])));
+    let mut trunk = Trunk {
+        stitches: of_trunk.collect(),
+        placed,
+    };
+    let Some(height) = trunk.height_to_clear(&tip, avatar) else {
+        return;
+    };
+    let tops: Vec<f64> = panels.iter().zip(&*trunk.placed).map(top).collect();
+    let mut is_settled = vec![false; panels.len()];
+    for (panel, at) in trunk.placed.iter_mut().enumerate() {
+        let is_upper = is_about_trunk(at) && tops[panel] > 0.5 * (waist.y + tip.y);
+        if is_upper {
+            at.offset.y += height;
+            is_settled[panel] = true;
+        }
+    }
+    trunk.follow(&mut is_settled, &waist);
+}
+
+impl Trunk<'_> {
+    fn ends(&self, stitch: &[SeamPoint; 2]) -> [Vector3<f64>; 2] {
+        stitch.map(|p| self.placed[p.panel].position(p.uv))
+    }
+
+    /// Returns how much higher the stitches over the shoulders are clear of the body \[m\]; nothing
+    /// where there are none.
+    fn height_to_clear(&self, tip: &Vector3<f64>, avatar: &Avatar) -> Option<f64> {
+        let is_of_shoulder = |[a, b]: &[Vector3<f64>; 2]| {
+            let is_there =
+                |p: &Vector3<f64>| p.y > tip.y - SHOULDER_DEPTH && p.x.abs() < tip.x.abs();
+            is_there(a) && is_there(b) && (a.z - tip.z) * (b.z - tip.z) < 0.0
+        };
+        let ends = self.stitches.iter().map(|stitch| self.ends(stitch));
+        let over: Vec<_> = ends.filter(is_of_shoulder).collect();
+        let some = over.iter().step_by(over.len().div_ceil(STITCHES).max(1));
+        some.filter_map(|stitch| height_to_clear(stitch, avatar))
+            .reduce(f64::max)
+    }
+
+    /// Lifts the panels that are sewn to settled ones as far as their seams start lower, one after
+    /// another. Those that are sewn between the legs stay below the crotch.
+    fn follow(&mut self, is_settled: &mut [bool], waist: &Vector3<f64>) {
+        loop {
+            let next = (0..is_settled.len()).find_map(|panel| {
+                let gap = (!is_settled[panel]).then(|| self.gap(panel, is_settled))?;
+                Some((panel, gap?))
+            });
+            let Some((panel, gap)) = next else {
+                return;
+            };
+            if !self.is_between_legs(panel, waist) {
+                self.placed[panel].offset.y += gap.max(0.0);
+            }
+            is_settled[panel] = true;
+        }
+    }
+
+    /// Returns how much lower the seams of a panel to settled ones start on its side \[m\], if it
+    /// has any.
+    fn gap(&self, panel: usize, is_settled: &[bool]) -> Option<f64> {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for stitch in &self.stitches {
+            let [a, b] = self.ends(stitch);
+            let [from, to] = stitch.map(|p| p.panel);
+            if from == panel && is_settled[to] {
+                sum += b.y - a.y;
+                count += 1.0;
+            } else if to == panel && is_settled[from] {
+                sum += a.y - b.y;
+                count += 1.0;
+            }
+        }
+        (count > 0.0).then(|| sum / count)
+    }
+
+    fn is_between_legs(&self, panel: usize, waist: &Vector3<f64>) -> bool {
+        let of_panel = |stitch: &&[SeamPoint; 2]| stitch.iter().any(|p| p.panel == panel);
+        self.stitches.iter().filter(of_panel).any(|stitch| {
+            let [a, b] = self.ends(stitch);
+            let is_low = |p: &Vector3<f64>| p.y < waist.y && p.x.abs() < BETWEEN_LEGS;
+            is_low(&a) && is_low(&b) && (a.z - waist.z) * (b.z - waist.z) < 0.0
+        })
+    }
+}
+
+fn is_about_trunk(at: &Placed) -> bool {
+    at.tilt.is_none() && at.wrap == Wrap::Flat
+}
+
+/// Returns the height of the highest point of a panel \[m\].
+fn top((panel, at): (&PanelPlacement<'_>, &Placed)) -> f64 {
+    let points = panel.panel.edges.iter().flat_map(|edge| &edge.points);
+    let heights = points.map(|uv| at.position(*uv).y);
+    heights.fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Returns how much higher a stitch is clear of the body all along \[m\], if it is at all.
+fn height_to_clear([a, b]: &[Vector3<f64>; 2], avatar: &Avatar) -> Option<f64> {
+    let is_clear = |height: &f64| {
+        (0..=POINTS).all(|k| {
+            let share = f64::from(k) / f64::from(POINTS);
+            let point = a.lerp(b, share) + Vector3::y() * *height;
+            avatar.distance(&point) > CLEAR
+        })
+    };
+    (0..=STEPS).map(|k| STEP * f64::from(k)).find(is_clear)
+}
