@@ -7,7 +7,7 @@ use super::limbs;
 use super::over;
 use super::panel_spec::{panel_specs, spell_out_copies};
 use super::references::{self, NamedFabric, PanelFabrics};
-use super::seam_check::{anchored_placements, check_placed};
+use super::seam_check::{anchored_placements, check_faced};
 use super::sewing_pattern::{faces, with_copies, without_allowances};
 use super::suggest::{self, ListedSeams};
 use super::validate::{self, PinnedCorner};
@@ -124,7 +124,7 @@ pub fn resolve(
         edge_length: allowed_edge_length(&garment.simulate, limits),
         limits,
     };
-    let (check, seams) = check_placed(&to_check, &placements);
+    let (check, seams) = check_faced(&to_check, &specs, &placements);
     let seams = seams.map_err(|found| faults.extend(found.0)).ok();
     let fabrics = references::panel_fabrics(&garment, &specs);
     let (Some(seams), Some(fabrics), true) = (seams, fabrics, faults.is_empty()) else {

@@ -2,9 +2,9 @@
 
 use super::garment::{Garment, PanelSpec, SeamsSpec};
 use super::panel_spec::panel_specs;
-use super::sewing_pattern::{faces, with_copies, without_allowances};
+use super::sewing_pattern::{faces, garment_faces, with_copies, without_allowances};
 use crate::config::Limits;
-use crate::fault::{Fault, Faults, RequestCode, SeamCode};
+use crate::fault::{Fault, Faults, RequestCode, SeamCode, Warning};
 use crate::pattern::{Pattern, SeamPair};
 use crate::scene::{AnchoredPlacement, Placed};
 use crate::seam::{self, Face, SeamCheck, SeamCheckInput, SeamSet};
@@ -34,7 +34,7 @@ pub(crate) fn check_seams(
         edge_length,
         limits,
     };
-    let (check, set) = check_placed(&to_check, &placements);
+    let (check, set) = check_faced(&to_check, &specs, &placements);
     match set {
         Err(faults) if check.seams.iter().all(|seam| seam.errors.is_empty()) => Err(faults),
         _ => Ok(check),
@@ -80,6 +80,37 @@ pub(super) fn anchored_placements(
             }
         })
         .collect()
+}
+
+/// Checks seams as [`check_placed`] does. Where the faces that the pattern's file states contradict
+/// its seams and those that the garment states do not, the file's are left to the seams, which is
+/// said: a lapel is drawn from outside and sewn with its inner side out.
+///
+/// # Errors
+/// As [`check_placed`].
+pub(super) fn check_faced(
+    to_check: &SeamCheckInput<'_>,
+    specs: &[PanelSpec],
+    placements: &[Result<AnchoredPlacement, Faults>],
+) -> (SeamCheck, Result<SeamSet, Faults>) {
+    let (check, set) = check_placed(to_check, placements);
+    let is_twisted = |faults: &Faults| faults.0.iter().any(|f| f.code == SeamCode::Twisted);
+    let of_garment = garment_faces(specs, to_check.pattern);
+    if !set.as_ref().is_err_and(is_twisted) || of_garment == *to_check.faces {
+        return (check, set);
+    }
+    let by_seams = SeamCheckInput {
+        faces: &of_garment,
+        ..*to_check
+    };
+    let (mut other, of_seams) = check_placed(&by_seams, placements);
+    if of_seams.is_err() {
+        return (check, set);
+    }
+    let detail = "the faces that the pattern's file states contradict its seams; those that its seams give are taken: `faces` of the seam check lists them, and `panels.<id>.face` chooses another";
+    let warning = Warning::new(SeamCode::FileFaces, "/panels", detail);
+    other.warnings.push(warning);
+    (other, of_seams)
 }
 
 /// Checks seams between panels that start as `placements` say, each in the pattern's order.

@@ -68,6 +68,17 @@ fn inherited_from<'a>(garment: &Garment, panel: &'a Panel) -> Option<&'a String>
     panel.copy_of.as_ref().filter(|_| !is_stated)
 }
 
+/// Returns the face of each panel by id that the garment states.
+pub(super) fn garment_faces(
+    specs: &[PanelSpec],
+    pattern: &Pattern,
+) -> BTreeMap<String, FaceRequest> {
+    let panels = pattern.panels.iter().zip(specs);
+    panels
+        .map(|(panel, spec)| (panel.id.clone(), spec.face))
+        .collect()
+}
+
 /// Returns the stated face of each panel by id: the garment's, else that of the pattern's file.
 pub(super) fn faces(specs: &[PanelSpec], pattern: &Pattern) -> BTreeMap<String, FaceRequest> {
     let face = |(panel, spec): (&Panel, &PanelSpec)| {

@@ -25,6 +25,8 @@ fault_codes! {
         EmptySide = "empty_side":
             "A side of a seam has no run.",
             "Pick at least one edge for each side, or take the seam out.";
+        FileFaces = "file_faces":
+            "The faces that the pattern's file states contradict its seams, whose faces are taken.";
         LeftOut = "left_out":
             "Panels without a suggested seam were left out of the garment.",
             "Name them in a seam to have them.";

@@ -4,7 +4,7 @@
 
 use super::Placed;
 use super::lifted;
-use super::on_arm::onto_arm;
+use super::on_limb::onto_limb;
 use super::panel_placement::{PanelPlacement, SeamPoint};
 use crate::scene::Avatar;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -30,7 +30,7 @@ pub fn place_panels(
         let placed = panel.placement.place(panel.panel, panel.face, avatar);
         match avatar {
             Some(avatar) if panel.placement.is_about_other_body() => {
-                onto_arm(placed, panel.panel, avatar)
+                onto_limb(placed, panel.panel, avatar)
             }
             _ => {
                 let to_itself = stitches.iter().filter(|[a, b]| a.panel == b.panel);

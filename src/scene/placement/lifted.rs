@@ -9,6 +9,7 @@ use super::placed::Placed;
 use crate::pattern::Wrap;
 use crate::scene::Avatar;
 use nalgebra::Vector3;
+use std::collections::BTreeMap;
 
 /// Depth below the tip of the shoulder within which a seam is one of the shoulder \[m\]: most of the
 /// way to the armpit of a body of middle size.
@@ -21,7 +22,8 @@ const STEPS: u32 = 40;
 /// Points at which a stitch is looked at, and stitches that are looked at, at most.
 const POINTS: u32 = 24;
 const STITCHES: usize = 500;
-/// Distance from the middle within which a seam from front to back goes between the legs \[m\].
+/// Distance from the middle, and above the crotch, within which a seam from front to back goes
+/// between the legs \[m\].
 const BETWEEN_LEGS: f64 = 0.1;
 
 /// The flat panels about the trunk, and their stitches to each other.
@@ -60,7 +62,8 @@ pub(super) fn lift(
             is_settled[panel] = true;
         }
     }
-    trunk.follow(&mut is_settled, &waist);
+    let crotch = landmark("crotch").map_or(0.5 * waist.y, |crotch| crotch.y);
+    trunk.follow(&mut is_settled, crotch);
 }
 
 impl Trunk<'_> {
@@ -84,8 +87,9 @@ impl Trunk<'_> {
     }
 
     /// Lifts the panels that are sewn to settled ones as far as their seams start lower, one after
-    /// another. Those that are sewn between the legs stay below the crotch.
-    fn follow(&mut self, is_settled: &mut [bool], waist: &Vector3<f64>) {
+    /// another; those that are sewn between the legs all at once, and not above the crotch.
+    fn follow(&mut self, is_settled: &mut [bool], crotch: f64) {
+        let between_legs = self.between_legs(crotch);
         loop {
             let next = (0..is_settled.len()).find_map(|panel| {
                 let gap = (!is_settled[panel]).then(|| self.gap(panel, is_settled))?;
@@ -94,10 +98,18 @@ impl Trunk<'_> {
             let Some((panel, gap)) = next else {
                 return;
             };
-            if !self.is_between_legs(panel, waist) {
-                self.placed[panel].offset.y += gap.max(0.0);
+            let together: Vec<usize> = match between_legs.get(&panel) {
+                Some(_) => between_legs.keys().copied().collect(),
+                None => vec![panel],
+            };
+            let room = together.iter().filter_map(|panel| between_legs.get(panel));
+            let height = room.fold(gap, |height, room| height.min(*room)).max(0.0);
+            for panel in together {
+                if !is_settled[panel] {
+                    self.placed[panel].offset.y += height;
+                    is_settled[panel] = true;
+                }
             }
-            is_settled[panel] = true;
         }
     }
 
@@ -119,13 +131,22 @@ impl Trunk<'_> {
         (count > 0.0).then(|| sum / count)
     }
 
-    fn is_between_legs(&self, panel: usize, waist: &Vector3<f64>) -> bool {
-        let of_panel = |stitch: &&[SeamPoint; 2]| stitch.iter().any(|p| p.panel == panel);
-        self.stitches.iter().filter(of_panel).any(|stitch| {
-            let [a, b] = self.ends(stitch);
-            let is_low = |p: &Vector3<f64>| p.y < waist.y && p.x.abs() < BETWEEN_LEGS;
-            is_low(&a) && is_low(&b) && (a.z - waist.z) * (b.z - waist.z) < 0.0
-        })
+    /// Returns the panels that are sewn from front to back between the legs, each with the room
+    /// from there to the crotch \[m\].
+    fn between_legs(&self, crotch: f64) -> BTreeMap<usize, f64> {
+        let mut room = BTreeMap::new();
+        for stitch in &self.stitches {
+            let ends = self.ends(stitch);
+            let is_low = |p: &Vector3<f64>| p.y < crotch + BETWEEN_LEGS && p.x.abs() < BETWEEN_LEGS;
+            if ends.iter().all(is_low) && ends[0].z * ends[1].z < 0.0 {
+                let high = ends[0].y.max(ends[1].y);
+                for panel in stitch.map(|p| p.panel) {
+                    let least = room.entry(panel).or_insert(f64::INFINITY);
+                    *least = f64::min(*least, crotch - high);
+                }
+            }
+        }
+        room
     }
 }
 

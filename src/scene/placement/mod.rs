@@ -3,13 +3,13 @@
 //! to.
 
 mod anchored;
-mod arm_pose;
 mod by_seams;
 mod cone;
 mod layered;
 mod lifted;
+mod limb_pose;
 mod name_hint;
-mod on_arm;
+mod on_limb;
 mod panel_placement;
 mod placed;
 mod spot;

@@ -1,6 +1,6 @@
 //! Key points of a body, and the pose of panels that are put there.
 
-use super::arm_pose::ArmPose;
+use super::limb_pose::LimbPose;
 use crate::pattern::PlacementAnchor;
 use crate::scene::Avatar;
 use crate::scene::avatar::Limb;
@@ -83,7 +83,7 @@ impl Spot {
             ..spot(0.0, false, outward, Some(turn))
         };
         let arm = |limb: Limb, outward: f64, turn: f64| {
-            let pose = ArmPose::of(avatar, limb, length);
+            let pose = LimbPose::of(avatar, limb, length);
             Self {
                 axis: pose.top,
                 tilt: Some(pose.tilt()),

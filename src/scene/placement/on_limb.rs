@@ -1,66 +1,107 @@
-//! Panels that a file puts about the arms of its own body, rolled about those of the body at hand.
+//! Panels that a file puts about the arms and legs of its own body, rolled about those of the body
+//! at hand.
 //!
 //! Left flat, half a sleeve before an arm and half behind it close over it like two hands, and on a
 //! coarse mesh the edges of one cut through the arm. Rolled, they are round it from the start.
 
 use super::Placed;
 use super::anchored::{bounds, outline};
-use super::arm_pose::ArmPose;
+use super::limb_pose::LimbPose;
 use crate::pattern::{Panel, Wrap};
 use crate::scene::{Avatar, Limb};
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Distance from the middle beyond which all of a panel about an arm is \[m\].
-const BESIDE: f64 = 0.15;
-/// Furthest that the middle of such a panel may be from the axis of the arm \[m\].
+/// Distance from the middle beyond which all of a panel about an arm is, caps of raglan sleeves among
+/// them, and beyond which the middle of it is \[m\].
+const BESIDE: f64 = 0.05;
+const BESIDE_SHOULDER: f64 = 0.2;
+/// Furthest that the middle of such a panel may be from the axis of the limb \[m\].
 const NEAR: f64 = 0.2;
-/// Least cosine between a side of its drawing and the arm: a panel beside the trunk hangs straight.
+/// Least cosine between a side of its drawing and the limb: a panel beside the trunk hangs straight.
 const ALIKE: f64 = 0.9;
 /// Angle that a panel is rolled by \[rad\]: half a turn less a gap to the other half.
 const HALF: f64 = 0.9 * PI;
 
-/// Returns the start of a panel that stands about an arm and along it, rolled by half a turn about
-/// the arm, before or behind it and as far down as it was; any other is as it is.
-pub(super) fn onto_arm(placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed {
+/// Returns the start of a panel that stands about an arm or a leg and along it, rolled by half a
+/// turn about it, before or behind it and as far down as it was; any other is as it is.
+pub(super) fn onto_limb(placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed {
     let points: Vec<_> = outline(panel).map(|uv| placed.position(uv)).collect();
     let middle = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
     let side = middle.x.signum();
-    let is_beside = points.iter().all(|p| p.x * side > BESIDE);
+    let least = points
+        .iter()
+        .map(|p| p.x * side)
+        .fold(f64::INFINITY, f64::min);
+    let highest = points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
+    let crotch = avatar.landmarks.get("crotch");
+    let pose = if crotch.is_some_and(|crotch| highest < crotch.y) && least > 0.0 {
+        leg_pose(&points, side, avatar)
+    } else if least > BESIDE && middle.x * side > BESIDE_SHOULDER {
+        arm_pose(&points, side, avatar)
+    } else {
+        None
+    };
+    let Some(pose) = pose else {
+        return placed;
+    };
+    let along = (middle - pose.top).dot(&pose.direction);
+    let mut across = pose.top + pose.direction * along - middle;
+    let depth = -across.z;
+    across.z = 0.0;
+    let is_near = across.norm() < NEAR;
+    let Some(up) = up_along(&placed, &-pose.direction).filter(|_| is_near) else {
+        return placed;
+    };
+    let place = LimbPlace {
+        axis: pose.top + pose.direction * along,
+        tilt: pose.tilt(),
+        outward: if depth > 0.0 { 0.0 } else { PI },
+        least_radius: pose.radius,
+    };
+    rolled(&placed, panel, up, &place)
+}
+
+/// Returns the pose of the arm on a side for a panel with these points, if its middle is beside it:
+/// as far as the panel reaches along the arm, which is looked at that far.
+fn arm_pose(points: &[Vector3<f64>], side: f64, avatar: &Avatar) -> Option<LimbPose> {
     let limb = if side > 0.0 {
         Limb::ArmLeft
     } else {
         Limb::ArmRight
     };
-    let Some(axis) = avatar.limb(limb).filter(|_| is_beside) else {
-        return placed;
-    };
-    let length = |arm: &ArmPose| {
-        let along = points.iter().map(|p| (p - arm.top).dot(&arm.direction));
-        along.fold(0.0, f64::max)
-    };
-    // As far as the panel reaches along the arm, which is looked at that far.
-    let upper = ArmPose::of(Some(avatar), limb, 0.0);
-    let arm = ArmPose::of(Some(avatar), limb, length(&upper));
-    let along = (middle - arm.top).dot(&arm.direction);
-    let mut across = arm.top + arm.direction * along - middle;
-    let depth = -across.z;
-    across.z = 0.0;
-    let is_near = (0.0..axis.length()).contains(&along) && across.norm() < NEAR;
-    let Some(up) = up_along(&placed, &-arm.direction).filter(|_| is_near) else {
-        return placed;
-    };
-    let pose = ArmPlace {
-        axis: arm.top + arm.direction * along,
-        tilt: arm.tilt(),
-        outward: if depth > 0.0 { 0.0 } else { PI },
-        least_radius: arm.radius,
-    };
-    rolled(&placed, panel, up, &pose)
+    let axis = avatar.limb(limb)?;
+    let upper = LimbPose::of(Some(avatar), limb, 0.0);
+    let [first, last] = reach(points, &upper.top, &upper.direction);
+    let is_beside = (0.0..axis.length()).contains(&(0.5 * (first + last)));
+    is_beside.then(|| LimbPose::of(Some(avatar), limb, last.max(0.0)))
 }
 
-/// Pose of a panel about an arm.
-struct ArmPlace {
+/// Returns the pose of the part of the leg on a side that a panel with these points is beside.
+fn leg_pose(points: &[Vector3<f64>], side: f64, avatar: &Avatar) -> Option<LimbPose> {
+    let limb = if side > 0.0 {
+        Limb::LegLeft
+    } else {
+        Limb::LegRight
+    };
+    let axis = avatar.limb(limb)?;
+    let (joint, thigh) = axis.at(0.0);
+    let [first, last] = reach(points, &joint, &thigh);
+    let end = last.min(axis.length());
+    let is_beside = first > 0.0 && first < end;
+    is_beside.then(|| LimbPose::between(axis, &joint, [first, end]))
+}
+
+/// Returns how far along a line from `top` the first and the last of some points are \[m\].
+fn reach(points: &[Vector3<f64>], top: &Vector3<f64>, direction: &Vector3<f64>) -> [f64; 2] {
+    let along = points.iter().map(|p| (p - top).dot(direction));
+    along.fold([f64::INFINITY, f64::NEG_INFINITY], |[first, last], at| {
+        [first.min(at), last.max(at)]
+    })
+}
+
+/// Pose of a panel about a limb.
+struct LimbPlace {
     /// Point of the axis beside the panel's middle \[m\].
     axis: Vector3<f64>,
     tilt: Rotation3<f64>,
@@ -80,9 +121,9 @@ fn up_along(placed: &Placed, up: &Vector3<f64>) -> Option<Rotation2<f64>> {
     Some(Rotation2::new(FRAC_PI_2 - side.y.atan2(side.x)))
 }
 
-/// Returns the same panel rolled by half a turn at a place about an arm, its drawing turned by
+/// Returns the same panel rolled by half a turn at a place about a limb, its drawing turned by
 /// `up`.
-fn rolled(flat: &Placed, panel: &Panel, up: Rotation2<f64>, place: &ArmPlace) -> Placed {
+fn rolled(flat: &Placed, panel: &Panel, up: Rotation2<f64>, place: &LimbPlace) -> Placed {
     let [[left, right], [bottom, top]] = bounds(panel, &up);
     let center_y = 0.5 * (bottom + top);
     // The drawing's own +x once it is turned, as it lay in space, against that of the roll.
@@ -137,7 +178,7 @@ mod tests {
         let panel = Panel::rectangle("half", size);
         let anchored = AnchoredPlacement::new(&panel, Some(&placement)).expect("a place");
         let placed = anchored.place(&panel, Face::Up, None);
-        [placed.clone(), onto_arm(placed, &panel, avatar)]
+        [placed.clone(), onto_limb(placed, &panel, avatar)]
     }
 
     /// Half a sleeve, 30 cm long and 20 cm wide, drawn with its length along x, before and behind

@@ -1,4 +1,4 @@
-//! An arm as sleeves see it: a straight tube.
+//! An arm or a leg as what is rolled about it sees it: a straight tube.
 
 use crate::scene::Avatar;
 use crate::scene::avatar::{Limb, LimbAxis};
@@ -16,18 +16,19 @@ const BESIDE_TRUNK: f64 = 0.1;
 /// Steps along an arm at which it is looked at \[m\].
 const STEP: f64 = 0.02;
 
-/// The straight line that is nearest to the middle of an arm, as far as a sleeve reaches.
+/// The straight line that is nearest to the middle of a limb, as far as what is rolled about it
+/// reaches.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ArmPose {
-    /// Point of the line beside the tip of the shoulder \[m\].
+pub(super) struct LimbPose {
+    /// Point of the line beside the tip of the shoulder, or the joint of the hip \[m\].
     pub(super) top: Vector3<f64>,
-    /// Direction down the arm, of length 1.
+    /// Direction down the limb, of length 1.
     pub(super) direction: Vector3<f64>,
-    /// Distance from the line at which a sleeve clears the arm \[m\].
+    /// Distance from the line at which cloth clears the limb \[m\].
     pub(super) radius: f64,
 }
 
-impl ArmPose {
+impl LimbPose {
     /// The pose of an arm for a sleeve of this length from the shoulder down \[m\].
     pub(super) fn of(avatar: Option<&Avatar>, limb: Limb, length: f64) -> Self {
         let (side, name) = match limb {
@@ -50,7 +51,12 @@ impl ArmPose {
         let (joint, upper) = axis.at(0.0);
         let first = upper.dot(&(tip - joint));
         let end = (first + length).clamp(STEP, axis.length());
-        let start = BESIDE_TRUNK.min(0.5 * end);
+        Self::between(axis, tip, [BESIDE_TRUNK.min(0.5 * end), end])
+    }
+
+    /// The pose of the part of a limb between two distances from its joint \[m\], the second of
+    /// them the larger one and within its length.
+    pub(super) fn between(axis: &LimbAxis, tip: &Vector3<f64>, [start, end]: [f64; 2]) -> Self {
         let count = ((end - start) / STEP).ceil();
         #[expect(
             clippy::cast_possible_truncation,
@@ -102,7 +108,7 @@ mod tests {
     #[test]
     fn a_short_sleeve_is_about_the_upper_arm_alone() {
         let tip = Vector3::new(0.2, 1.42, 0.01);
-        let pose = ArmPose::along(&bent(), &tip, 0.2);
+        let pose = LimbPose::along(&bent(), &tip, 0.2);
         assert!((pose.direction + Vector3::y()).norm() < 1e-12);
         assert!((pose.top - Vector3::new(0.2, 1.42, 0.0)).norm() < 1e-12);
         assert!((pose.tilt() * -Vector3::y() - pose.direction).norm() < 1e-12);
@@ -111,7 +117,7 @@ mod tests {
     #[test]
     fn a_long_sleeve_clears_all_of_a_bent_arm() {
         let axis = bent();
-        let pose = ArmPose::along(&axis, &Vector3::new(0.2, 1.4, 0.0), 0.6);
+        let pose = LimbPose::along(&axis, &Vector3::new(0.2, 1.4, 0.0), 0.6);
         assert!(pose.direction.z > 0.2 && pose.direction.x.abs() < 1e-12);
         // From where the arm is apart from the trunk on.
         for k in 10..=55 {
