@@ -28,7 +28,7 @@ pub(crate) struct DxfPiece {
     pub(crate) labels: DxfLabels,
     /// The outline as drawn.
     pub(crate) outline: MeasuredChain,
-    /// True if that outline is a sew line.
+    /// True if that outline is a sew line, by itself or too.
     pub(crate) is_sewn: bool,
     /// The sew line inside it, closed, or open along the fold.
     pub(crate) sew: Option<PathChain>,
@@ -107,13 +107,22 @@ impl DxfPiece {
         }
     }
 
-    /// Adds a line that lies in it.
+    /// Adds a line that lies in it. A sew line drawn over the outline says that this is one.
     pub(super) fn add_line(&mut self, chain: PathChain, kind: InnerLine) {
         match kind {
+            InnerLine::Sew if self.is_outline(&chain) => self.is_sewn = true,
             InnerLine::Sew if self.sew.is_none() => self.sew = Some(chain),
             InnerLine::Hole if chain.closed => self.cutouts.push(chain),
             _ => self.internal.push(chain),
         }
+    }
+
+    /// Returns true if a line is the outline drawn once more.
+    fn is_outline(&self, chain: &PathChain) -> bool {
+        chain.closed
+            && self
+                .outline
+                .is_drawn_over(&MeasuredChain::new(chain.clone()))
     }
 }
 

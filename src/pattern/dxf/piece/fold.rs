@@ -98,6 +98,30 @@ impl FoldLine {
         Some(whole)
     }
 
+    /// Returns an open line with its mirror image, as a closed one: of what runs along the fold at
+    /// its ends a single point stays.
+    pub(super) fn unfold_line(&self, half: &[Point2]) -> Vec<Point2> {
+        let on = |p: &&Point2| self.contains(**p);
+        let [head, tail] = [
+            half.iter().take_while(on).count(),
+            half.iter().rev().take_while(on).count(),
+        ];
+        if head == half.len() {
+            return half.to_vec();
+        }
+        let drawn = &half[head.saturating_sub(1)..half.len() - tail.saturating_sub(1)];
+        let off = &half[head..half.len() - tail];
+        let mut line = drawn.to_vec();
+        if let (Some(first), true) = (line.first_mut(), head > 0) {
+            *first = self.foot(*first);
+        }
+        if let (Some(last), true) = (line.last_mut(), tail > 0) {
+            *last = self.foot(*last);
+        }
+        line.extend(off.iter().rev().map(|p| self.mirror(*p)));
+        line
+    }
+
     /// Returns the longest stretch of consecutive points on the fold: the first and the number, at
     /// least two.
     fn stretch(&self, half: &CorneredRing) -> Option<(usize, usize)> {
@@ -148,6 +172,17 @@ mod tests {
             [[1.0, 0.0], [1.0, 2.0], [0.0, 1.5], [-1.0, 2.0], [-1.0, 0.0]],
             "straight at the hem, a V at the neck"
         );
+    }
+
+    #[test]
+    fn open_line_is_unfolded_without_what_runs_along_the_fold() {
+        let fold = FoldLine::new([[0.0, 0.0], [0.0, 1.0]]).expect("two points");
+        let whole = [[0.0, 0.0], [1.0, 0.0], [1.0, 2.0], [-1.0, 2.0], [-1.0, 0.0]];
+        let half = [[0.0, 0.5], [0.0, 0.0], [1.0, 0.0], [1.0, 2.0]];
+        assert_eq!(fold.unfold_line(&half), whole);
+        let ends_on_it = [&half[..], &[[0.0, 2.0], [0.0, 1.5]]].concat();
+        let whole = [&whole[..3], &[[0.0, 2.0]], &whole[3..]].concat();
+        assert_eq!(fold.unfold_line(&ends_on_it), whole);
     }
 
     #[test]

@@ -107,11 +107,10 @@ fn drawn_cut_line(piece: &DxfPiece, fold: Option<FoldLine>) -> Vec<Point2> {
     let Some(cut) = &piece.cut else {
         return Vec::new();
     };
-    let mut line = cut.points.clone();
-    if let Some(fold) = fold.filter(|_| !cut.closed) {
-        line.extend(cut.points.iter().rev().map(|p| fold.mirror(*p)));
+    match fold {
+        Some(fold) if !cut.closed => fold.unfold_line(&cut.points),
+        _ => cut.points.clone(),
     }
-    line
 }
 
 /// Returns the direction of the longest grain line. Another one in another direction that is no

@@ -3,9 +3,14 @@
 use encoding_rs::{Encoding, GBK, UTF_8, WINDOWS_1252};
 use std::borrow::Cow;
 
-/// Decodes a DXF file; bytes that mean nothing in its encoding become U+FFFD.
+/// Decodes a DXF file; bytes that mean nothing in its encoding become U+FFFD, and `\U+XXXX` the
+/// character that it stands for.
 pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    unescape(decode_bytes(bytes))
+}
+
+fn decode_bytes(bytes: &[u8]) -> Cow<'_, str> {
     match std::str::from_utf8(bytes) {
         Ok(text) if !is_gbk_by_chance(text) => Cow::Borrowed(text),
         _ => Cow::Owned(
@@ -15,6 +20,41 @@ pub(crate) fn decode(bytes: &[u8]) -> Cow<'_, str> {
                 .into_owned(),
         ),
     }
+}
+
+/// Replaces `\U+XXXX`, by which files write the characters that their code page lacks.
+fn unescape(text: Cow<'_, str>) -> Cow<'_, str> {
+    const ESCAPE: &str = "\\U+";
+    if !text.contains(ESCAPE) {
+        return text;
+    }
+    let mut out = String::with_capacity(text.len());
+    let mut rest = &*text;
+    while let Some(at) = rest.find(ESCAPE) {
+        out.push_str(&rest[..at]);
+        let (c, length) = escaped(&rest[at..]).unwrap_or(('\\', 1));
+        out.push(c);
+        rest = &rest[at + length..];
+    }
+    out.push_str(rest);
+    Cow::Owned(out)
+}
+
+/// Returns the character of the escape that a text begins with, and the length of the escape; two
+/// where the character takes a pair of UTF-16 surrogates. Control characters, which would break a
+/// line, are not read.
+fn escaped(text: &str) -> Option<(char, usize)> {
+    let unit = |from: usize| {
+        let digits = text.get(from..from + 7)?.strip_prefix("\\U+")?;
+        let is_hex = digits.bytes().all(|b| b.is_ascii_hexdigit());
+        u16::from_str_radix(digits, 16).ok().filter(|_| is_hex)
+    };
+    let first = unit(0)?;
+    let found = match char::from_u32(first.into()) {
+        Some(c) => (c, 7),
+        None => (char::decode_utf16([first, unit(7)?]).next()?.ok()?, 14),
+    };
+    Some(found).filter(|(c, _)| !c.is_control())
 }
 
 /// Returns the encoding of bytes that are not UTF-8: what the header says, else GBK where every
@@ -95,6 +135,15 @@ mod tests {
         let (gbk, ..) = GBK.encode("前片");
         assert!(std::str::from_utf8(&gbk).is_ok());
         assert_eq!(decode(&gbk), "前片");
+    }
+
+    #[test]
+    fn escaped_characters_are_read() {
+        assert_eq!(decode(b"\\U+524D\\U+7247 \\U+00e9"), "前片 é");
+        assert_eq!(decode(b"\\U+D83D\\U+DC57."), "\u{1f457}.");
+        for plain in ["C:\\U+12", "\\U+000A", "\\U+D83D.", "\\U+0x1F", "\\\\U"] {
+            assert_eq!(decode(plain.as_bytes()), plain);
+        }
     }
 
     #[test]
