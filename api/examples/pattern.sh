@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Upload a pattern: panels with corners, edges, notches and grain come back, in metres.
-# Leaves skirt.svg in the folder OUT, or beside README.md.
+# Leaves skirt.svg, skirt.aama.dxf and skirt_specification.json in the folder OUT, or beside README.md.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 out=${OUT:-.}
@@ -18,6 +18,11 @@ curl -fsS -o /dev/null "$base/v1/patterns" \
 
 # Drawn, with the numbers of corners and edges that seams name.
 curl -fsS -o "$out/skirt.svg" "$base$pattern/drawing.svg"
+
+# As files of other programs: AAMA DXF, and a GarmentCode specification. The header Seamster-Left-Out
+# names what a format has no place for.
+curl -fsS -o "$out/skirt.aama.dxf" "$base$pattern/pattern.dxf"
+curl -fsS -o "$out/skirt_specification.json" "$base$pattern/specification.json"
 
 # What is kept, newest first.
 curl -fsS "$base/v1/patterns?limit=10"

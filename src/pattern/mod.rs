@@ -17,7 +17,7 @@ mod garmentcode;
 mod ids;
 mod mirror;
 mod options;
-mod outline;
+pub(crate) mod outline;
 mod panel;
 mod placement;
 pub(crate) mod point;
@@ -33,6 +33,8 @@ pub use placement::{Placement, PlacementAnchor, Wrap};
 pub use point::Point2;
 pub use seam_pair::{Direction, Match, OutlineRun, Place, SeamPair, Side};
 pub use units::Units;
+
+pub(crate) use garmentcode::rotation_matrix;
 
 use crate::config::Limits;
 use crate::fault::Faults;

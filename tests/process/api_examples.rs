@@ -114,6 +114,16 @@ fn pattern_comes_back_with_its_panels() {
     assert_eq!(answers[1]["patterns"].as_array().unwrap().len(), 2);
     assert_eq!(answers[1]["patterns"][1]["id"], answers[0]["id"]);
     assert!(example.file("skirt.svg").starts_with(b"<svg "));
+    assert!(example.file("skirt.aama.dxf").ends_with(b"EOF\r\n"));
+    let specification = example.file("skirt_specification.json");
+    let specification: Value = serde_json::from_slice(&specification).unwrap();
+    assert_eq!(
+        specification["pattern"]["panel_order"]
+            .as_array()
+            .unwrap()
+            .len(),
+        3
+    );
 }
 
 #[test]

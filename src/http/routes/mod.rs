@@ -10,6 +10,7 @@ mod jobs;
 mod metrics;
 pub(super) mod openapi;
 pub(super) mod page;
+mod pattern_files;
 mod patterns;
 mod seams;
 mod studies;
@@ -24,6 +25,8 @@ pub(super) fn resources() -> OpenApiRouter<AppState> {
         .routes(routes!(patterns::list, patterns::create))
         .routes(routes!(patterns::show, patterns::remove))
         .routes(routes!(patterns::drawing))
+        .routes(routes!(pattern_files::aama))
+        .routes(routes!(pattern_files::specification))
         .routes(routes!(seams::check))
         .routes(routes!(seams::suggest))
         .routes(routes!(fabrics::list, fabrics::create))

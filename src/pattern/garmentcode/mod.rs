@@ -17,6 +17,8 @@ mod placement;
 mod rotation;
 mod stitches;
 
+pub(crate) use self::rotation::matrix as rotation_matrix;
+
 use self::conventions::Conventions;
 use self::findings::SpecFindings;
 use self::node::JsonNode;

@@ -7,10 +7,10 @@
 use crate::pattern::RotationOrder;
 
 /// A rotation, by rows.
-type RotationMatrix = [[f64; 3]; 3];
+pub(crate) type RotationMatrix = [[f64; 3]; 3];
 
 /// Returns the rotation of three angles \[degrees\].
-pub(super) fn matrix(angles: [f64; 3], order: RotationOrder) -> RotationMatrix {
+pub(crate) fn matrix(angles: [f64; 3], order: RotationOrder) -> RotationMatrix {
     let [x, y, z] = [0, 1, 2].map(|axis| about(axis, angles[axis]));
     match order {
         RotationOrder::Xyz => times(&times(&x, &y), &z),

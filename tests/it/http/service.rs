@@ -560,6 +560,45 @@ fn a_pattern_is_drawn() {
 }
 
 #[test]
+fn a_pattern_is_given_out_as_the_files_of_other_programs() {
+    let server = Server::with(config(), 0);
+    let kept = server.send("POST", "/v1/patterns", &[], &sample("skirt.dxf"));
+    let at = kept.header("location");
+    let panels = kept.json()["panels"].clone();
+    for (file, kind) in [
+        ("pattern.dxf", "image/vnd.dxf"),
+        ("specification.json", JSON.1),
+    ] {
+        let given = server.get(&format!("{at}/{file}"));
+        assert_eq!((given.status, given.header("content-type")), (200, kind));
+        let again = server.send(
+            "POST",
+            "/v1/patterns",
+            &[("content-type", kind)],
+            &given.bytes,
+        );
+        let ids = |panels: &Value| -> Vec<Value> {
+            let panels = panels.as_array().unwrap().iter();
+            panels.map(|panel| panel["name"].clone()).collect()
+        };
+        assert_eq!(again.status, 201, "{}", again.text());
+        assert_eq!(ids(&again.json()["panels"]), ids(&panels));
+        let etag = given.header("etag");
+        let unchanged = server.request("GET", &format!("{at}/{file}"), &[("if-none-match", etag)]);
+        assert_eq!((unchanged.status, unchanged.bytes.len()), (304, 0));
+        server
+            .get(&format!("/v1/patterns/{NO_ID}/{file}"))
+            .problem(404);
+    }
+    let specification = server.get(&format!("{at}/specification.json"));
+    assert!(
+        specification
+            .header("seamster-left-out")
+            .contains("notches")
+    );
+}
+
+#[test]
 fn seams_are_checked_on_what_is_left_of_panels_given_as_cut() {
     let server = Server::with(config(), 0);
     let kept = server.send("POST", "/v1/patterns", &[], &sample("skirt.dxf"));
