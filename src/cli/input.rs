@@ -20,22 +20,48 @@ pub(super) struct Input {
     /// saved garment alone
     #[arg(required = true, num_args = 1..=2, value_names = ["PATTERN", "GARMENT.json"])]
     inputs: Vec<PathBuf>,
-    /// Unit of the pattern's coordinates, overriding what it says: mm, cm, m or inch
-    #[arg(long, value_parser = parse_word::<Units>)]
-    units: Option<Units>,
-    /// Size to sew of a graded pattern; its sample size if not given
-    #[arg(long)]
-    size: Option<String>,
-    /// Order of the three angles of a GarmentCode panel in its rotation: xyz (Rx Ry Rz, as it
-    /// writes) or zyx
-    #[arg(long, value_parser = parse_word::<RotationOrder>)]
-    rotation_order: Option<RotationOrder>,
+    #[command(flatten)]
+    pattern: PatternOptions,
     /// Body to sew on instead of the garment's: an OBJ, a binary glTF 2.0 or a PLY
     #[arg(long, value_name = "BODY.obj")]
     avatar: Option<PathBuf>,
     /// Unit of the body's coordinates, by its height if not given: m, cm, mm, inch, dm or ft
     #[arg(long, requires = "avatar", value_parser = parse_word::<BodyUnits>)]
     avatar_units: Option<BodyUnits>,
+}
+
+/// What a pattern file does not say itself.
+#[derive(Args)]
+pub(super) struct PatternOptions {
+    /// Unit of the pattern's coordinates, overriding what it says: mm, cm, m or inch
+    #[arg(long, value_parser = parse_word::<Units>)]
+    units: Option<Units>,
+    /// Size to read of a graded pattern; its sample size if not given
+    #[arg(long)]
+    size: Option<String>,
+    /// Order of the three angles of a GarmentCode panel in its rotation: xyz (Rx Ry Rz, as it
+    /// writes) or zyx
+    #[arg(long, value_parser = parse_word::<RotationOrder>)]
+    rotation_order: Option<RotationOrder>,
+}
+
+impl PatternOptions {
+    /// Reads a pattern file.
+    ///
+    /// # Errors
+    /// Everything that keeps it from being read.
+    pub(super) fn read(&self, file: &Path, limits: &Limits) -> Result<Pattern, Faults> {
+        // The import knows what it is, and bounds each kind.
+        let bytes = read_file(file, limits.dxf_bytes.max(limits.json_bytes))?;
+        let name = file.file_stem().and_then(|name| name.to_str());
+        let options = ImportOptions {
+            name: name.map(str::to_owned),
+            units: self.units,
+            size: self.size.clone(),
+            rotation_order: self.rotation_order.unwrap_or_default(),
+        };
+        pattern::import(&bytes, &options, limits)
+    }
 }
 
 /// Reads a value by the word that it has in JSON.
@@ -70,7 +96,8 @@ impl Input {
                 return Err((file, fault.fix("leave it out of the garment").into()));
             }
             let pattern = self
-                .read_pattern(pattern_file, limits)
+                .pattern
+                .read(pattern_file, limits)
                 .map_err(|faults| (pattern_file, faults))?;
             faults::print_warnings(pattern_file, &pattern.warnings);
             garment.pattern = Some(PatternRef::Whole(Box::new(pattern)));
@@ -93,23 +120,16 @@ impl Input {
         faults::print_warnings(file, &import.warnings);
         Ok(BodySource::Own(Arc::new(import.body)))
     }
-
-    fn read_pattern(&self, file: &Path, limits: &Limits) -> Result<Pattern, Faults> {
-        // The import knows what it is, and bounds each kind.
-        let bytes = read_file(file, limits.dxf_bytes.max(limits.json_bytes))?;
-        let name = file.file_stem().and_then(|name| name.to_str());
-        let options = ImportOptions {
-            name: name.map(str::to_owned),
-            units: self.units,
-            size: self.size.clone(),
-            rotation_order: self.rotation_order.unwrap_or_default(),
-        };
-        pattern::import(&bytes, &options, limits)
-    }
 }
 
 fn read_garment(file: &Path, limits: &Limits) -> Result<Garment, Faults> {
     let bytes = read_file(file, limits.json_bytes)?;
+    if pattern::is_pattern_file(&bytes) {
+        let detail =
+            "this is a pattern, and the garment file, which says what is sewn to what, is missing";
+        let fix = "give the garment file after the pattern; {\"seams\": \"suggest\"} is the least that it holds";
+        return Err(Fault::new(FitCode::NoGarment, "", detail).fix(fix).into());
+    }
     fit::read_garment(&bytes).map_err(Faults::from)
 }
 

@@ -3,6 +3,7 @@
 mod exit;
 mod faults;
 mod health;
+mod import;
 mod input;
 mod output;
 mod picture;
@@ -33,6 +34,8 @@ enum CliCommand {
     Serve(Box<Config>),
     /// Run fits for a store that many processes share
     Worker,
+    /// Read a pattern file: print its panels and what was decided, write its drawing or other files
+    Import(Box<import::ImportCommand>),
     /// Sew one garment, without a server
     Sew(Box<sew::SewCommand>),
     /// Compare methods, settings and meshes on one garment: error against run time
@@ -62,6 +65,7 @@ pub(crate) fn run() -> ExitCode {
         CliCommand::Worker => refuse(
             "the sqlite store is for one process: its workers run inside `seamster serve` (see --workers)",
         ),
+        CliCommand::Import(command) => import::import(&command),
         CliCommand::Sew(command) => sew::sew(&command),
         CliCommand::Study(command) => study::study(&command),
         CliCommand::Health(config) => health::health(&config),

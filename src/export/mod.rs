@@ -13,6 +13,7 @@ mod obj;
 mod pattern_file;
 mod picture;
 mod plot;
+mod summary;
 mod svg;
 mod xml;
 
@@ -24,4 +25,5 @@ pub use obj::obj;
 pub use pattern_file::PatternFile;
 pub use picture::{Picture, PictureSubject, View, picture, picture_sheet};
 pub use plot::{Plot, PlotPoint, PlotSeries};
+pub use summary::{pattern_summary, with_option_names};
 pub use svg::drawing_svg;

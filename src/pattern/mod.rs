@@ -51,6 +51,16 @@ pub fn import(bytes: &[u8], options: &ImportOptions, limits: &Limits) -> Result<
     }
 }
 
+/// Returns true if bytes look like a pattern file, be it right or wrong: a DXF, or JSON with the
+/// panels of a `GarmentCode` specification.
+pub fn is_pattern_file(bytes: &[u8]) -> bool {
+    if garmentcode::is_json(bytes) {
+        garmentcode::is_specification(bytes)
+    } else {
+        dxf::is_dxf(bytes)
+    }
+}
+
 /// Checks a pattern that came as JSON and recomputes what is derived in it (lengths, areas).
 ///
 /// # Errors

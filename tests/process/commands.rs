@@ -195,6 +195,99 @@ fn sew_names_the_file_that_is_at_fault() {
 }
 
 #[test]
+fn pattern_where_a_garment_must_be_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let spec = written(folder.path(), "skirt_specification.json", &drafted_skirt());
+    let dxf = sample("skirt.dxf");
+    for command in ["sew", "study"] {
+        for inputs in [
+            vec![spec.as_str()],
+            vec![dxf.as_str()],
+            vec![spec.as_str(), &dxf],
+        ] {
+            let output = run(&[&[command, "-o", "out.glb"], inputs.as_slice()].concat());
+            assert_eq!(code(&output), Some(2), "{inputs:?}");
+            let told = stderr(&output);
+            assert_eq!(told.lines().count(), 1, "{told}");
+            assert!(
+                told.contains("fit/no_garment") && told.contains("garment file"),
+                "{told}"
+            );
+        }
+    }
+}
+
+#[test]
+fn import_prints_panels_and_decisions_and_writes_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let dxf = sample("skirt.dxf");
+    let (drawing, out, specification) = (at("d.svg"), at("o.dxf"), at("s.json"));
+    let output = run(&[
+        "import",
+        &dxf,
+        "--drawing",
+        &drawing,
+        "--dxf",
+        &out,
+        "--specification",
+        &specification,
+    ]);
+    assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    for part in [
+        "3 panels",
+        "notches",
+        "units: mm",
+        "--units",
+        "size: M",
+        "seam allowance",
+    ] {
+        assert!(told.contains(part), "{part}: {told}");
+    }
+    assert!(std::fs::read_to_string(drawing).unwrap().contains("</svg>"));
+    assert!(stderr(&output).contains("s.json: not in this file: "));
+    let printed = |file: &str| {
+        let output = run(&["import", file, "--json"]);
+        assert_eq!(code(&output), Some(0), "{}", stderr(&output));
+        serde_json::from_slice::<Value>(&output.stdout).unwrap()
+    };
+    let names = |pattern: &Value| -> Vec<Value> {
+        let panels = pattern["panels"].as_array().unwrap().iter();
+        panels.map(|panel| panel["name"].clone()).collect()
+    };
+    let first = printed(&dxf);
+    for file in [&out, &specification] {
+        assert_eq!(names(&printed(file)), names(&first));
+    }
+}
+
+#[test]
+fn import_takes_the_options_of_the_service_and_tells_faults() {
+    let dxf = sample("skirt.dxf");
+    let output = run(&["import", &dxf, "--json", "--units", "cm"]);
+    let pattern: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(pattern["source"]["scale_to_m"], 0.01);
+    let wrong: [(&[&str], &str); 5] = [
+        (&["--size", "XXL"], "pattern/unknown_size"),
+        (&["--units", "m"], "--units mm would make it"),
+        (&["--units", "ell"], "--units"),
+        (&["--rotation-order", "yxz"], "--rotation-order"),
+        (&["second.dxf"], "second.dxf"),
+    ];
+    for (options, why) in wrong {
+        let output = run(&[&["import", dxf.as_str()], options].concat());
+        assert_eq!(code(&output), Some(2), "{options:?}");
+        assert!(stderr(&output).contains(why), "{}", stderr(&output));
+    }
+    let absent = run(&["import", "absent.dxf"]);
+    assert_eq!(code(&absent), Some(2));
+    assert!(stderr(&absent).contains("absent.dxf"));
+    let unwritable = run(&["import", &dxf, "--dxf", "/nowhere/out.dxf"]);
+    assert_eq!(code(&unwritable), Some(1));
+}
+
+#[test]
 fn study_writes_a_table_and_a_plot_and_recommends() {
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();

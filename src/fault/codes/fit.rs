@@ -25,6 +25,9 @@ fault_codes! {
         Layers = "layers":
             "The garment came to rest, but a layer lies beyond one that belongs on it.",
             "Place the panels in their order, or give them other `layer` numbers.";
+        NoGarment = "no_garment":
+            "A pattern was given where a garment must be: the garment file is missing.",
+            "Give the garment file after the pattern; it says what is sewn to what.";
         NotConverged = "not_converged":
             "The shape did not come to rest; its report says why.",
             "Allow more time, or use a larger tolerance or a coarser mesh.";

@@ -29,6 +29,8 @@ use crate::config::Limits;
 use crate::fault::{Fault, Faults, PatternCode};
 use std::collections::BTreeMap;
 
+pub(super) use self::read::file_type::is_dxf;
+
 /// Reads a pattern from the bytes of a DXF file.
 ///
 /// # Errors

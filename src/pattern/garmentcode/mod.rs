@@ -42,6 +42,12 @@ pub(super) fn is_json(bytes: &[u8]) -> bool {
     bytes.iter().find(|b| !b.is_ascii_whitespace()) == Some(&b'{')
 }
 
+/// Returns true if bytes are JSON that has panels where a specification has them.
+pub(super) fn is_specification(bytes: &[u8]) -> bool {
+    let document = serde_json::from_slice::<Value>(without_mark(bytes));
+    document.is_ok_and(|document| document["pattern"]["panels"].is_object())
+}
+
 /// Returns the bytes without a UTF-8 byte order mark.
 fn without_mark(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)

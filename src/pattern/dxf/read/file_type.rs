@@ -38,6 +38,13 @@ const OTHERS: [(&[u8], &str, &str); 8] = [
 /// The first bytes of a binary DXF.
 pub(crate) const BINARY: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
 
+/// Returns true if bytes begin as a DXF does: binary, or with the group code 0 or 999.
+pub(crate) fn is_dxf(bytes: &[u8]) -> bool {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    let first = bytes.split(|b| matches!(b, b'\n' | b'\r')).next();
+    bytes.starts_with(BINARY) || first.is_some_and(|l| matches!(l.trim_ascii(), b"0" | b"999"))
+}
+
 /// Checks that bytes are not plainly something else than a DXF.
 ///
 /// # Errors
