@@ -68,14 +68,14 @@ pub(super) fn off_the_bust(avatar: &Avatar, top: &[Vector3<f64>]) -> Option<Stri
     })
 }
 
-/// Returns true if a garment that begins with the edge `top` is held by the bust, not by the waist.
+/// Returns true if a garment that begins with the edge `top` is held by the bust, not by the waist:
+/// under the arms that edge may dip.
 pub(super) fn begins_at_the_bust(avatar: &Avatar, top: &[Vector3<f64>]) -> bool {
     let height = |name: &str| avatar.landmarks.get(name).map(|p| p.y);
     let (Some(waist), Some(bust)) = (height("waist_front"), height("bust_point_l")) else {
         return false;
     };
-    let lowest = top.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
-    lowest > waist + HELD_BY_BUST * (bust - waist)
+    mean_height(top) > waist + HELD_BY_BUST * (bust - waist)
 }
 
 /// Returns the fault of a crotch seam that hangs too low, in words: `seam` are the points at which

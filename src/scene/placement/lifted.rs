@@ -9,7 +9,7 @@ use super::placed::Placed;
 use crate::pattern::Wrap;
 use crate::scene::Avatar;
 use nalgebra::Vector3;
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 /// Depth below the tip of the shoulder within which a seam is one of the shoulder \[m\]: most of the
 /// way to the armpit of a body of middle size.
@@ -25,6 +25,8 @@ const STITCHES: usize = 500;
 /// Distance from the middle, and above the crotch, within which a seam from front to back goes
 /// between the legs \[m\].
 const BETWEEN_LEGS: f64 = 0.1;
+/// Height of the hem of trousers above the ankles \[m\]: below, it would close through a foot.
+const ABOVE_ANKLE: f64 = 0.02;
 
 /// The flat panels about the trunk, and their stitches to each other.
 struct Trunk<'a> {
@@ -33,7 +35,8 @@ struct Trunk<'a> {
 }
 
 /// Lifts the panels of the upper trunk until their stitches from front to back over the shoulders
-/// are clear of the body, and those that hang from them as far as their seams are lower.
+/// are clear of the body, and those that hang from them as far as their seams are lower; legs of
+/// trousers above the ankles, as far as the crotch has room.
 pub(super) fn lift(
     placed: &mut [Placed],
     panels: &[PanelPlacement<'_>],
@@ -50,20 +53,29 @@ pub(super) fn lift(
         stitches: of_trunk.collect(),
         placed,
     };
-    let Some(height) = trunk.height_to_clear(&tip, avatar) else {
-        return;
-    };
-    let tops: Vec<f64> = panels.iter().zip(&*trunk.placed).map(top).collect();
     let mut is_settled = vec![false; panels.len()];
-    for (panel, at) in trunk.placed.iter_mut().enumerate() {
-        let is_upper = is_about_trunk(at) && tops[panel] > 0.5 * (waist.y + tip.y);
-        if is_upper {
-            at.offset.y += height;
-            is_settled[panel] = true;
+    if let Some(height) = trunk.height_to_clear(&tip, avatar) {
+        let heights: Vec<_> = panels.iter().zip(&*trunk.placed).map(heights).collect();
+        for (panel, at) in trunk.placed.iter_mut().enumerate() {
+            if is_about_trunk(at) && heights[panel][1] > 0.5 * (waist.y + tip.y) {
+                at.offset.y += height;
+                is_settled[panel] = true;
+            }
         }
     }
-    let crotch = landmark("crotch").map_or(0.5 * waist.y, |crotch| crotch.y);
-    trunk.follow(&mut is_settled, crotch);
+    let legs = trunk.legs(panels, avatar);
+    trunk.follow(&mut is_settled, &legs);
+    trunk.clear_ankles(&mut is_settled, &legs);
+}
+
+/// Trousers: the panels that are sewn between the legs.
+#[derive(Default)]
+struct Legs {
+    panels: BTreeSet<usize>,
+    /// Way from where they are sewn to the crotch \[m\].
+    room: f64,
+    /// Way from their hems to the ankles \[m\].
+    to_ankles: f64,
 }
 
 impl Trunk<'_> {
@@ -87,9 +99,8 @@ impl Trunk<'_> {
     }
 
     /// Lifts the panels that are sewn to settled ones as far as their seams start lower, one after
-    /// another; those that are sewn between the legs all at once, and not above the crotch.
-    fn follow(&mut self, is_settled: &mut [bool], crotch: f64) {
-        let between_legs = self.between_legs(crotch);
+    /// another; those of trousers all at once.
+    fn follow(&mut self, is_settled: &mut [bool], legs: &Legs) {
         loop {
             let next = (0..is_settled.len()).find_map(|panel| {
                 let gap = (!is_settled[panel]).then(|| self.gap(panel, is_settled))?;
@@ -98,18 +109,26 @@ impl Trunk<'_> {
             let Some((panel, gap)) = next else {
                 return;
             };
-            let together: Vec<usize> = match between_legs.get(&panel) {
-                Some(_) => between_legs.keys().copied().collect(),
-                None => vec![panel],
-            };
-            let room = together.iter().filter_map(|panel| between_legs.get(panel));
-            let height = room.fold(gap, |height, room| height.min(*room)).max(0.0);
-            for panel in together {
-                if !is_settled[panel] {
-                    self.placed[panel].offset.y += height;
-                    is_settled[panel] = true;
-                }
+            if legs.panels.contains(&panel) {
+                self.lift_legs(is_settled, legs, gap.max(legs.to_ankles));
+            } else {
+                self.placed[panel].offset.y += gap.max(0.0);
+                is_settled[panel] = true;
             }
+        }
+    }
+
+    /// Lifts the panels of trousers that hang from nothing.
+    fn clear_ankles(&mut self, is_settled: &mut [bool], legs: &Legs) {
+        if legs.panels.iter().all(|&panel| !is_settled[panel]) {
+            self.lift_legs(is_settled, legs, legs.to_ankles);
+        }
+    }
+
+    fn lift_legs(&mut self, is_settled: &mut [bool], legs: &Legs, height: f64) {
+        for &panel in &legs.panels {
+            self.placed[panel].offset.y += height.min(legs.room).max(0.0);
+            is_settled[panel] = true;
         }
     }
 
@@ -131,22 +150,34 @@ impl Trunk<'_> {
         (count > 0.0).then(|| sum / count)
     }
 
-    /// Returns the panels that are sewn from front to back between the legs, each with the room
-    /// from there to the crotch \[m\].
-    fn between_legs(&self, crotch: f64) -> BTreeMap<usize, f64> {
-        let mut room = BTreeMap::new();
+    fn legs(&self, panels: &[PanelPlacement<'_>], avatar: &Avatar) -> Legs {
+        let height = |name| avatar.landmarks.get(name).map(|p| p.y);
+        let (Some(crotch), Some(ankle)) = (height("crotch"), height("ankle_l")) else {
+            return Legs::default();
+        };
+        let is_low = |p: &Vector3<f64>| p.y < crotch + BETWEEN_LEGS && p.x.abs() < BETWEEN_LEGS;
+        let mut legs = Legs {
+            room: f64::INFINITY,
+            ..Legs::default()
+        };
         for stitch in &self.stitches {
             let ends = self.ends(stitch);
-            let is_low = |p: &Vector3<f64>| p.y < crotch + BETWEEN_LEGS && p.x.abs() < BETWEEN_LEGS;
             if ends.iter().all(is_low) && ends[0].z * ends[1].z < 0.0 {
-                let high = ends[0].y.max(ends[1].y);
-                for panel in stitch.map(|p| p.panel) {
-                    let least = room.entry(panel).or_insert(f64::INFINITY);
-                    *least = f64::min(*least, crotch - high);
-                }
+                legs.room = legs.room.min(crotch - ends[0].y.max(ends[1].y));
+                legs.panels.extend(stitch.map(|p| p.panel));
             }
         }
-        room
+        let lowest = legs
+            .panels
+            .iter()
+            .map(|&panel| heights((&panels[panel], &self.placed[panel]))[0]);
+        let hem = lowest.fold(f64::INFINITY, f64::min);
+        legs.to_ankles = if hem < ankle + ABOVE_ANKLE {
+            ankle + ABOVE_ANKLE - hem
+        } else {
+            0.0
+        };
+        legs
     }
 }
 
@@ -154,11 +185,13 @@ fn is_about_trunk(at: &Placed) -> bool {
     at.tilt.is_none() && at.wrap == Wrap::Flat
 }
 
-/// Returns the height of the highest point of a panel \[m\].
-fn top((panel, at): (&PanelPlacement<'_>, &Placed)) -> f64 {
+/// Returns the heights of the lowest and the highest point of a panel \[m\].
+fn heights((panel, at): (&PanelPlacement<'_>, &Placed)) -> [f64; 2] {
     let points = panel.panel.edges.iter().flat_map(|edge| &edge.points);
     let heights = points.map(|uv| at.position(*uv).y);
-    heights.fold(f64::NEG_INFINITY, f64::max)
+    heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], y| {
+        [least.min(y), most.max(y)]
+    })
 }
 
 /// Returns how much higher a stitch is clear of the body all along \[m\], if it is at all.

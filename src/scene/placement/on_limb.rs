@@ -29,24 +29,24 @@ pub(super) fn onto_limb(placed: Placed, panel: &Panel, avatar: &Avatar) -> Place
     let points: Vec<_> = outline(panel).map(|uv| placed.position(uv)).collect();
     let middle = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
     let side = middle.x.signum();
-    let least = points
-        .iter()
-        .map(|p| p.x * side)
-        .fold(f64::INFINITY, f64::min);
+    let [least, most] = reach(&points, &Vector3::zeros(), &(Vector3::x() * side));
     let highest = points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
     let crotch = avatar.landmarks.get("crotch");
-    let pose = if crotch.is_some_and(|crotch| highest < crotch.y) && least > 0.0 {
+    let found = if crotch.is_some_and(|crotch| highest < crotch.y) && least > 0.0 {
         leg_pose(&points, side, avatar)
-    } else if least > BESIDE && middle.x * side > BESIDE_SHOULDER {
-        arm_pose(&points, side, avatar)
+    } else if least > BESIDE && 0.5 * (least + most) > BESIDE_SHOULDER {
+        arm_pose(&points, side, avatar).map(|pose| {
+            let along = (middle - pose.top).dot(&pose.direction);
+            (pose, along)
+        })
     } else {
         None
     };
-    let Some(pose) = pose else {
+    let Some((pose, along)) = found else {
         return placed;
     };
-    let along = (middle - pose.top).dot(&pose.direction);
-    let mut across = pose.top + pose.direction * along - middle;
+    let beside = pose.top + pose.direction * (middle - pose.top).dot(&pose.direction);
+    let mut across = beside - middle;
     let depth = -across.z;
     across.z = 0.0;
     let is_near = across.norm() < NEAR;
@@ -77,8 +77,9 @@ fn arm_pose(points: &[Vector3<f64>], side: f64, avatar: &Avatar) -> Option<LimbP
     is_beside.then(|| LimbPose::of(Some(avatar), limb, last.max(0.0)))
 }
 
-/// Returns the pose of the part of the leg on a side that a panel with these points is beside.
-fn leg_pose(points: &[Vector3<f64>], side: f64, avatar: &Avatar) -> Option<LimbPose> {
+/// Returns the pose of the part of the leg on a side that a panel with these points is beside, and
+/// the way to its middle: above the ankle, where it is put lower.
+fn leg_pose(points: &[Vector3<f64>], side: f64, avatar: &Avatar) -> Option<(LimbPose, f64)> {
     let limb = if side > 0.0 {
         Limb::LegLeft
     } else {
@@ -88,8 +89,12 @@ fn leg_pose(points: &[Vector3<f64>], side: f64, avatar: &Avatar) -> Option<LimbP
     let (joint, thigh) = axis.at(0.0);
     let [first, last] = reach(points, &joint, &thigh);
     let end = last.min(axis.length());
-    let is_beside = first > 0.0 && first < end;
-    is_beside.then(|| LimbPose::between(axis, &joint, [first, end]))
+    let start = end - (last - first);
+    let is_beside = start > 0.0 && start < end;
+    is_beside.then(|| {
+        let pose = LimbPose::between(axis, &joint, [start, end]);
+        (pose, 0.5 * (start + end))
+    })
 }
 
 /// Returns how far along a line from `top` the first and the last of some points are \[m\].
