@@ -1,6 +1,6 @@
 //! The same scene on a coarser mesh: what a multilevel solver starts from.
 
-use super::{FiberSpring, Membrane, Scene};
+use super::{Body, FiberSpring, Membrane, Scene};
 use crate::mesh::{self, ClothMesh, CoarserMesh, PanelRange};
 use nalgebra::{Vector2, Vector3};
 use std::collections::BTreeMap;
@@ -24,6 +24,9 @@ const COARSER_EDGE: f64 = 1.75;
 /// Most that a panel may turn along one mesh edge at its start \[rad\]: the edge sags by an eighth
 /// of the radius there.
 const MOST_TURN: f64 = 1.0;
+/// Longest mesh edges of a coarser mesh of what is worn \[m\]: a quarter of the girth of an arm.
+/// Longer ones close through arms, ankles and shoulders, or beside them.
+const LONGEST_WORN: f64 = 0.065;
 /// Directions of fibers are told apart to this much of a turn.
 const TURN: f64 = 1e6;
 
@@ -38,7 +41,7 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
         mesh,
         finer,
         weights,
-    } = mesh::coarser(&scene.mesh, &scene.pins, &too_round(scene))?;
+    } = mesh::coarser(&scene.mesh, &scene.pins, &chords(scene))?;
     let mut number = vec![usize::MAX; scene.start.len()];
     finer.iter().enumerate().for_each(|(n, &v)| number[v] = n);
     let mut mass = vec![0.0; finer.len()];
@@ -77,12 +80,15 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
     })
 }
 
-/// Returns for each panel whether it starts so round that the edges of a coarser mesh would be
-/// chords through what it is rolled about: a sleeve, a collar.
-fn too_round(scene: &Scene) -> Vec<bool> {
-    let panels = scene.mesh.panels.iter();
-    let turn = |range| COARSER_EDGE * mean_edge(&scene.mesh, range) * start_curvature(scene, range);
-    panels.map(|range| turn(range) > MOST_TURN).collect()
+/// Returns the panels whose edges on a coarser mesh would be chords through the body: those that
+/// start so round, as a sleeve or a collar, and on a body with limbs those whose edges are as long.
+fn chords(scene: &Scene) -> Vec<bool> {
+    let is_worn = matches!(scene.body, Some(Body::Avatar(_)));
+    let is_chord = |range| {
+        let edge = COARSER_EDGE * mean_edge(&scene.mesh, range);
+        is_worn && edge > LONGEST_WORN || edge * start_curvature(scene, range) > MOST_TURN
+    };
+    scene.mesh.panels.iter().map(is_chord).collect()
 }
 
 /// Returns the length of the edges of equal triangles as many as a panel has \[m\].

@@ -18,6 +18,11 @@ const BESIDE: f64 = 0.05;
 const BESIDE_SHOULDER: f64 = 0.2;
 /// Furthest that the middle of such a panel may be from the axis of the limb \[m\].
 const NEAR: f64 = 0.2;
+/// Distance from the body that a panel has where it starts \[m\], and steps in which it is moved down
+/// a limb for it, and their number.
+const CLEAR: f64 = 0.005;
+const STEP: f64 = 0.01;
+const STEPS: u32 = 20;
 /// Least cosine between a side of its drawing and the limb: a panel beside the trunk hangs straight.
 const ALIKE: f64 = 0.9;
 /// Angle that a panel is rolled by \[rad\]: half a turn less a gap to the other half.
@@ -59,7 +64,25 @@ pub(super) fn onto_limb(placed: Placed, panel: &Panel, avatar: &Avatar) -> Place
         outward: if depth > 0.0 { 0.0 } else { PI },
         least_radius: pose.radius,
     };
-    rolled(&placed, panel, up, &place)
+    clear_of_the_body(rolled(&placed, panel, up, &place), panel, avatar)
+}
+
+/// Returns the same start so far down the limb that all of the panel is outside the body: a cap
+/// would start within the trunk. Where no place is clear, it stays.
+fn clear_of_the_body(placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed {
+    let down = placed
+        .tilt
+        .map_or(-Vector3::y(), |tilt| tilt * -Vector3::y());
+    let points: Vec<_> = outline(panel).map(|uv| placed.position(uv)).collect();
+    let is_clear = |way: &f64| {
+        let mut moved = points.iter().map(|p| p + down * *way);
+        moved.all(|p| avatar.distance(&p) > CLEAR)
+    };
+    let way = (0..=STEPS).map(|k| STEP * f64::from(k)).find(is_clear);
+    Placed {
+        offset: placed.offset + down * way.unwrap_or(0.0),
+        ..placed
+    }
 }
 
 /// Returns the pose of the arm on a side for a panel with these points, if its middle is beside it:
