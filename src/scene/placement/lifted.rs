@@ -205,3 +205,114 @@ fn height_to_clear([a, b]: &[Vector3<f64>; 2], avatar: &Avatar) -> Option<f64> {
     };
     (0..=STEPS).map(|k| STEP * f64::from(k)).find(is_clear)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::{Panel, Placement, PlacementAnchor};
+    use crate::scene::placement::{AnchoredPlacement, place_panels};
+    use crate::scene::{DressForm, Limbs};
+    use crate::seam::Face;
+
+    fn body() -> Avatar {
+        let limbs = Some(Limbs {
+            arms: true,
+            legs: true,
+        });
+        let form = DressForm {
+            limbs,
+            ..DressForm::default()
+        };
+        form.build().expect("a body")
+    }
+
+    /// Places rectangles of these sizes with their middles at these points.
+    fn place(
+        rectangles: &[([f64; 2], [f64; 3])],
+        stitches: &[[SeamPoint; 2]],
+        avatar: &Avatar,
+    ) -> Vec<Placed> {
+        let placement = |offset_m| Placement {
+            at: Some(PlacementAnchor::Origin),
+            offset_m,
+            wrap: Some(Wrap::Flat),
+            ..Placement::default()
+        };
+        let panels = rectangles.iter().map(|(size, at)| {
+            let panel = Panel::rectangle("one", *size);
+            let placed = AnchoredPlacement::new(&panel, Some(&placement(*at))).expect("a place");
+            (panel, placed)
+        });
+        let panels: Vec<_> = panels.collect();
+        let placements = panels.iter().map(|(panel, placement)| PanelPlacement {
+            panel,
+            placement,
+            face: Face::Up,
+        });
+        let placements: Vec<_> = placements.collect();
+        place_panels(&placements, stitches, Some(avatar))
+    }
+
+    /// Stitches between the tops, bottoms or sides of two panels.
+    fn row(panels: [usize; 2], from: [[f64; 2]; 2], to: [[f64; 2]; 2]) -> Vec<[SeamPoint; 2]> {
+        let point = |panel: usize, ends: [[f64; 2]; 2], share: f64| SeamPoint {
+            panel: panels[panel],
+            uv: [0, 1].map(|i| ends[0][i] + share * (ends[1][i] - ends[0][i])),
+        };
+        let shares = (0..=10).map(|k| 0.1 * f64::from(k));
+        shares
+            .map(|share| [point(0, from, share), point(1, to, share)])
+            .collect()
+    }
+
+    /// A top whose shoulders start 5 cm below those of the body, with a skirt 10 cm below its hem.
+    #[test]
+    fn shoulder_seams_start_above_the_body_and_a_skirt_goes_along() {
+        let avatar = body();
+        let tip = avatar.landmarks["shoulder_tip_l"];
+        let size = [0.3, 0.5];
+        let low = tip.y - 0.05 - 0.25;
+        let at = |y: f64, z: f64| (size, [0.0, y, tip.z + z]);
+        let rectangles = [at(low, 0.25), at(low, -0.25), at(low - 0.6, 0.25)];
+        let [bottom, top] = [0.0, 0.5].map(|v| [[0.02, v], [0.28, v]]);
+        let mut stitches = row([0, 1], top, top);
+        stitches.extend(row([0, 2], bottom, top));
+        let placed = place(&rectangles, &stitches, &avatar);
+        for [a, b] in &stitches[..11] {
+            let [a, b] = [a, b].map(|p| placed[p.panel].position(p.uv));
+            for k in 0..=100 {
+                let point = a.lerp(&b, 0.01 * f64::from(k));
+                // Between two places that were looked at it may be nearer by half their distance.
+                assert!(
+                    avatar.distance(&point) > CLEAR - 0.25 / f64::from(POINTS),
+                    "{point}"
+                );
+            }
+        }
+        for [a, b] in &stitches[11..] {
+            let [a, b] = [a, b].map(|p| placed[p.panel].position(p.uv));
+            assert!((a - b).norm() < 1e-9, "{a} {b}");
+        }
+    }
+
+    /// Half a trouser leg before the left leg and half behind it, sewn between the legs from 15 cm
+    /// below the crotch on, whose hem starts 3 cm below the ankle.
+    #[test]
+    fn trousers_start_above_the_ankles_and_below_the_crotch() {
+        let avatar = body();
+        let [crotch, ankle] = ["crotch", "ankle_l"].map(|name| avatar.landmarks[name].y);
+        let hem = ankle - 0.03;
+        for (below, rises) in [(0.15, 0.03 + ABOVE_ANKLE), (0.02, 0.02)] {
+            let high = crotch - below - hem;
+            let size = [0.3, high];
+            let at = |z: f64| (size, [0.17, hem + 0.5 * high, z]);
+            let inner = [[0.0, 0.0], [0.0, high]];
+            let stitches = row([0, 1], inner, inner);
+            let placed = place(&[at(0.25), at(-0.25)], &stitches, &avatar);
+            for at in placed {
+                let rise = at.position([0.0, 0.0]).y - hem;
+                assert!((rise - rises).abs() < 1e-9, "{rise}");
+            }
+        }
+    }
+}

@@ -4,7 +4,7 @@ use super::sewn;
 use seamster::config::Limits;
 use seamster::fault::Faults;
 use seamster::fit::{self, Garment, PatternRef, ShippedAssets};
-use seamster::pattern::{OutlineRun, Pattern, Place, SeamPair};
+use seamster::pattern::{Face, OutlineRun, Pattern, Place, SeamPair};
 use seamster_fixtures::panels::{
     many, pattern, polygon, rectangle, run, seam, with_hole, with_line,
 };
@@ -160,4 +160,24 @@ fn pocket_on_a_line_and_mirrored_sleeves_in_holes_are_sewn_shut() {
     assert!(report.seam_gap_max_m < 1e-3, "{}", report.seam_gap_max_m);
     assert!(report.warnings.is_empty(), "{:?}", report.warnings);
     assert_eq!(outcome.mesh.panels.len(), 4);
+}
+
+#[test]
+fn faces_of_a_file_yield_to_its_seams_and_those_of_a_garment_do_not() {
+    let mut pattern = front_and_back();
+    for panel in &mut pattern.panels {
+        panel.face = Some(Face::Up);
+    }
+    // The right edges of both, upwards: one of the two is seen from inside.
+    let pairs = [seam("side", run("front", 3, 2), run("back", 3, 2))];
+    let told = ("seam/file_faces".to_owned(), "/panels".to_owned());
+    let asked = garment(pattern.clone(), &pairs, &json!({}));
+    assert!(warnings(asked).contains(&told));
+    let faces = json!({"panels": {"front": {"face": "up"}, "back": {"face": "up"}}});
+    let asked = garment(pattern, &pairs, &faces);
+    let faults = fit::resolve(asked, &ShippedAssets, &Limits::default()).expect_err("a twist");
+    assert!(
+        faults.0.iter().all(|f| f.code == "seam/twisted"),
+        "{faults}"
+    );
 }

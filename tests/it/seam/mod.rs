@@ -5,6 +5,7 @@ mod drafts;
 mod drawn;
 mod likely_reversed;
 mod notches;
+mod outside;
 mod suggest;
 mod suggest_kinds;
 mod suggest_unnamed;
