@@ -30,7 +30,7 @@ pub(super) struct Input {
     avatar_units: Option<BodyUnits>,
 }
 
-/// What a pattern file does not say itself.
+/// Options for what a pattern file does not say itself.
 #[derive(Args)]
 pub(super) struct PatternOptions {
     /// Unit of the pattern's coordinates, overriding what it says: mm, cm, m or inch

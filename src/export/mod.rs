@@ -5,6 +5,7 @@
 //! that a fabric of known repeat can be laid on to scale.
 
 mod aama;
+mod counted;
 mod garment_mesh;
 mod garmentcode;
 mod glb;

@@ -5,6 +5,7 @@
 pub struct PatternFile {
     /// The file.
     pub text: String,
-    /// What the pattern holds and the file does not, a sentence each; empty where all is written.
+    /// All that the pattern holds and the file does not, a sentence each; empty where all is
+    /// written.
     pub left_out: Vec<String>,
 }

@@ -1,6 +1,7 @@
 //! A pattern in words: a table of its panels, what the import decided, and its warnings, each with
 //! the option of the command line that decides otherwise.
 
+use super::counted::counted;
 use crate::fault::{Warning, without_controls};
 use crate::pattern::polyline::bounds;
 use crate::pattern::{Allowance, Panel, Pattern, PatternFormat, Source};
@@ -28,9 +29,10 @@ const OPTIONS: [(&str, &str); 3] = [
 /// Returns a table of the panels of a pattern, what was decided while it was imported, and its
 /// warnings, as text for a terminal.
 pub fn pattern_summary(pattern: &Pattern) -> String {
-    let count = pattern.panels.len();
+    let panels = counted(pattern.panels.len(), "panel", "panels");
+    let panels = panels.unwrap_or_else(|| "no panels".to_owned());
     let name = without_controls(&pattern.name);
-    let mut out = format!("{name}: {count} panels\n\n{}\n", table(&pattern.panels));
+    let mut out = format!("{name}: {panels}\n\n{}\n", table(&pattern.panels));
     for line in decisions(pattern) {
         out += &without_controls(&line);
         out.push('\n');
@@ -87,20 +89,15 @@ fn row(panel: &Panel) -> [String; 9] {
 
 /// Returns what else there is to say of a panel.
 fn remarks(panel: &Panel) -> String {
-    let counted = |count: usize, what: &str| match count {
-        0 => None,
-        1 => Some(format!("1 {what}")),
-        _ => Some(format!("{count} {what}s")),
-    };
     let copy_of = panel.copy_of.as_ref();
     let is_named_otherwise = !panel.name.eq_ignore_ascii_case(&panel.id) && copy_of.is_none();
     let all = [
         is_named_otherwise.then(|| format!("named {:?}", panel.name)),
         copy_of.map(|source| format!("mirrored copy of {source}")),
         panel.unfolded.then(|| "unfolded about its fold".to_owned()),
-        counted(panel.holes.len(), "hole"),
-        counted(panel.internal_lines.len(), "line"),
-        counted(panel.drill_holes.len(), "drill hole"),
+        counted(panel.holes.len(), "hole", "holes"),
+        counted(panel.internal_lines.len(), "line", "lines"),
+        counted(panel.drill_holes.len(), "drill hole", "drill holes"),
         (!panel.cut_line.is_empty()).then(|| "cut line beside the sew line".to_owned()),
     ];
     let all: Vec<String> = all.into_iter().flatten().collect();
@@ -128,16 +125,10 @@ fn decisions(pattern: &Pattern) -> Vec<String> {
         }
     };
     lines.push(format!("seam allowance: {allowance}"));
-    if !pattern.seams.is_empty() {
-        lines.push(format!(
-            "seams: {} are stated by the file",
-            pattern.seams.len()
-        ));
-    }
-    if !pattern.placements.is_empty() {
-        let count = pattern.placements.len();
-        lines.push(format!("placements: {count} are stated by the file"));
-    }
+    let stated = |count| counted(count, "is stated by the file", "are stated by the file");
+    let seams = stated(pattern.seams.len()).map(|stated| format!("seams: {stated}"));
+    let placements = stated(pattern.placements.len()).map(|stated| format!("placements: {stated}"));
+    lines.extend(seams.into_iter().chain(placements));
     lines
 }
 

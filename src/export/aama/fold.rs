@@ -10,12 +10,11 @@ use super::parts::{PanelParts, PlacedNotch};
 use crate::pattern::Hole;
 use crate::pattern::outline::ring_of;
 use crate::pattern::point::{Point2, distance, dot, sub, turn};
-use crate::pattern::polyline::{bounds, signed_area};
 
-/// What is this near to the fold lies on it, as the importer has it \[m\].
+/// Points this near to the fold lie on it, as the importer has it \[m\].
 const ON: f64 = 2e-4;
 
-/// Images are this near to what they are images of \[m, m²\].
+/// Images are this near to what they are images of \[m\].
 const SAME: f64 = 1e-6;
 
 /// The importer makes the end of a fold a corner where the whole outline turns by this \[rad\].
@@ -29,7 +28,10 @@ pub(super) fn half<'a>(whole: &PanelParts<'a>) -> Option<PanelParts<'a>> {
     }
     // Corner 0 is the first after the fold, or lies on it.
     let last_corner = whole.is_corner.iter().rposition(|corner| *corner)?;
-    let mut starts = (last_corner + 1..count).chain([0]);
+    // A mirror swaps corner 0 with the last one, if they do not lie on it: half way between them.
+    let between = last_corner + count;
+    let middle = between.is_multiple_of(2).then_some(between / 2);
+    let mut starts = middle.into_iter().chain([0]);
     starts.find_map(|start| {
         let fold = Fold::of(whole, start)?;
         fold.is_axis_of(whole).then(|| fold.half(whole)).flatten()
@@ -209,11 +211,36 @@ impl Fold {
     }
 }
 
-/// Returns true if two rings have the same box and the same area.
+/// Returns true if two rings go through the same points, from any start and either way round.
 fn is_same_place(a: &[Point2], b: &[Point2]) -> bool {
-    let is_same = |x: f64, y: f64| (x - y).abs() <= SAME;
-    let (box_a, box_b) = (bounds(a), bounds(b));
-    let corners = box_a.iter().flatten().zip(box_b.iter().flatten());
-    corners.into_iter().all(|(x, y)| is_same(*x, *y))
-        && is_same(signed_area(a).abs(), signed_area(b).abs())
+    let count = a.len();
+    let is_same = |p: Point2, q: Point2| distance(p, q) <= SAME;
+    let Some(first) = a.first() else {
+        return b.is_empty();
+    };
+    let goes_along = |start: usize, step: usize| {
+        let at = |k: usize| b[(start + k * step) % count];
+        (1..count).all(|k| is_same(a[k], at(k)))
+    };
+    // A step of all but one point is one back.
+    let mut starts = (0..count).filter(|start| b.get(*start).is_some_and(|q| is_same(*first, *q)));
+    b.len() == count && starts.any(|start| goes_along(start, 1) || goes_along(start, count - 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rings_are_compared_point_by_point() {
+        let ring = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.2, 0.7]];
+        let mut other = ring;
+        other.rotate_left(2);
+        assert!(is_same_place(&ring, &other));
+        other.reverse();
+        assert!(is_same_place(&ring, &other));
+        // Of the same box and area.
+        let twin = [[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.2, 0.3]];
+        assert!(!is_same_place(&ring, &twin) && !is_same_place(&ring, &ring[..3]));
+    }
 }

@@ -1,4 +1,4 @@
-//! What belongs to the whole file: header, tables, the labels of the style, the inserted blocks.
+//! Parts of the whole file: header, tables, the labels of the style, the inserted blocks.
 
 use super::drawn_piece::DrawnPiece;
 use super::piece::layer;

@@ -6,19 +6,24 @@ use std::fmt::Write;
 /// Height of texts \[mm\].
 pub(super) const TEXT_HEIGHT: f64 = 6.0;
 
+/// Characters of a text at most: of seven bytes each they are far from the longest line that is
+/// read.
+const MOST_CHARS: usize = 2_000;
+
 /// A DXF file as it grows. Lengths go in as meters and are written as millimeters.
 #[derive(Default)]
 pub(super) struct TagWriter(String);
 
 impl TagWriter {
-    /// Adds a tag with a text: ASCII, other characters as `\U+XXXX`, `^` as `^ ` (both are how R12
-    /// writes them), control characters as blanks.
+    /// Adds a tag with the first 2000 characters of a text: ASCII, the backslash and other
+    /// characters as `\U+XXXX`, `^` as `^ ` (both are how R12 writes them), control characters as
+    /// blanks.
     pub(super) fn text(&mut self, code: u32, value: &str) -> &mut Self {
         write!(self.0, "{code:>3}\r\n").expect("a String takes all");
-        for c in value.chars() {
+        for c in value.chars().take(MOST_CHARS) {
             match c {
                 '^' => self.0.push_str("^ "),
-                ' '..='~' => self.0.push(c),
+                ' '..='~' if c != '\\' => self.0.push(c),
                 _ if c.is_control() => self.0.push(' '),
                 _ => {
                     for unit in c.encode_utf16(&mut [0; 2]) {
@@ -102,6 +107,15 @@ impl TagWriter {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn backslash_is_no_escape_and_long_texts_end() {
+        let mut file = TagWriter::default();
+        file.text(1, "\\U+0041").text(1, &"袖".repeat(60_000));
+        let text = file.into_text();
+        assert!(text.starts_with("  1\r\n\\U+005CU+0041\r\n"));
+        assert_eq!(text.lines().map(str::len).max(), Some(7 * MOST_CHARS));
+    }
 
     #[test]
     fn texts_are_ascii_and_numbers_are_short() {

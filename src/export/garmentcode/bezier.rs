@@ -12,8 +12,11 @@ use nalgebra::{DMatrix, DVector};
 /// Number of parts of the parameter between whose ends the importer puts points.
 const PARTS: f64 = 256.0;
 
-/// Chords at least that the importer draws a curve with.
-const LEAST_CHORDS: usize = 4;
+/// Points at least that the importer draws a curve with.
+pub(super) const LEAST_POINTS: usize = 5;
+
+/// Points at most that the importer draws a curve with: the ends of all parts.
+pub(super) const MOST_POINTS: usize = 257;
 
 /// Points that the importer drew lie on the curve to this \[m\].
 const EXACT: f64 = 1e-8;
@@ -47,13 +50,21 @@ impl Bezier {
 
     /// Returns its point at `t`.
     pub(super) fn at(&self, t: f64) -> Point2 {
-        sum(&self.0, &bernstein(self.0.len() - 1, t))
+        sum(self.0.iter().copied(), bernstein(self.0.len() - 1, t))
     }
 
     fn derivative(&self, t: f64) -> Point2 {
         let degree = self.0.len() - 1;
-        let steps: Vec<Point2> = self.0.windows(2).map(|w| sub(w[1], w[0])).collect();
-        sum(&steps, &bernstein(degree - 1, t)).map(|c| degree as f64 * c)
+        let steps = self.0.windows(2).map(|w| sub(w[1], w[0]));
+        sum(steps, bernstein(degree - 1, t)).map(|c| degree as f64 * c)
+    }
+
+    fn second_derivative(&self, t: f64) -> Point2 {
+        let degree = self.0.len() - 1;
+        let bends = self.0.windows(3);
+        let bends = bends.map(|w| sub(sub(w[2], w[1]), sub(w[1], w[0])));
+        let factor = (degree * (degree - 1)) as f64;
+        sum(bends, bernstein(degree - 2, t)).map(|c| factor * c)
     }
 
     /// Returns the greatest distance of points from their places on the curve \[m\].
@@ -65,20 +76,15 @@ impl Bezier {
     }
 }
 
-/// Returns the curve of a degree that the importer drew a polyline from; `None` if it drew it from
-/// none.
-pub(super) fn exact(points: &[Point2], degree: usize) -> Option<Bezier> {
-    if points.len() <= LEAST_CHORDS {
-        return None;
-    }
-    let near = if points.len() == LEAST_CHORDS + 1 {
-        (0..=LEAST_CHORDS)
-            .map(|i| i as f64 / LEAST_CHORDS as f64)
-            .collect()
+/// Returns the curve of a degree that the importer drew a polyline from, of at least
+/// [`LEAST_POINTS`] points, which `near` was fitted to; `None` if it drew it from none.
+pub(super) fn exact(points: &[Point2], degree: usize, near: Option<&BezierFit>) -> Option<Bezier> {
+    let part = |t: &f64| (t * PARTS).round() / PARTS;
+    let drawn: Vec<f64> = if points.len() == LEAST_POINTS {
+        vec![0.0, 0.25, 0.5, 0.75, 1.0]
     } else {
-        fit(points, degree)?.parameters
+        near?.parameters.iter().map(part).collect()
     };
-    let drawn: Vec<f64> = near.iter().map(|t| (t * PARTS).round() / PARTS).collect();
     if !drawn.is_sorted_by(|a, b| a < b) {
         return None;
     }
@@ -152,9 +158,8 @@ fn improved(curve: Bezier, points: &[Point2], parameters: &[f64]) -> Option<Bezi
         let across = [-y / long, x / long];
         let apart = dot(across, sub(*p, curve.at(*t)));
         let weights = bernstein(degree, *t);
-        let row: Vec<f64> = (0..count)
-            .map(|i| weights[i / 2 + 1] * across[i % 2])
-            .collect();
+        let entry = |i: usize| weights[(i / 2 + 1).min(3)] * across[i % 2];
+        let row: [f64; 4] = std::array::from_fn(entry);
         for i in 0..count {
             right[i] += row[i] * apart;
             for j in 0..count {
@@ -176,16 +181,12 @@ fn improved(curve: Bezier, points: &[Point2], parameters: &[f64]) -> Option<Bezi
 
 /// Moves parameters to the feet of their points, the ends apart.
 fn project(curve: &Bezier, points: &[Point2], parameters: &mut [f64]) {
-    let second = |t: f64| {
-        let [a, b] = [t - 1e-4, t + 1e-4].map(|t| curve.derivative(t));
-        sub(b, a).map(|c| c / 2e-4)
-    };
     let inner = 1..points.len() - 1;
     for i in inner {
         for _ in 0..4 {
             let t = parameters[i];
             let (off, way) = (sub(curve.at(t), points[i]), curve.derivative(t));
-            let curvature = dot(way, way) + dot(off, second(t));
+            let curvature = dot(way, way) + dot(off, curve.second_derivative(t));
             let slope = if curvature > 0.0 {
                 curvature
             } else {
@@ -193,24 +194,27 @@ fn project(curve: &Bezier, points: &[Point2], parameters: &mut [f64]) {
             };
             let step = dot(off, way) / slope.max(f64::MIN_POSITIVE);
             parameters[i] = (t - step).clamp(0.0, 1.0);
+            if parameters[i] == t {
+                break;
+            }
         }
     }
 }
 
-/// Returns the Bernstein polynomials of a degree up to 3 at `t`.
-fn bernstein(degree: usize, t: f64) -> Vec<f64> {
+/// Returns the Bernstein polynomials of a degree up to 3 at `t`, then zeros.
+fn bernstein(degree: usize, t: f64) -> [f64; 4] {
     let s = 1.0 - t;
     match degree {
-        0 => vec![1.0],
-        1 => vec![s, t],
-        2 => vec![s * s, 2.0 * s * t, t * t],
-        _ => vec![s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t],
+        0 => [1.0, 0.0, 0.0, 0.0],
+        1 => [s, t, 0.0, 0.0],
+        2 => [s * s, 2.0 * s * t, t * t, 0.0],
+        _ => [s * s * s, 3.0 * s * s * t, 3.0 * s * t * t, t * t * t],
     }
 }
 
-fn sum(points: &[Point2], weights: &[f64]) -> Point2 {
-    let add = |s: Point2, (p, w): (&Point2, &f64)| [s[0] + w * p[0], s[1] + w * p[1]];
-    points.iter().zip(weights).fold([0.0; 2], add)
+fn sum(points: impl Iterator<Item = Point2>, weights: [f64; 4]) -> Point2 {
+    let add = |s: Point2, (p, w): (Point2, f64)| [s[0] + w * p[0], s[1] + w * p[1]];
+    points.zip(weights).fold([0.0; 2], add)
 }
 
 #[cfg(test)]
@@ -234,7 +238,9 @@ mod tests {
             vec![[0.0, 0.0], [0.35, 0.1], [0.0, 0.12], [0.4, 0.0]],
         ] {
             let points = drawn(&controls);
-            let found = exact(&points, controls.len() - 1).expect("a curve");
+            let degree = controls.len() - 1;
+            let near = fit(&points, degree);
+            let found = exact(&points, degree, near.as_ref()).expect("a curve");
             for (a, b) in found.0.iter().zip(&controls) {
                 assert!(distance(*a, *b) < 1e-9, "{found:?} {controls:?}");
             }
@@ -245,7 +251,10 @@ mod tests {
     fn polyline_of_no_curve_has_none() {
         let mut points = drawn(&[[0.0, 0.0], [0.1, 0.3], [0.4, 0.1]]);
         points[5][0] += 1e-4;
-        assert!(exact(&points, 2).is_none() && exact(&points, 3).is_none());
+        for degree in [2, 3] {
+            let near = fit(&points, degree);
+            assert!(exact(&points, degree, near.as_ref()).is_none());
+        }
         let near = fit(&points, 2).expect("a fit");
         assert!(near.curve.deviation(&points, &near.parameters) < 1e-4);
     }

@@ -2,7 +2,7 @@
 //!
 //! Source of the format: as for its import. Loops run counter-clockwise where the drawn side of a
 //! panel is out, clockwise where it is in. Edges that came from a specification are written as the
-//! curves that they were; others as one curve through their points, or in parts. The file says
+//! curves that they were; others as one curve near their lines, or in parts. The file says
 //! nothing of what it leaves out: the format has no place for comments.
 
 mod arc;
@@ -15,6 +15,7 @@ mod panel;
 mod placement;
 mod stitch;
 
+use self::fit::Fitter;
 use self::left_out::LeftOut;
 use self::numbers::neat;
 use self::panel::DrawnPanel;
@@ -28,8 +29,12 @@ use std::collections::BTreeSet;
 pub fn pattern_specification(pattern: &Pattern) -> PatternFile {
     let scale = scale(pattern);
     let names = names(pattern);
-    let drawn: Vec<DrawnPanel> = pattern.panels.iter().map(DrawnPanel::of).collect();
+    let edges = pattern.panels.iter().flat_map(|panel| &panel.edges);
+    let mut fitter = Fitter::of(edges.map(|edge| edge.points.len()).sum());
+    let draw = |panel| DrawnPanel::of(panel, &mut fitter);
+    let drawn: Vec<DrawnPanel> = pattern.panels.iter().map(draw).collect();
     let mut left_out = LeftOut::of(pattern, &names, &drawn);
+    left_out.is_sparing = fitter.is_sparing;
     let mut panels = Map::new();
     for ((panel, drawn), name) in pattern.panels.iter().zip(&drawn).zip(&names) {
         let mut written = Map::new();
@@ -45,7 +50,10 @@ pub fn pattern_specification(pattern: &Pattern) -> PatternFile {
     let mut stitches = Vec::new();
     for seam in &pattern.seams {
         match stitch::written(seam, pattern, (&drawn, &names)) {
-            Some(stitch) => stitches.push(stitch),
+            Some(stitch) => {
+                left_out.add_stitch(seam, pattern, stitches.len());
+                stitches.push(stitch);
+            }
             None => left_out.seams += 1,
         }
     }

@@ -1,7 +1,7 @@
 //! A panel as a loop of edges between vertices.
 
 use super::curve::EdgeCurve;
-use super::fit;
+use super::fit::Fitter;
 use super::numbers::neat;
 use crate::pattern::outline::ring_of;
 use crate::pattern::point::Point2;
@@ -18,7 +18,7 @@ pub(super) struct DrawnPanel {
     index_of: Vec<Option<usize>>,
     /// True if the loop runs against the order in which edges are stored.
     pub(super) reversed: bool,
-    /// The greatest distance of a point of the outline from the curves \[m\].
+    /// The greatest distance between the curves and the lines of the outline \[m\].
     pub(super) deviation: f64,
 }
 
@@ -31,7 +31,7 @@ struct DrawnEdge {
 
 impl DrawnPanel {
     /// Draws the outline of a panel.
-    pub(super) fn of(panel: &Panel) -> Self {
+    pub(super) fn of(panel: &Panel, fitter: &mut Fitter) -> Self {
         let is_stored_ccw = signed_area(&ring_of(&panel.edges)) > 0.0;
         let is_wanted_ccw = panel.face != Some(Face::Down);
         let mut drawn = Self {
@@ -46,13 +46,13 @@ impl DrawnPanel {
             } else {
                 i
             };
-            drawn.add(panel, stored);
+            drawn.add(panel, stored, fitter);
         }
         drawn
     }
 
     /// Adds a stored edge to the loop.
-    fn add(&mut self, panel: &Panel, stored: usize) {
+    fn add(&mut self, panel: &Panel, stored: usize, fitter: &mut Fitter) {
         let edge = &panel.edges[stored];
         let mut points = edge.points.clone();
         if self.reversed {
@@ -61,7 +61,7 @@ impl DrawnPanel {
         if points.len() < 2 {
             return;
         }
-        let curves = fit::curves(&points);
+        let curves = fitter.curves(&points);
         self.index_of[stored] = (curves.len() == 1).then_some(self.edges.len());
         let mut from = 0;
         for part in curves {

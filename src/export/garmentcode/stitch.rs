@@ -55,7 +55,7 @@ fn side<'a>(
 }
 
 /// Returns the stored edge of a run from corner to corner, and the direction along it.
-fn stored_edge(run: &OutlineRun, count: usize) -> Option<(usize, Direction)> {
+pub(super) fn stored_edge(run: &OutlineRun, count: usize) -> Option<(usize, Direction)> {
     let (Place::Corner(from), Place::Corner(to)) = (run.from, run.to) else {
         return None;
     };

@@ -17,7 +17,10 @@ const LEFT_OUT: HeaderName = HeaderName::from_static("seamster-left-out");
 /// Characters of that header at most; a client may refuse more.
 const MOST_CHARS: usize = 2_000;
 
-/// The pattern as DXF after ANSI/AAMA-292, in millimetres
+/// End of a header that was cut.
+const CUT: &str = " ...";
+
+/// The pattern as DXF after ANSI/AAMA-292, in millimeters
 ///
 /// A block a piece, with cut and sew line, corners, notches, grain, fold, lines, cut-outs and drill
 /// holes on their layers, in the size that was imported. What DXF has no place for is named in
@@ -35,7 +38,7 @@ pub(super) async fn aama(
     respond(&state, id, &headers, (pattern_dxf, "image/vnd.dxf")).await
 }
 
-/// The pattern as a `GarmentCode` specification, in the unit of its file or in centimetres
+/// The pattern as a `GarmentCode` specification, in the unit of its file or in centimeters
 ///
 /// Panels with their curves, stitches and placements where the pattern came with them. What a
 /// specification has no place for is named in the header `Seamster-Left-Out`.
@@ -79,11 +82,17 @@ async fn respond(
     Ok(response)
 }
 
-/// Returns the sentences as one line of printable ASCII, other characters as `?`.
+/// Returns the sentences as one line of printable ASCII, other characters as `?`; a line that is
+/// cut ends with ` ...`.
 fn header_value(left_out: &[String]) -> Option<HeaderValue> {
     let ascii = |c: char| if matches!(c, ' '..='~') { c } else { '?' };
     let line = left_out.join("; ");
-    let line: String = line.chars().take(MOST_CHARS).map(ascii).collect();
+    let is_cut = line.chars().nth(MOST_CHARS).is_some();
+    let taken = MOST_CHARS - if is_cut { CUT.len() } else { 0 };
+    let mut line: String = line.chars().take(taken).map(ascii).collect();
+    if is_cut {
+        line += CUT;
+    }
     let value = HeaderValue::from_str(&line).ok();
     value.filter(|_| !left_out.is_empty())
 }

@@ -147,7 +147,7 @@ fn unfolded_panel_that_is_not_its_own_image_is_drawn_whole_and_told() {
     assert_eq!(file.left_out.len(), 1, "{:?}", file.left_out);
     assert!(
         file.text
-            .contains("999\r\nNot in this file: 1 panels on the fold")
+            .contains("999\r\nNot in this file: 1 panel on the fold")
     );
     assert_eq!(differences(&pattern, &again), ["front: unfolded"]);
 }
@@ -256,7 +256,7 @@ fn what_dxf_cannot_say_is_told_in_the_file() {
         "{:?}",
         file.left_out
     );
-    for part in ["S, L", "1 labels", "1 notches are slits", "more than 100"] {
+    for part in ["S, L", "1 label or", "1 notch is a slit", "more than 100"] {
         assert!(
             file.left_out.iter().any(|said| said.contains(part)),
             "{part}"

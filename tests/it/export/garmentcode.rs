@@ -4,7 +4,7 @@
 use seamster::config::Limits;
 use seamster::export::pattern_specification;
 use seamster::pattern::{
-    Face, Grain, ImportOptions, Match, Pattern, Placement, PlacementAnchor, import,
+    Face, Grain, ImportOptions, Match, Pattern, Placement, PlacementAnchor, Point2, import,
 };
 use seamster_fixtures::panels::{lens, pattern, rectangle, run, seam};
 use seamster_fixtures::same::{SAME, differences};
@@ -149,14 +149,52 @@ fn curves_of_other_files_are_followed_within_a_twentieth_of_a_millimeter() {
     let pattern = pattern(vec![panel, rectangle("band", 0.3, 0.05)]);
     let (left_out, again) = round_trip(&pattern);
     assert!(
-        left_out.iter().any(|said| said == "1 grain lines"),
+        left_out.iter().any(|said| said == "1 grain line"),
         "{left_out:?}"
     );
     for (a, b) in pattern.panels.iter().zip(&again.panels) {
         assert_eq!((&a.id, a.edges.len()), (&b.id, b.edges.len()));
         assert!((a.perimeter_m - b.perimeter_m).abs() < 1e-4);
         assert!((a.area_m2 - b.area_m2).abs() < 5e-5 * a.perimeter_m);
+        for (edge, again) in a.edges.iter().zip(&b.edges) {
+            for points in [&edge.points, &again.points].map(|points| points.windows(2)) {
+                for ends in points {
+                    for at in [ends[0], middle(ends[0], ends[1])] {
+                        let off =
+                            distance_from(at, &edge.points).max(distance_from(at, &again.points));
+                        assert!(off < 5e-5, "{off}");
+                    }
+                }
+            }
+        }
     }
+}
+
+fn middle(a: Point2, b: Point2) -> Point2 {
+    [0, 1].map(|k| f64::midpoint(a[k], b[k]))
+}
+
+/// Returns the distance of a point from a polyline \[m\].
+fn distance_from(p: Point2, line: &[Point2]) -> f64 {
+    let of_chord = |ends: &[Point2]| {
+        let way = [ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]];
+        let off = [p[0] - ends[0][0], p[1] - ends[0][1]];
+        let t = (way[0] * off[0] + way[1] * off[1]) / (way[0] * way[0] + way[1] * way[1]);
+        let t = t.clamp(0.0, 1.0);
+        (off[0] - t * way[0]).hypot(off[1] - t * way[1])
+    };
+    line.windows(2).map(of_chord).fold(f64::INFINITY, f64::min)
+}
+
+#[test]
+fn gathers_that_the_lengths_do_not_say_are_told() {
+    let mut pattern = pattern(vec![rectangle("a", 0.3, 0.4), rectangle("b", 0.3, 0.4)]);
+    pattern.seams = vec![seam("stitch-0", run("a", 0, 1), run("b", 3, 2))];
+    assert_eq!(round_trip(&pattern).0, Vec::<String>::new());
+    pattern.seams[0].gather = true;
+    let (left_out, again) = round_trip(&pattern);
+    assert!(left_out.len() == 1 && left_out[0].starts_with("1 seam is gathered"));
+    assert!(!again.seams[0].gather);
 }
 
 #[test]
@@ -175,8 +213,9 @@ fn what_is_no_stitch_and_what_stands_about_a_body_is_told() {
     };
     pattern.placements.insert("a".to_owned(), torso);
     let (left_out, again) = round_trip(&pattern);
-    assert_eq!(left_out.len(), 2, "{left_out:?}");
-    assert!(left_out[0].starts_with("2 seams") && left_out[1].starts_with("1 placements"));
+    assert_eq!(left_out.len(), 3, "{left_out:?}");
+    assert_eq!(left_out[2], "1 id of a seam: stitches are numbered");
+    assert!(left_out[0].starts_with("2 seams") && left_out[1].starts_with("1 placement is"));
     assert_eq!((again.seams.len(), again.placements.len()), (1, 0));
     let runs =
         |seam: &seamster::pattern::SeamPair| [seam.a.runs()[0].clone(), seam.b.runs()[0].clone()];
