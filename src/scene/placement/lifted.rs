@@ -11,8 +11,8 @@ use crate::scene::Avatar;
 use nalgebra::Vector3;
 use std::collections::BTreeSet;
 
-/// Depth below the tip of the shoulder within which a seam is one of the shoulder \[m\]: most of the
-/// way to the armpit of a body of middle size.
+/// Depth below the tip of the shoulder within which a seam is one of the shoulder \[m\]: most of
+/// the way to the armpit of a body of middle size.
 const SHOULDER_DEPTH: f64 = 0.1;
 /// Distance from the body that a stitch has all along \[m\], once it is high enough.
 const CLEAR: f64 = 0.01;

@@ -12,18 +12,19 @@ use crate::scene::{Avatar, Limb};
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Distance from the middle beyond which all of a panel about an arm is, caps of raglan sleeves among
-/// them, and beyond which the middle of it is \[m\].
+/// Distance from the middle beyond which all of a panel about an arm is, caps of raglan sleeves
+/// among them, and beyond which the middle of it is \[m\].
 const BESIDE: f64 = 0.05;
 const BESIDE_SHOULDER: f64 = 0.2;
 /// Furthest that the middle of such a panel may be from the axis of the limb \[m\].
 const NEAR: f64 = 0.2;
-/// Distance from the body that a panel has where it starts \[m\], and steps in which it is moved down
-/// a limb for it, and their number.
+/// Distance from the body that a panel has where it starts \[m\], and steps in which it is moved
+/// down a limb for it, and their number.
 const CLEAR: f64 = 0.005;
 const STEP: f64 = 0.01;
 const STEPS: u32 = 20;
-/// Least cosine between a side of its drawing and the limb: a panel beside the trunk hangs straight.
+/// Least cosine between a side of its drawing and the limb: a panel beside the trunk hangs
+/// straight.
 const ALIKE: f64 = 0.9;
 /// Angle that a panel is rolled by \[rad\]: half a turn less a gap to the other half.
 const HALF: f64 = 0.9 * PI;

@@ -2,8 +2,8 @@
 //!
 //! The garments of `own_size.json` in the folder that `SEAMSTER_TEST_DATA` names, each on the form
 //! of its own size, the default form or a body from a file; first those whose seams are known, then
-//! those by suggested seams. With `--drafted`, garments drafted by seeds instead, on forms that they
-//! are drafted for. Each is a process of its own, so that its memory is its own and a
+//! those by suggested seams. With `--drafted`, garments drafted by seeds instead, on forms that
+//! they are drafted for. Each is a process of its own, so that its memory is its own and a
 //! crash is a row too. A JSON line each goes to `target/sweep.jsonl`, a picture from four sides to
 //! `target/sweep/`.
 
