@@ -55,22 +55,24 @@ struct Cell {
 }
 
 impl DistanceField {
-    /// The field about a surface up to `reach` outside, on a grid of this `spacing` \[m\].
-    pub(super) fn new(
-        (surface, exact): (&TriangleMesh, &ExactDistance),
-        reach: f64,
-        spacing: f64,
-    ) -> Self {
-        Self::build((surface, exact), reach, spacing, false)
-    }
-
-    /// The same, lowered where the surface would stand out of it.
+    /// The field about a surface up to `reach` outside, on a grid of this `spacing` \[m\], lowered
+    /// where the surface would stand out of it.
     pub(super) fn enclosing(
         (surface, exact): (&TriangleMesh, &ExactDistance),
         reach: f64,
         spacing: f64,
     ) -> Self {
         Self::build((surface, exact), reach, spacing, true)
+    }
+
+    /// The same as it is, with what stands out of it.
+    #[cfg(test)]
+    pub(super) fn new(
+        (surface, exact): (&TriangleMesh, &ExactDistance),
+        reach: f64,
+        spacing: f64,
+    ) -> Self {
+        Self::build((surface, exact), reach, spacing, false)
     }
 
     fn build(

@@ -116,7 +116,7 @@ impl Avatar {
     ) -> Result<Self, Faults> {
         Faults(surface.check()).or(())?;
         let exact = ExactDistance::new(&surface);
-        let field = DistanceField::new((&surface, &exact), REACH, SPACING);
+        let field = DistanceField::enclosing((&surface, &exact), REACH, SPACING);
         Ok(Self {
             name: name.to_owned(),
             surface,
