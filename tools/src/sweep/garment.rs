@@ -139,13 +139,13 @@ impl SweepGarment {
     /// Returns the garment as it is to be sewn on a form.
     ///
     /// # Errors
-    /// A file of a body that cannot be read.
+    /// A file of a body or a pattern that cannot be read.
     pub(super) fn garment(&self, folder: &Path, form: &Form) -> Result<Garment, Box<dyn Error>> {
         let avatar = form.avatar(self.form)?;
         let (pattern, seams) = match (&self.panels, &self.seams) {
-            (PanelSource::File(file), SeamSource::Suggested) => (self.import(file), None),
+            (PanelSource::File(file), SeamSource::Suggested) => (Self::import(file)?, None),
             (PanelSource::File(file), SeamSource::Pattern) => {
-                let pattern = self.import(file);
+                let pattern = Self::import(file)?;
                 let seams = pattern.seams.clone();
                 (pattern, Some(seams))
             }
@@ -180,10 +180,10 @@ impl SweepGarment {
         })
     }
 
-    fn import(&self, file: &Path) -> Pattern {
-        let bytes = fs::read(file).expect("the folder has it");
-        pattern::import(&bytes, &ImportOptions::default(), &Limits::default())
-            .unwrap_or_else(|faults| panic!("{}: {faults}", self.name))
+    fn import(file: &Path) -> Result<Pattern, Box<dyn Error>> {
+        let bytes = fs::read(file)?;
+        let import = pattern::import(&bytes, &ImportOptions::default(), &Limits::default());
+        Ok(import?)
     }
 }
 
