@@ -5,9 +5,9 @@ use super::panel_spec::panel_specs;
 use super::sewing_pattern::{faces, garment_faces, with_copies, without_allowances};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, RequestCode, SeamCode, Warning};
-use crate::pattern::{Pattern, SeamPair};
+use crate::pattern::{Panel, Pattern, SeamPair};
 use crate::scene::{AnchoredPlacement, Placed};
-use crate::seam::{self, Face, SeamCheck, SeamCheckInput, SeamSet};
+use crate::seam::{self, Face, FaceRequest, SeamCheck, SeamCheckInput, SeamSet};
 use std::cell::OnceCell;
 
 /// Checks the seams of `garment` on `pattern`; what else is wrong with the garment, and its own
@@ -107,7 +107,18 @@ pub(super) fn check_faced(
     if of_seams.is_err() {
         return (check, set);
     }
-    let detail = "the faces that the pattern's file states contradict its seams; those that its seams give are taken: `faces` of the seam check lists them, and `panels.<id>.face` chooses another";
+    let panels = to_check.pattern.panels.iter().zip(specs);
+    let is_other = |(panel, spec): &(&Panel, &PanelSpec)| {
+        spec.face == FaceRequest::Auto
+            && panel.face.is_some()
+            && panel.face != other.faces.get(&panel.id).copied()
+    };
+    let others = panels.filter(is_other);
+    let ids: Vec<_> = others.map(|(p, _)| format!("`{}`", p.id)).collect();
+    let detail = format!(
+        "the faces that the pattern's file states contradict its seams: the other side of {} is out, as the seams say; `panels.<id>.face` chooses",
+        ids.join(", ")
+    );
     let warning = Warning::new(SeamCode::FileFaces, "/panels", detail);
     other.warnings.push(warning);
     (other, of_seams)

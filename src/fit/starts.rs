@@ -27,37 +27,83 @@ pub(super) fn starts(
     let stitches = mesh.stitches.iter();
     let stitches: Vec<_> = stitches.map(|s| [point(s.a), point(s.b)]).collect();
     let placed = scene::place_panels(&panels, &stitches, avatar);
-    let warnings = panels.iter().zip(&placed);
-    let warnings = warnings.filter_map(|(panel, placed)| warning(panel, placed, avatar));
-    let warnings = warnings.collect();
+    let starts = panels.iter().zip(&placed);
+    let changes = starts.map(|(panel, placed)| Change::of(panel, placed, avatar));
+    let changes: Vec<_> = changes.collect();
+    let each = panels.iter().zip(&changes);
+    let mut warnings: Vec<_> = each
+        .filter_map(|(panel, change)| change.warning(&panel.panel.id))
+        .collect();
+    warnings.extend(lifted(&panels, &changes));
     (outside(garment, placed, avatar), warnings)
 }
 
-/// Returns what was decided about a panel's start that neither the garment nor its file states.
-fn warning(
-    panel: &PanelPlacement<'_>,
-    placed: &Placed,
-    avatar: Option<&Avatar>,
-) -> Option<Warning> {
-    let id = &panel.panel.id;
-    let pointer = format!("/panels/{}/placement", pointer_token(id));
-    let stated = panel.placement.place(panel.panel, panel.face, avatar);
-    let moved_mm = (placed.middle() - stated.middle()).norm() * 1e3;
-    if panel.placement.is_about_other_body() {
-        return (moved_mm > 0.0).then(|| {
-            let detail = format!(
-                "panel `{id}` starts rolled about the arm of this body, {moved_mm:.0} mm from where its file puts it"
-            );
-            Warning::new(PlacementCode::Moved, pointer, detail)
-        });
+/// A change of a panel's start from what the garment, its file or its name states.
+enum Change {
+    None,
+    /// Rolled about a limb, its middle so far from where it was \[m\].
+    Rolled(f64),
+    /// With this direction of the drawing up \[degrees\].
+    Turned(f64),
+    /// So much higher \[m\].
+    Lifted(f64),
+}
+
+impl Change {
+    fn of(panel: &PanelPlacement<'_>, placed: &Placed, avatar: Option<&Avatar>) -> Self {
+        let stated = panel.placement.place(panel.panel, panel.face, avatar);
+        let moved = placed.middle() - stated.middle();
+        if placed.is_about_limb() && !stated.is_about_limb() {
+            Self::Rolled(moved.norm())
+        } else if placed.up_deg() != stated.up_deg() {
+            Self::Turned(placed.up_deg())
+        } else if moved.y > 0.0 && moved.xz().norm() == 0.0 {
+            Self::Lifted(moved.y)
+        } else {
+            Self::None
+        }
     }
-    (placed.up_deg() != stated.up_deg()).then(|| {
-        let detail = format!(
-            "panel `{id}` starts with {:.0} degrees on its drawing up: its seams are shorter so than as it is drawn",
-            placed.up_deg()
-        );
-        Warning::new(PlacementCode::Turned, pointer, detail)
-    })
+
+    /// Returns what a user should know of the start of panel `id` alone.
+    fn warning(&self, id: &str) -> Option<Warning> {
+        let pointer = format!("/panels/{}/placement", pointer_token(id));
+        match self {
+            Self::Rolled(moved) => {
+                let detail = format!(
+                    "panel `{id}` starts rolled about an arm or a leg of this body, {:.0} mm from where its file puts it",
+                    moved * 1e3
+                );
+                Some(Warning::new(PlacementCode::Moved, pointer, detail))
+            }
+            Self::Turned(up_deg) => {
+                let detail = format!(
+                    "panel `{id}` starts with {up_deg:.0} degrees on its drawing up: its seams are shorter so than as it is drawn"
+                );
+                Some(Warning::new(PlacementCode::Turned, pointer, detail))
+            }
+            Self::None | Self::Lifted(_) => None,
+        }
+    }
+}
+
+/// Returns which panels start higher than they are put.
+fn lifted(panels: &[PanelPlacement<'_>], changes: &[Change]) -> Option<Warning> {
+    let height = |change: &Change| match change {
+        Change::Lifted(height) => Some(*height),
+        _ => None,
+    };
+    let most = changes.iter().filter_map(height).reduce(f64::max)?;
+    let ids = panels.iter().zip(changes);
+    let ids = ids.filter(|(_, change)| height(change).is_some());
+    let ids: Vec<_> = ids
+        .map(|(panel, _)| format!("`{}`", panel.panel.id))
+        .collect();
+    let detail = format!(
+        "{} start higher than they are put, by {:.0} mm at most, so that their seams close above the shoulders and their hems above the ankles",
+        ids.join(", "),
+        most * 1e3
+    );
+    Some(Warning::new(PlacementCode::Lifted, "/panels", detail))
 }
 
 /// Returns the same starts outside of a garment worn beneath, and each layer outside of the lower

@@ -81,7 +81,7 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
 }
 
 /// Returns the panels whose edges on a coarser mesh would be chords through the body: those that
-/// start so round, as a sleeve or a collar, and on a body with limbs those whose edges are as long.
+/// start so round, as a sleeve or a collar, and of what is worn those whose edges are as long.
 fn chords(scene: &Scene) -> Vec<bool> {
     let is_worn = matches!(scene.body, Some(Body::Avatar(_)));
     let is_chord = |range| {

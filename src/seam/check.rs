@@ -3,11 +3,12 @@
 use super::coloring::FaceColorer;
 use super::context::SeamCheckContext;
 use super::faces::{self, FaceColoring, ReversalReason, SeamRelations};
+use super::outside::{self, TurnedPart};
 use super::reversal::{self, ReversalDetector};
 use super::run_resolver::RunResolver;
 use super::{
     Face, FaceRequest, RoutedSeam, Seam, SeamCheck, SeamCheckInput, SeamFinding, SeamSet,
-    StartPositions, Stretch, division_count, ease, outside, overlap, twist,
+    StartPositions, Stretch, division_count, ease, overlap, twist,
 };
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, SeamCode, Warning};
@@ -94,11 +95,8 @@ pub fn check_placed(
         relations: &relations,
         starts,
     };
-    let coloring = color(&context, &stated, &fronts_first);
-    let leads: Vec<_> = fronts_first
-        .iter()
-        .map(|&(panel, _)| (panel, coloring.faces[panel]))
-        .collect();
+    let mut leads = fronts_first;
+    let (coloring, turned) = color(&context, &stated, &mut leads);
     let detector = ReversalDetector {
         context: &context,
         stated: &stated,
@@ -123,29 +121,45 @@ pub fn check_placed(
     };
     let (mut check, set) = answer(pattern, findings, set, corrected);
     check.warnings = loose_panels(pattern, pairs);
+    let turned = turned.iter();
+    check
+        .warnings
+        .extend(turned.map(|part| outside::warning(pattern, part, &coloring.faces)));
     (check, set)
 }
 
-/// Colors the panels by stated faces, seams and start positions.
+/// Colors the panels by stated faces, seams and start positions; returns too which parts are worn
+/// the other way round than `leads` say, and changes those to it.
+///
+/// Where a part is turned over, the order of its `auto` seams is judged once more.
 fn color(
     context: &SeamCheckContext<'_>,
     stated: &[Option<Face>],
-    fronts_first: &[(usize, Face)],
-) -> FaceColoring {
+    leads: &mut [(usize, Face)],
+) -> (FaceColoring, Vec<TurnedPart>) {
     let shorter_order = |implied: &SeamRelations<'_>, faces: &[Vec<Face>; 2]| {
         let mut seams = context.seams.iter();
         let seam = seams.find(|seam| seam.index == implied.seam)?;
         reversal::shorter_order(context.pattern, seam, faces, context.starts)
     };
-    let colorer = FaceColorer {
-        leads: fronts_first,
-        shorter_order: &shorter_order,
+    let color = |leads: &[(usize, Face)]| {
+        let colorer = FaceColorer {
+            leads,
+            shorter_order: &shorter_order,
+        };
+        colorer.color(stated, context.relations)
     };
-    let coloring = colorer.color(stated, context.relations);
-    FaceColoring {
-        faces: outside::faces(context, stated, &coloring),
-        ..coloring
+    let coloring = color(leads);
+    let turned = outside::turned(context, stated, &coloring);
+    if turned.is_empty() {
+        return (coloring, turned);
     }
+    let over = turned.iter().flat_map(|part| part.panels.iter().copied());
+    let faces = outside::turned_over(&coloring.faces, &over.collect::<Vec<_>>());
+    for (panel, face) in leads.iter_mut() {
+        *face = faces[*panel];
+    }
+    (color(leads), turned)
 }
 
 fn too_many(count: usize, most: usize) -> Fault {

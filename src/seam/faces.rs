@@ -115,7 +115,8 @@ pub(super) fn stated_relations(stated: &[Option<Face>]) -> impl Iterator<Item = 
     })
 }
 
-/// Returns the panels, those first that a name says are fronts, each with its face up.
+/// Returns the panels, those first that a name says are fronts, each with its face up: as leads of
+/// their parts.
 pub(super) fn fronts_first(pattern: &Pattern) -> Vec<(usize, Face)> {
     let panels = 0..pattern.panels.len();
     let (mut fronts, others): (Vec<usize>, Vec<usize>) =

@@ -5,7 +5,8 @@ use super::Face;
 use super::chords::Chords;
 use super::context::SeamCheckContext;
 use super::faces::{self, FaceColoring};
-use super::parity::ParityUnionFind;
+use crate::fault::{SeamCode, Warning};
+use crate::pattern::Pattern;
 use std::collections::BTreeMap;
 
 /// A part is turned over if this share of its squared chords is left then. Parts that are alike on
@@ -19,32 +20,83 @@ struct Part {
     has_front: bool,
 }
 
-/// Returns the faces of a coloring, with those parts turned over that start far closer to where
-/// they are sewn then. Where that tells nothing, and no name tells a front, most of the cloth is
-/// drawn as it is seen from outside.
-pub(super) fn faces(
+/// What tells that a part is turned over.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Evidence {
+    /// Its panels start far closer to where they are sewn.
+    Starts,
+    /// Most of its cloth is drawn as it is seen from outside.
+    Cloth,
+}
+
+/// A part that is worn the other way round than its front, or else its first panel, is drawn.
+#[derive(Clone, Debug)]
+pub(super) struct TurnedPart {
+    pub(super) panels: Vec<usize>,
+    pub(super) evidence: Evidence,
+}
+
+/// Returns the parts of a coloring that are to be turned over: those that start far closer to where
+/// they are sewn then, and where that tells nothing, and no name tells a front, those most of whose
+/// cloth would be drawn from inside.
+pub(super) fn turned(
     context: &SeamCheckContext<'_>,
     stated: &[Option<Face>],
     coloring: &FaceColoring,
-) -> Vec<Face> {
-    let mut found = coloring.faces.clone();
-    for part in parts(context, stated, coloring) {
-        let mut turned = found.clone();
-        for &panel in &part.panels {
-            turned[panel] = turned[panel].other();
-        }
-        let chords = [&found, &turned].map(|faces| squares(context, coloring, &part, faces));
+) -> Vec<TurnedPart> {
+    let is_turned = |part: Part| {
+        let faces = &coloring.faces;
+        let over = turned_over(faces, &part.panels);
+        let chords = [faces, &over].map(|faces| squares(context, coloring, &part, faces));
         let is_plain = |a: f64, b: f64| a < FAR_SHARE * b;
-        let is_turned = match chords {
-            [Some(kept), Some(other)] if is_plain(other, kept) => true,
-            [Some(kept), Some(other)] if is_plain(kept, other) => false,
-            _ => !part.has_front && is_mostly_down(context, &part, &found),
+        let evidence = match chords {
+            [Some(kept), Some(other)] if is_plain(other, kept) => Some(Evidence::Starts),
+            [Some(kept), Some(other)] if is_plain(kept, other) => None,
+            _ => (!part.has_front && is_mostly_down(context, &part, faces))
+                .then_some(Evidence::Cloth),
         };
-        if is_turned {
-            found = turned;
-        }
+        evidence.map(|evidence| TurnedPart {
+            panels: part.panels,
+            evidence,
+        })
+    };
+    let parts = parts(context, stated, coloring).into_iter();
+    parts.filter_map(is_turned).collect()
+}
+
+/// Returns the same faces with those of these panels the other way round.
+pub(super) fn turned_over(faces: &[Face], panels: &[usize]) -> Vec<Face> {
+    let mut over = faces.to_vec();
+    for &panel in panels {
+        over[panel] = over[panel].other();
     }
-    found
+    over
+}
+
+/// Says which panels are turned over, and why.
+pub(super) fn warning(pattern: &Pattern, part: &TurnedPart, faces: &[Face]) -> Warning {
+    let down = part
+        .panels
+        .iter()
+        .filter(|&&panel| faces[panel] == Face::Down);
+    let ids: Vec<_> = down
+        .map(|&panel| format!("`{}`", pattern.panels[panel].id))
+        .collect();
+    let ids = ids.join(", ");
+    let why = match part.evidence {
+        Evidence::Starts => "its panels start nearer to what they are sewn to so",
+        Evidence::Cloth => "most of its cloth is seen from outside as it is drawn so",
+    };
+    let detail = if ids.is_empty() {
+        format!("the drawn side of all its panels is out: {why}")
+    } else {
+        format!("the drawn side of {ids} is in: {why}")
+    };
+    Warning::new(
+        SeamCode::FaceChosen,
+        "/panels",
+        format!("{detail}; `panels.<id>.face` chooses"),
+    )
 }
 
 fn parts(
@@ -52,13 +104,7 @@ fn parts(
     stated: &[Option<Face>],
     coloring: &FaceColoring,
 ) -> Vec<Part> {
-    let mut parity = ParityUnionFind::new(stated.len() + 1);
-    faces::stated_relations(stated).for_each(|relation| {
-        parity.join(relation);
-    });
-    for implied in context.relations {
-        parity.join_all(implied.relations(coloring));
-    }
+    let mut parity = context.parity(stated, coloring, None);
     let (known, _) = parity.find(stated.len());
     let mut parts: BTreeMap<usize, Part> = BTreeMap::new();
     for panel in 0..stated.len() {
@@ -99,7 +145,8 @@ fn squares(
     each.sum()
 }
 
-/// Returns true if more than half of the cloth of a part has its drawn side in.
+/// Returns true if more than half of the cloth of a part has its drawn side in; halves are equal to
+/// rounding.
 fn is_mostly_down(context: &SeamCheckContext<'_>, part: &Part, faces: &[Face]) -> bool {
     let area = |face| -> f64 {
         let of_face = part.panels.iter().filter(|&&panel| faces[panel] == face);

@@ -6,7 +6,6 @@ use super::coloring::{SeamOrder, ShorterOrder};
 use super::context::SeamCheckContext;
 use super::correction::reversed_side;
 use super::faces::{self, FaceColoring, SeamRelations};
-use super::parity::ParityUnionFind;
 use super::{Face, RoutedSeam, SeamFinding, StartPositions};
 use crate::fault::{SeamCode, Warning};
 use crate::pattern::{Match, Pattern, SeamPair};
@@ -72,7 +71,9 @@ impl ReversalDetector<'_> {
         };
         // Where panels start nowhere there is nothing to look further for.
         let as_sewn = chords(seam, &coloring.faces)?;
-        let mut others = self.parity_without(implied, coloring);
+        let mut others = self
+            .context
+            .parity(self.stated, coloring, Some(implied.seam));
         if !others.fits(&implied.picked) || !others.fits(&implied.reversed) {
             return None;
         }
@@ -84,18 +85,6 @@ impl ReversalDetector<'_> {
             as_sewn,
             other,
         })
-    }
-
-    /// Returns the union-find of stated faces and all other seams.
-    fn parity_without(&self, of: &SeamRelations<'_>, coloring: &FaceColoring) -> ParityUnionFind {
-        let mut parity = ParityUnionFind::new(self.stated.len() + 1);
-        for relation in faces::stated_relations(self.stated) {
-            parity.join(relation);
-        }
-        for implied in self.context.relations.iter().filter(|s| s.seam != of.seam) {
-            parity.join_all(implied.relations(coloring));
-        }
-        parity
     }
 }
 

@@ -5,8 +5,11 @@ use super::table::fault_codes;
 fault_codes! {
     /// The codes of placements.
     PlacementCode in "placement" {
+        Lifted = "lifted":
+            "Panels start higher than they are put, so that their seams do not close through shoulders or feet.",
+            "Put them at `origin` in the garment to have them start where they are put.";
         Moved = "moved":
-            "A file puts a panel about the arm of its own body; it starts about that of the body at hand.",
+            "A file puts a panel about a limb of its own body; it starts about that of the body at hand.",
             "Give the panel a placement in the garment to choose its start.";
         Turned = "turned":
             "A band or sleeve starts turned by quarters from how it is drawn, where its seams are shorter.",

@@ -25,6 +25,9 @@ fault_codes! {
         EmptySide = "empty_side":
             "A side of a seam has no run.",
             "Pick at least one edge for each side, or take the seam out.";
+        FaceChosen = "face_chosen":
+            "The side of panels that is out was chosen by where they start, or as most of the cloth is drawn.",
+            "State `face` of a panel to choose it.";
         FileFaces = "file_faces":
             "The faces that the pattern's file states contradict its seams, whose faces are taken.";
         LeftOut = "left_out":

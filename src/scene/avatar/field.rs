@@ -57,29 +57,10 @@ struct Cell {
 impl DistanceField {
     /// The field about a surface up to `reach` outside, on a grid of this `spacing` \[m\], lowered
     /// where the surface would stand out of it.
-    pub(super) fn enclosing(
-        (surface, exact): (&TriangleMesh, &ExactDistance),
-        reach: f64,
-        spacing: f64,
-    ) -> Self {
-        Self::build((surface, exact), reach, spacing, true)
-    }
-
-    /// The same as it is, with what stands out of it.
-    #[cfg(test)]
     pub(super) fn new(
         (surface, exact): (&TriangleMesh, &ExactDistance),
         reach: f64,
         spacing: f64,
-    ) -> Self {
-        Self::build((surface, exact), reach, spacing, false)
-    }
-
-    fn build(
-        (surface, exact): (&TriangleMesh, &ExactDistance),
-        reach: f64,
-        spacing: f64,
-        is_enclosing: bool,
     ) -> Self {
         let lattice = layout(exact.bounds(), reach, spacing);
         let limit = reach + COMPUTED * lattice.spacing;
@@ -87,9 +68,7 @@ impl DistanceField {
         let offered = lattice.spacing.mul_add(1.8, reach);
         let near: Vec<bool> = nodes.iter().map(|distance| *distance <= offered).collect();
         prefilter(&lattice, &mut nodes);
-        if is_enclosing {
-            enclose(&lattice, &mut nodes, surface);
-        }
+        enclose(&lattice, &mut nodes, surface);
         let mut field = Self {
             across: [1, 2].map(|axis| lattice.size[axis].div_ceil(CELLS)),
             bricks: Vec::new(),

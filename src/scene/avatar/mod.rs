@@ -116,7 +116,7 @@ impl Avatar {
     ) -> Result<Self, Faults> {
         Faults(surface.check()).or(())?;
         let exact = ExactDistance::new(&surface);
-        let field = DistanceField::enclosing((&surface, &exact), REACH, SPACING);
+        let field = DistanceField::new((&surface, &exact), REACH, SPACING);
         Ok(Self {
             name: name.to_owned(),
             surface,
@@ -140,13 +140,13 @@ impl Avatar {
         let (exact, field) = match hull(&surface)? {
             None => {
                 let exact = ExactDistance::new(&surface);
-                let field = DistanceField::enclosing((&surface, &exact), REACH, OWN_SPACING);
+                let field = DistanceField::new((&surface, &exact), REACH, OWN_SPACING);
                 (exact, field)
             }
             Some(hull) => {
                 let outside = hull.surface.clone();
                 let exact = ExactDistance::of_hull(hull);
-                let field = DistanceField::enclosing((&outside, &exact), REACH, OWN_SPACING);
+                let field = DistanceField::new((&outside, &exact), REACH, OWN_SPACING);
                 (exact, field)
             }
         };
@@ -181,8 +181,9 @@ impl Avatar {
     /// than 4 cm outside.
     ///
     /// One twice continuously differentiable function, the cubic spline through exact distances on
-    /// a grid: the three results are exact derivatives of each other, and the value differs from
-    /// [`Avatar::exact_distance`] by some tenths of a millimetre at most where the surface is
+    /// a grid, lowered where the surface would stand out of it by more than 0.1 mm: the three
+    /// results are exact derivatives of each other, and the value differs from
+    /// [`Avatar::exact_distance`] by some tenths of a millimeter at most where the surface is
     /// smooth on the scale of the grid (9 mm).
     pub fn sample(&self, p: &Vector3<f64>) -> Option<BodySample> {
         self.field.sample(p)

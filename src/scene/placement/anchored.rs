@@ -53,8 +53,13 @@ impl AnchoredPlacement {
     }
 
     /// Returns true if a file puts the panel somewhere in space, about a body of its own.
-    pub fn is_about_other_body(&self) -> bool {
+    pub(super) fn is_about_other_body(&self) -> bool {
         self.is_of_file && self.anchor == PlacementAnchor::Origin
+    }
+
+    /// Returns true if the garment puts the panel somewhere in space: there it starts.
+    pub(super) fn is_fixed(&self) -> bool {
+        !self.is_of_file && self.anchor == PlacementAnchor::Origin
     }
 
     /// Returns true if the panel is rolled all round and may be turned about the axis: where

@@ -4,20 +4,20 @@
 
 use super::Placed;
 use super::lifted;
-use super::on_limb::onto_limb;
-use super::panel_placement::{PanelPlacement, SeamPoint};
+use super::on_limb;
+use super::panel_placement::{OwnStitch, PanelPlacement, SeamPoint, own_stitches, thinned};
 use crate::scene::Avatar;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Stitches of a panel that are looked at at most, evenly spread.
-const STITCHES: usize = 100;
 /// Share of the sum of squares that another pose must save to be taken: where a panel fits alike
 /// in several, it stays as it was placed.
 const SAVED: f64 = 0.1;
 
 /// Places `panels` on `avatar`, or in free space without one.
 ///
-/// Flat panels are put where they are anchored. Those that are rolled all round follow, each turned
+/// Flat panels are put where they are anchored, those that a file puts about a limb are rolled about
+/// it, and those of the trunk are lifted above what their seams would close through. Those that are
+/// rolled all round follow, each turned
 /// about its axis, and by quarters on the drawing where the placement does not say which way is up,
 /// so that its `stitches` to the panels before it and to itself are short.
 pub fn place_panels(
@@ -28,22 +28,16 @@ pub fn place_panels(
     let of_panel = own_stitches(panels.len(), stitches);
     let place = |(panel, stitches): (&PanelPlacement<'_>, &Vec<OwnStitch>)| {
         let placed = panel.placement.place(panel.panel, panel.face, avatar);
-        match avatar {
-            Some(avatar) if panel.placement.is_about_other_body() => {
-                onto_limb(placed, panel.panel, avatar)
-            }
-            _ => {
-                let to_itself = stitches.iter().filter(|[a, b]| a.panel == b.panel);
-                let to_itself: Vec<_> = to_itself.map(|pair| pair.map(|p| p.uv)).collect();
-                panel
-                    .placement
-                    .coned(placed, panel.panel, &to_itself, avatar)
-            }
-        }
+        let to_itself = stitches.iter().filter(|[a, b]| a.panel == b.panel);
+        let to_itself: Vec<_> = to_itself.map(|pair| pair.map(|p| p.uv)).collect();
+        panel
+            .placement
+            .coned(placed, panel.panel, &to_itself, avatar)
     };
     let mut placed: Vec<Placed> = panels.iter().zip(&of_panel).map(place).collect();
     if let Some(avatar) = avatar {
-        lifted::lift(&mut placed, panels, stitches, avatar);
+        on_limb::roll(&mut placed, panels, &of_panel, avatar);
+        lifted::lift(&mut placed, panels, &of_panel, avatar);
     }
     let mut is_settled: Vec<bool> = panels
         .iter()
@@ -55,28 +49,12 @@ pub fn place_panels(
     };
     while let Some(panel) = (0..panels.len()).find(|&panel| joins_settled(&is_settled, panel)) {
         let is_known = |[_, other]: &&OwnStitch| other.panel == panel || is_settled[other.panel];
-        let known: Vec<_> = of_panel[panel].iter().filter(is_known).copied().collect();
-        let step = known.len().div_ceil(STITCHES).max(1);
-        let known: Vec<_> = known.into_iter().step_by(step).collect();
+        let known = of_panel[panel].iter().filter(is_known).copied().collect();
+        let known: Vec<_> = thinned(known).collect();
         placed[panel] = turned(&panels[panel], &known, (&placed, panel), avatar);
         is_settled[panel] = true;
     }
     placed
-}
-
-/// A stitch of a panel: its point, and the point it is sewn to.
-type OwnStitch = [SeamPoint; 2];
-
-/// Returns the stitches of each of `count` panels, its own point first.
-fn own_stitches(count: usize, stitches: &[[SeamPoint; 2]]) -> Vec<Vec<OwnStitch>> {
-    let mut of_panel = vec![vec![]; count];
-    for &[a, b] in stitches {
-        of_panel[a.panel].push([a, b]);
-        if a.panel != b.panel {
-            of_panel[b.panel].push([b, a]);
-        }
-    }
-    of_panel
 }
 
 /// Returns the pose of `panel` in which its stitches are shortest.

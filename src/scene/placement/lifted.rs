@@ -4,7 +4,8 @@
 //! A strap that starts below the top of the shoulder, or is pulled below it by a skirt that starts
 //! far down, is drawn through it or off it to the side, and the garment ends round the waist.
 
-use super::panel_placement::{PanelPlacement, SeamPoint};
+use super::anchored::outline;
+use super::panel_placement::{OwnStitch, PanelPlacement, thinned};
 use super::placed::Placed;
 use crate::pattern::Wrap;
 use crate::scene::Avatar;
@@ -28,44 +29,47 @@ const BETWEEN_LEGS: f64 = 0.1;
 /// Height of the hem of trousers above the ankles \[m\]: below, it would close through a foot.
 const ABOVE_ANKLE: f64 = 0.02;
 
-/// The flat panels about the trunk, and their stitches to each other.
-struct Trunk<'a> {
-    placed: &'a mut [Placed],
-    stitches: Vec<[SeamPoint; 2]>,
-}
-
 /// Lifts the panels of the upper trunk until their stitches from front to back over the shoulders
 /// are clear of the body, and those that hang from them as far as their seams are lower; legs of
-/// trousers above the ankles, as far as the crotch has room.
+/// trousers above the ankles, as far as the crotch has room. What the garment puts somewhere in
+/// space stays there.
 pub(super) fn lift(
     placed: &mut [Placed],
     panels: &[PanelPlacement<'_>],
-    stitches: &[[SeamPoint; 2]],
+    of_panel: &[Vec<OwnStitch>],
     avatar: &Avatar,
 ) {
     let landmark = |name| avatar.landmarks.get(name).copied();
     let (Some(tip), Some(waist)) = (landmark("shoulder_tip_l"), landmark("waist_front")) else {
         return;
     };
-    let stitches = stitches.iter().copied();
-    let of_trunk = stitches.filter(|pair| pair.iter().all(|p| is_about_trunk(&placed[p.panel])));
-    let mut trunk = Trunk {
-        stitches: of_trunk.collect(),
-        placed,
+    let is_hung = |(panel, at): (&PanelPlacement<'_>, &Placed)| {
+        !panel.placement.is_fixed() && !at.is_about_limb() && at.wrap == Wrap::Flat
     };
-    let mut is_settled = vec![false; panels.len()];
+    let mut trunk = Trunk {
+        is_hung: panels.iter().zip(&*placed).map(is_hung).collect(),
+        is_settled: vec![false; panels.len()],
+        placed,
+        panels,
+        of_panel,
+    };
     if let Some(height) = trunk.height_to_clear(&tip, avatar) {
-        let heights: Vec<_> = panels.iter().zip(&*trunk.placed).map(heights).collect();
-        for (panel, at) in trunk.placed.iter_mut().enumerate() {
-            if is_about_trunk(at) && heights[panel][1] > 0.5 * (waist.y + tip.y) {
-                at.offset.y += height;
-                is_settled[panel] = true;
-            }
-        }
+        trunk.lift_upper(height, 0.5 * (waist.y + tip.y));
     }
-    let legs = trunk.legs(panels, avatar);
-    trunk.follow(&mut is_settled, &legs);
-    trunk.clear_ankles(&mut is_settled, &legs);
+    let legs = trunk.legs(avatar);
+    trunk.follow(&legs);
+    trunk.clear_ankles(&legs);
+}
+
+/// The panels about the trunk.
+struct Trunk<'a> {
+    placed: &'a mut [Placed],
+    panels: &'a [PanelPlacement<'a>],
+    of_panel: &'a [Vec<OwnStitch>],
+    /// True for flat ones before or behind it, which may be lifted.
+    is_hung: Vec<bool>,
+    /// True for those that are as high as they start.
+    is_settled: Vec<bool>,
 }
 
 /// Trousers: the panels that are sewn between the legs.
@@ -74,13 +78,28 @@ struct Legs {
     panels: BTreeSet<usize>,
     /// Way from where they are sewn to the crotch \[m\].
     room: f64,
-    /// Way from their hems to the ankles \[m\].
+    /// Way from their hems to where those start \[m\]; 0 or less if they are above.
     to_ankles: f64,
 }
 
 impl Trunk<'_> {
-    fn ends(&self, stitch: &[SeamPoint; 2]) -> [Vector3<f64>; 2] {
+    fn ends(&self, stitch: &OwnStitch) -> [Vector3<f64>; 2] {
         stitch.map(|p| self.placed[p.panel].position(p.uv))
+    }
+
+    /// The stitches between panels that may be lifted, those of two panels from both sides.
+    fn stitches(&self) -> impl Iterator<Item = &OwnStitch> {
+        let all = self.of_panel.iter().flatten();
+        all.filter(|pair| pair.iter().all(|p| self.is_hung[p.panel]))
+    }
+
+    /// Returns the heights of the lowest and the highest point of a panel \[m\].
+    fn heights(&self, panel: usize) -> [f64; 2] {
+        let at = &self.placed[panel];
+        let heights = outline(self.panels[panel].panel).map(|uv| at.position(uv).y);
+        heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], y| {
+            [least.min(y), most.max(y)]
+        })
     }
 
     /// Returns how much higher the stitches over the shoulders are clear of the body \[m\]; nothing
@@ -91,107 +110,96 @@ impl Trunk<'_> {
                 |p: &Vector3<f64>| p.y > tip.y - SHOULDER_DEPTH && p.x.abs() < tip.x.abs();
             is_there(a) && is_there(b) && (a.z - tip.z) * (b.z - tip.z) < 0.0
         };
-        let ends = self.stitches.iter().map(|stitch| self.ends(stitch));
+        let ends = self.stitches().map(|stitch| self.ends(stitch));
         let over: Vec<_> = ends.filter(is_of_shoulder).collect();
         let some = over.iter().step_by(over.len().div_ceil(STITCHES).max(1));
         some.filter_map(|stitch| height_to_clear(stitch, avatar))
             .reduce(f64::max)
     }
 
+    /// Lifts the panels that reach above a height.
+    fn lift_upper(&mut self, by: f64, above: f64) {
+        for panel in 0..self.placed.len() {
+            if self.is_hung[panel] && self.heights(panel)[1] > above {
+                self.settle(panel, by);
+            }
+        }
+    }
+
+    fn settle(&mut self, panel: usize, by: f64) {
+        self.placed[panel].offset.y += by;
+        self.is_settled[panel] = true;
+    }
+
     /// Lifts the panels that are sewn to settled ones as far as their seams start lower, one after
     /// another; those of trousers all at once.
-    fn follow(&mut self, is_settled: &mut [bool], legs: &Legs) {
-        loop {
-            let next = (0..is_settled.len()).find_map(|panel| {
-                let gap = (!is_settled[panel]).then(|| self.gap(panel, is_settled))?;
-                Some((panel, gap?))
-            });
-            let Some((panel, gap)) = next else {
-                return;
-            };
+    fn follow(&mut self, legs: &Legs) {
+        let next = |trunk: &Self| {
+            (0..trunk.placed.len()).find_map(|panel| Some((panel, trunk.gap(panel)?)))
+        };
+        while let Some((panel, gap)) = next(self) {
             if legs.panels.contains(&panel) {
-                self.lift_legs(is_settled, legs, gap.max(legs.to_ankles));
+                self.lift_legs(legs, gap.max(legs.to_ankles));
             } else {
-                self.placed[panel].offset.y += gap.max(0.0);
-                is_settled[panel] = true;
+                self.settle(panel, gap.max(0.0));
             }
         }
     }
 
     /// Lifts the panels of trousers that hang from nothing.
-    fn clear_ankles(&mut self, is_settled: &mut [bool], legs: &Legs) {
-        if legs.panels.iter().all(|&panel| !is_settled[panel]) {
-            self.lift_legs(is_settled, legs, legs.to_ankles);
+    fn clear_ankles(&mut self, legs: &Legs) {
+        if !legs.panels.iter().any(|&panel| self.is_settled[panel]) {
+            self.lift_legs(legs, legs.to_ankles);
         }
     }
 
-    fn lift_legs(&mut self, is_settled: &mut [bool], legs: &Legs, height: f64) {
+    fn lift_legs(&mut self, legs: &Legs, by: f64) {
         for &panel in &legs.panels {
-            self.placed[panel].offset.y += height.min(legs.room).max(0.0);
-            is_settled[panel] = true;
-        }
-    }
-
-    /// Returns how much lower the seams of a panel to settled ones start on its side \[m\], if it
-    /// has any.
-    fn gap(&self, panel: usize, is_settled: &[bool]) -> Option<f64> {
-        let (mut sum, mut count) = (0.0, 0.0);
-        for stitch in &self.stitches {
-            let [a, b] = self.ends(stitch);
-            let [from, to] = stitch.map(|p| p.panel);
-            if from == panel && is_settled[to] {
-                sum += b.y - a.y;
-                count += 1.0;
-            } else if to == panel && is_settled[from] {
-                sum += a.y - b.y;
-                count += 1.0;
+            if !self.is_settled[panel] {
+                self.settle(panel, by.min(legs.room).max(0.0));
             }
         }
-        (count > 0.0).then(|| sum / count)
     }
 
-    fn legs(&self, panels: &[PanelPlacement<'_>], avatar: &Avatar) -> Legs {
-        let height = |name| avatar.landmarks.get(name).map(|p| p.y);
-        let (Some(crotch), Some(ankle)) = (height("crotch"), height("ankle_l")) else {
+    /// Returns how much lower the seams of an unsettled panel to settled ones start on its side
+    /// \[m\], if it has any.
+    fn gap(&self, panel: usize) -> Option<f64> {
+        if self.is_settled[panel] || !self.is_hung[panel] {
+            return None;
+        }
+        let to_settled = |[_, other]: &&OwnStitch| self.is_settled[other.panel];
+        let own = self.of_panel[panel].iter().filter(to_settled).copied();
+        let gaps: Vec<f64> = thinned(own.collect())
+            .map(|stitch| {
+                let [a, b] = self.ends(&stitch);
+                b.y - a.y
+            })
+            .collect();
+        (!gaps.is_empty()).then(|| gaps.iter().sum::<f64>() / gaps.len() as f64)
+    }
+
+    fn legs(&self, avatar: &Avatar) -> Legs {
+        let landmark = |name| avatar.landmarks.get(name);
+        let (Some(crotch), Some(ankle)) = (landmark("crotch"), landmark("ankle_l")) else {
             return Legs::default();
         };
-        let is_low = |p: &Vector3<f64>| p.y < crotch + BETWEEN_LEGS && p.x.abs() < BETWEEN_LEGS;
-        let mut legs = Legs {
-            room: f64::INFINITY,
-            ..Legs::default()
-        };
-        for stitch in &self.stitches {
-            let ends = self.ends(stitch);
-            if ends.iter().all(is_low) && ends[0].z * ends[1].z < 0.0 {
-                legs.room = legs.room.min(crotch - ends[0].y.max(ends[1].y));
-                legs.panels.extend(stitch.map(|p| p.panel));
+        let is_low = |p: &Vector3<f64>| p.y < crotch.y + BETWEEN_LEGS && p.x.abs() < BETWEEN_LEGS;
+        let mut panels = BTreeSet::new();
+        let mut room = f64::INFINITY;
+        for stitch in self.stitches() {
+            let [a, b] = self.ends(stitch);
+            if is_low(&a) && is_low(&b) && (a.z - crotch.z) * (b.z - crotch.z) < 0.0 {
+                room = room.min(crotch.y - a.y.max(b.y));
+                panels.extend(stitch.map(|p| p.panel));
             }
         }
-        let lowest = legs
-            .panels
-            .iter()
-            .map(|&panel| heights((&panels[panel], &self.placed[panel]))[0]);
-        let hem = lowest.fold(f64::INFINITY, f64::min);
-        legs.to_ankles = if hem < ankle + ABOVE_ANKLE {
-            ankle + ABOVE_ANKLE - hem
-        } else {
-            0.0
-        };
-        legs
+        let lowest = panels.iter().map(|&panel| self.heights(panel)[0]);
+        Legs {
+            to_ankles: ankle.y + ABOVE_ANKLE - lowest.fold(f64::INFINITY, f64::min),
+            room,
+            panels,
+        }
     }
-}
-
-fn is_about_trunk(at: &Placed) -> bool {
-    at.tilt.is_none() && at.wrap == Wrap::Flat
-}
-
-/// Returns the heights of the lowest and the highest point of a panel \[m\].
-fn heights((panel, at): (&PanelPlacement<'_>, &Placed)) -> [f64; 2] {
-    let points = panel.panel.edges.iter().flat_map(|edge| &edge.points);
-    let heights = points.map(|uv| at.position(*uv).y);
-    heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], y| {
-        [least.min(y), most.max(y)]
-    })
 }
 
 /// Returns how much higher a stitch is clear of the body all along \[m\], if it is at all.
@@ -210,7 +218,7 @@ fn height_to_clear([a, b]: &[Vector3<f64>; 2], avatar: &Avatar) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::pattern::{Panel, Placement, PlacementAnchor};
-    use crate::scene::placement::{AnchoredPlacement, place_panels};
+    use crate::scene::placement::{AnchoredPlacement, SeamPoint, place_panels};
     use crate::scene::{DressForm, Limbs};
     use crate::seam::Face;
 
@@ -226,7 +234,7 @@ mod tests {
         form.build().expect("a body")
     }
 
-    /// Places rectangles of these sizes with their middles at these points.
+    /// Rectangles of these sizes that a file puts with their middles at these points.
     fn place(
         rectangles: &[([f64; 2], [f64; 3])],
         stitches: &[[SeamPoint; 2]],
@@ -241,7 +249,7 @@ mod tests {
         let panels = rectangles.iter().map(|(size, at)| {
             let panel = Panel::rectangle("one", *size);
             let placed = AnchoredPlacement::new(&panel, Some(&placement(*at))).expect("a place");
-            (panel, placed)
+            (panel, placed.of_file())
         });
         let panels: Vec<_> = panels.collect();
         let placements = panels.iter().map(|(panel, placement)| PanelPlacement {

@@ -7,6 +7,7 @@
 use super::Placed;
 use super::anchored::{bounds, outline};
 use super::limb_pose::LimbPose;
+use super::panel_placement::{OwnStitch, PanelPlacement};
 use crate::pattern::{Panel, Wrap};
 use crate::scene::{Avatar, Limb};
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
@@ -29,43 +30,64 @@ const ALIKE: f64 = 0.9;
 /// Angle that a panel is rolled by \[rad\]: half a turn less a gap to the other half.
 const HALF: f64 = 0.9 * PI;
 
-/// Returns the start of a panel that stands about an arm or a leg and along it, rolled by half a
-/// turn about it, before or behind it and as far down as it was; any other is as it is.
-pub(super) fn onto_limb(placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed {
-    let points: Vec<_> = outline(panel).map(|uv| placed.position(uv)).collect();
-    let middle = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
-    let side = middle.x.signum();
-    let [least, most] = reach(&points, &Vector3::zeros(), &(Vector3::x() * side));
-    let highest = points.iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
-    let crotch = avatar.landmarks.get("crotch");
-    let found = if crotch.is_some_and(|crotch| highest < crotch.y) && least > 0.0 {
-        leg_pose(&points, side, avatar)
-    } else if least > BESIDE && 0.5 * (least + most) > BESIDE_SHOULDER {
-        arm_pose(&points, side, avatar).map(|pose| {
-            let along = (middle - pose.top).dot(&pose.direction);
-            (pose, along)
-        })
-    } else {
-        None
+/// A panel rolled by half a turn about a limb.
+struct HalfRound {
+    limb: Limb,
+    /// True if it is before the limb, false if behind it.
+    is_before: bool,
+    start: Placed,
+}
+
+/// Rolls the panels that a file puts about an arm or a leg, and along it, by half a turn about it,
+/// before or behind it and as far down as they were: those that are sewn to another half, or to
+/// themselves. A godet beside a leg is neither.
+pub(super) fn roll(
+    placed: &mut [Placed],
+    panels: &[PanelPlacement<'_>],
+    of_panel: &[Vec<OwnStitch>],
+    avatar: &Avatar,
+) {
+    let half = |(panel, at): (&PanelPlacement<'_>, &Placed)| {
+        let is_of_file = panel.placement.is_about_other_body();
+        is_of_file.then(|| half_round(at, panel.panel, avatar))?
     };
-    let Some((pose, along)) = found else {
-        return placed;
-    };
-    let beside = pose.top + pose.direction * (middle - pose.top).dot(&pose.direction);
-    let mut across = beside - middle;
-    let depth = -across.z;
-    across.z = 0.0;
-    let is_near = across.norm() < NEAR;
-    let Some(up) = up_along(&placed, &-pose.direction).filter(|_| is_near) else {
-        return placed;
-    };
-    let place = LimbPlace {
-        axis: pose.top + pose.direction * along,
-        tilt: pose.tilt(),
-        outward: if depth > 0.0 { 0.0 } else { PI },
-        least_radius: pose.radius,
-    };
-    clear_of_the_body(rolled(&placed, panel, up, &place), panel, avatar)
+    let halves: Vec<Option<HalfRound>> = panels.iter().zip(&*placed).map(half).collect();
+    for (panel, half) in halves.iter().enumerate() {
+        let Some(half) = half else { continue };
+        let goes_round = of_panel[panel].iter().any(|[_, other]| {
+            let other_half = halves[other.panel].as_ref();
+            let is_opposite = |o: &HalfRound| o.limb == half.limb && o.is_before != half.is_before;
+            other.panel == panel || other_half.is_some_and(is_opposite)
+        });
+        if goes_round {
+            placed[panel] = half.start.clone();
+        }
+    }
+}
+
+/// Returns the start of a panel that stands about a limb and along it, rolled about that.
+fn half_round(flat: &Placed, panel: &Panel, avatar: &Avatar) -> Option<HalfRound> {
+    let points: Vec<_> = outline(panel).map(|uv| flat.position(uv)).collect();
+    let middle = mean(&points);
+    let stretch = limb_stretch(&points, middle.x.signum(), avatar)?;
+    let pose = &stretch.pose;
+    let away = middle - pose.top;
+    let off = away - pose.direction * away.dot(&pose.direction);
+    let up = up_along(flat, &-pose.direction)?;
+    let is_before = off.z > 0.0;
+    (off.xy().norm() < NEAR).then(|| {
+        let place = LimbPlace {
+            axis: pose.top + pose.direction * stretch.middle,
+            tilt: pose.tilt(),
+            outward: if is_before { 0.0 } else { PI },
+            least_radius: pose.radius,
+        };
+        HalfRound {
+            limb: stretch.limb,
+            is_before,
+            start: clear_of_the_body(rolled(flat, panel, up, &place), panel, avatar),
+        }
+    })
 }
 
 /// Returns the same start so far down the limb that all of the panel is outside the body: a cap
@@ -86,39 +108,71 @@ fn clear_of_the_body(placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed {
     }
 }
 
-/// Returns the pose of the arm on a side for a panel with these points, if its middle is beside it:
-/// as far as the panel reaches along the arm, which is looked at that far.
-fn arm_pose(points: &[Vector3<f64>], side: f64, avatar: &Avatar) -> Option<LimbPose> {
-    let limb = if side > 0.0 {
-        Limb::ArmLeft
-    } else {
-        Limb::ArmRight
-    };
-    let axis = avatar.limb(limb)?;
-    let upper = LimbPose::of(Some(avatar), limb, 0.0);
-    let [first, last] = reach(points, &upper.top, &upper.direction);
-    let is_beside = (0.0..axis.length()).contains(&(0.5 * (first + last)));
-    is_beside.then(|| LimbPose::of(Some(avatar), limb, last.max(0.0)))
+/// The stretch of a limb that a panel is beside.
+struct LimbStretch {
+    limb: Limb,
+    pose: LimbPose,
+    /// Way along the pose's direction to the middle of the panel \[m\].
+    middle: f64,
 }
 
-/// Returns the pose of the part of the leg on a side that a panel with these points is beside, and
-/// the way to its middle: above the ankle, where it is put lower.
-fn leg_pose(points: &[Vector3<f64>], side: f64, avatar: &Avatar) -> Option<(LimbPose, f64)> {
-    let limb = if side > 0.0 {
-        Limb::LegLeft
+/// Returns the stretch that a panel with these points on a side of the body is beside: of the leg
+/// if it is all below the crotch, else of the arm if it is beside the shoulder.
+fn limb_stretch(points: &[Vector3<f64>], side: f64, avatar: &Avatar) -> Option<LimbStretch> {
+    let [least, most] = reach(points, &Vector3::zeros(), &(Vector3::x() * side));
+    let [_, highest] = reach(points, &Vector3::zeros(), &Vector3::y());
+    let crotch = avatar.landmarks.get("crotch");
+    let is_left = side > 0.0;
+    if crotch.is_some_and(|crotch| highest < crotch.y) && least > 0.0 {
+        let limb = if is_left {
+            Limb::LegLeft
+        } else {
+            Limb::LegRight
+        };
+        leg_stretch(limb, points, avatar)
+    } else if least > BESIDE && 0.5 * (least + most) > BESIDE_SHOULDER {
+        let limb = if is_left {
+            Limb::ArmLeft
+        } else {
+            Limb::ArmRight
+        };
+        arm_stretch(limb, points, avatar)
     } else {
-        Limb::LegRight
-    };
+        None
+    }
+}
+
+/// The stretch of an arm, as far as the panel reaches along it.
+fn arm_stretch(limb: Limb, points: &[Vector3<f64>], avatar: &Avatar) -> Option<LimbStretch> {
+    let length = avatar.limb(limb)?.length();
+    let upper = LimbPose::of(Some(avatar), limb, 0.0);
+    let [first, last] = reach(points, &upper.top, &upper.direction);
+    (0.0..length).contains(&(0.5 * (first + last))).then(|| {
+        let pose = LimbPose::of(Some(avatar), limb, last.max(0.0));
+        LimbStretch {
+            limb,
+            middle: (mean(points) - pose.top).dot(&pose.direction),
+            pose,
+        }
+    })
+}
+
+/// The stretch of a leg: one above the ankle for a panel that is put lower.
+fn leg_stretch(limb: Limb, points: &[Vector3<f64>], avatar: &Avatar) -> Option<LimbStretch> {
     let axis = avatar.limb(limb)?;
     let (joint, thigh) = axis.at(0.0);
     let [first, last] = reach(points, &joint, &thigh);
     let end = last.min(axis.length());
     let start = end - (last - first);
-    let is_beside = start > 0.0 && start < end;
-    is_beside.then(|| {
-        let pose = LimbPose::between(axis, &joint, [start, end]);
-        (pose, 0.5 * (start + end))
+    (start > 0.0 && start < end).then(|| LimbStretch {
+        limb,
+        pose: LimbPose::between(axis, &joint, [start, end]),
+        middle: 0.5 * (start + end),
     })
+}
+
+fn mean(points: &[Vector3<f64>]) -> Vector3<f64> {
+    points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64
 }
 
 /// Returns how far along a line from `top` the first and the last of some points are \[m\].
@@ -180,6 +234,7 @@ mod tests {
     use super::*;
     use crate::pattern::{Placement, PlacementAnchor};
     use crate::scene::placement::AnchoredPlacement;
+    use crate::scene::placement::panel_placement::{SeamPoint, own_stitches};
     use crate::scene::{DressForm, Limbs};
     use crate::seam::Face;
 
@@ -187,27 +242,49 @@ mod tests {
         let form = DressForm {
             limbs: Some(Limbs {
                 arms: true,
-                legs: false,
+                legs: true,
             }),
             ..DressForm::default()
         };
         form.build().expect("a body")
     }
 
-    /// The start of a panel of this size put at a place and turned, before and after it is rolled
-    /// about the arm.
-    fn starts(size: [f64; 2], at: [f64; 3], turned_deg: f64, avatar: &Avatar) -> [Placed; 2] {
-        let placement = Placement {
-            at: Some(PlacementAnchor::Origin),
-            offset_m: at,
-            rotate_deg: [0.0, 0.0, turned_deg],
-            wrap: Some(Wrap::Flat),
-            ..Placement::default()
-        };
+    /// The starts of two panels of this size that a file puts at two places and turns, sewn to each
+    /// other, before and after they are rolled.
+    fn starts(
+        size: [f64; 2],
+        at: [[f64; 3]; 2],
+        turned_deg: f64,
+        avatar: &Avatar,
+    ) -> [[Placed; 2]; 2] {
         let panel = Panel::rectangle("half", size);
-        let anchored = AnchoredPlacement::new(&panel, Some(&placement)).expect("a place");
-        let placed = anchored.place(&panel, Face::Up, None);
-        [placed.clone(), onto_limb(placed, &panel, avatar)]
+        let placements = at.map(|offset_m| {
+            let placement = Placement {
+                at: Some(PlacementAnchor::Origin),
+                offset_m,
+                rotate_deg: [0.0, 0.0, turned_deg],
+                wrap: Some(Wrap::Flat),
+                ..Placement::default()
+            };
+            let anchored = AnchoredPlacement::new(&panel, Some(&placement)).expect("a place");
+            anchored.of_file()
+        });
+        let panels = placements.each_ref().map(|placement| PanelPlacement {
+            panel: &panel,
+            placement,
+            face: Face::Up,
+        });
+        let flat = placements
+            .each_ref()
+            .map(|anchored| anchored.place(&panel, Face::Up, None));
+        let mut rolled = flat.clone();
+        let corner = |panel| SeamPoint {
+            panel,
+            uv: [0.0, 0.0],
+        };
+        let stitches = own_stitches(2, &[[corner(0), corner(1)]]);
+        roll(&mut rolled, &panels, &stitches, avatar);
+        [flat, rolled]
     }
 
     /// Half a sleeve, 30 cm long and 20 cm wide, drawn with its length along x, before and behind
@@ -217,10 +294,12 @@ mod tests {
         let avatar = body();
         let arm = avatar.limb(Limb::ArmLeft).expect("an arm");
         let (joint, direction) = arm.at(0.0);
-        for depth in [0.15, -0.15] {
-            let [flat, rolled] = starts([0.3, 0.2], [0.42, 1.15, depth], -50.0, &avatar);
+        let depths = [0.15, -0.15];
+        let at = depths.map(|depth| [0.42, 1.15, depth]);
+        let [flat, rolled] = starts([0.3, 0.2], at, -50.0, &avatar);
+        for (half, depth) in depths.into_iter().enumerate() {
             for uv in [[0.0, 0.0], [0.3, 0.0], [0.15, 0.1], [0.3, 0.2], [0.0, 0.2]] {
-                let (before, after) = (flat.position(uv), rolled.position(uv));
+                let [before, after] = [&flat, &rolled].map(|starts| starts[half].position(uv));
                 // As far down the arm, but for the angle between the drawing and the arm.
                 let along = |p: Vector3<f64>| (p - joint).dot(&direction);
                 assert!((along(before) - along(after)).abs() < 0.03, "{uv:?}");
@@ -235,10 +314,40 @@ mod tests {
         }
     }
 
+    /// Half a cuff, 7 cm high, before and behind the right foot.
+    #[test]
+    fn a_cuff_is_round_the_leg_above_the_ankle() {
+        let avatar = body();
+        let at = [0.15, -0.15].map(|depth| [-0.13, 0.04, depth]);
+        let [_, rolled] = starts([0.2, 0.07], at, 0.0, &avatar);
+        let leg = avatar.limb(Limb::LegRight).expect("a leg");
+        let (ankle, _) = leg.at(leg.length());
+        for (half, sense) in rolled.iter().zip([1.0, -1.0]) {
+            for uv in [[0.0, 0.0], [0.1, 0.0], [0.2, 0.07]] {
+                let p = half.position(uv);
+                assert!(p.y > ankle.y - 0.01 && avatar.distance(&p) > CLEAR, "{p}");
+            }
+            assert!(sense * (half.position([0.1, 0.0]).z - ankle.z) > 0.0);
+        }
+    }
+
+    /// Two godets of a skirt, both before the leg, are sewn to each other: no half is behind it.
+    #[test]
+    fn what_has_no_other_half_stays_flat() {
+        let at = [[0.13, 0.3, 0.15], [0.15, 0.3, 0.16]];
+        let [flat, rolled] = starts([0.15, 0.3], at, 0.0, &body());
+        for (before, after) in flat.iter().zip(&rolled) {
+            assert_eq!(before.position([0.1, 0.1]), after.position([0.1, 0.1]));
+        }
+    }
+
     #[test]
     fn a_side_panel_of_the_trunk_stays() {
-        let [before, after] = starts([0.2, 0.2], [0.3, 1.0, 0.15], 0.0, &body());
-        assert_eq!(before.position([0.1, 0.1]), after.position([0.1, 0.1]));
-        assert_eq!(before.position([0.2, 0.0]), after.position([0.2, 0.0]));
+        let at = [0.15, -0.15].map(|depth| [0.3, 1.0, depth]);
+        let [flat, rolled] = starts([0.2, 0.2], at, 0.0, &body());
+        for (before, after) in flat.iter().zip(&rolled) {
+            assert_eq!(before.position([0.1, 0.1]), after.position([0.1, 0.1]));
+            assert_eq!(before.position([0.2, 0.0]), after.position([0.2, 0.0]));
+        }
     }
 }

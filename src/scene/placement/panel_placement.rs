@@ -1,8 +1,11 @@
-//! A panel with the place that it is to start at, and points of its seams.
+//! A panel with the place that it is to start at, and its stitches to others.
 
 use super::AnchoredPlacement;
 use crate::pattern::Panel;
 use crate::seam::Face;
+
+/// Stitches of a panel that are looked at at most.
+const STITCHES: usize = 100;
 
 /// A panel and where it is to start.
 #[derive(Clone, Copy, Debug)]
@@ -22,4 +25,25 @@ pub struct SeamPoint {
     pub panel: usize,
     /// Point on its drawing \[m\].
     pub uv: [f64; 2],
+}
+
+/// A stitch of a panel: its point, and the point it is sewn to.
+pub(super) type OwnStitch = [SeamPoint; 2];
+
+/// Returns the stitches of each of `count` panels, its own point first.
+pub(super) fn own_stitches(count: usize, stitches: &[[SeamPoint; 2]]) -> Vec<Vec<OwnStitch>> {
+    let mut of_panel = vec![vec![]; count];
+    for &[a, b] in stitches {
+        of_panel[a.panel].push([a, b]);
+        if a.panel != b.panel {
+            of_panel[b.panel].push([b, a]);
+        }
+    }
+    of_panel
+}
+
+/// Returns some of the stitches, evenly spread.
+pub(super) fn thinned(stitches: Vec<OwnStitch>) -> impl Iterator<Item = OwnStitch> {
+    let step = stitches.len().div_ceil(STITCHES).max(1);
+    stitches.into_iter().step_by(step)
 }

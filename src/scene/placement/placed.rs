@@ -47,6 +47,11 @@ impl Placed {
         middle + self.rotation * (p - middle) + self.offset
     }
 
+    /// Returns true if it is rolled about an arm or a leg.
+    pub fn is_about_limb(&self) -> bool {
+        self.tilt.is_some()
+    }
+
     /// Returns the direction on the drawing that is up, from its +x, counter-clockwise \[degrees\].
     pub fn up_deg(&self) -> f64 {
         (90.0 - self.up.angle().to_degrees())

@@ -6,12 +6,12 @@ use seamster::seam::{Face, SeamCheckInput, check_placed};
 use seamster_fixtures::panels::{pattern, rectangle, run, seam};
 use std::collections::BTreeMap;
 
-/// The faces of panels that start as `starts` says.
+/// The faces of panels that start as `starts` says, and the codes of what is told of them.
 fn faces(
     pattern: &Pattern,
     pair: &SeamPair,
     starts: &dyn Fn(usize, Face, [f64; 2]) -> Option<[f64; 3]>,
-) -> Vec<Face> {
+) -> (Vec<Face>, Vec<String>) {
     let to_check = SeamCheckInput {
         pattern,
         pairs: std::slice::from_ref(pair),
@@ -19,8 +19,9 @@ fn faces(
         edge_length: 0.012,
         limits: &Limits::default(),
     };
-    let (_, set) = check_placed(&to_check, starts);
-    set.expect("a right seam").faces
+    let (check, set) = check_placed(&to_check, starts);
+    let told = check.warnings.iter().map(|w| w.code.to_string());
+    (set.expect("a right seam").faces, told.collect())
 }
 
 /// The right edge of a front as it is drawn is sewn to a sleeve, which starts on one side or the
@@ -37,7 +38,10 @@ fn sleeves_tell_which_side_of_a_front_is_out() {
                 _ => [side * (0.25 + x), y, 0.0],
             })
         };
-        assert_eq!(faces(&pattern, &pair, &starts), [face, face], "{side}");
+        let (found, told) = faces(&pattern, &pair, &starts);
+        assert_eq!(found, [face, face], "{side}");
+        let is_told = told == ["seam/face_chosen"];
+        assert_eq!(is_told, face == Face::Down, "{told:?}");
     }
 }
 
@@ -47,7 +51,7 @@ fn most_of_the_cloth_is_drawn_from_outside_unless_a_front_is_named() {
         let pattern = pattern(vec![rectangle(small, 0.1, 0.6), rectangle("2", 0.5, 0.6)]);
         // The right edges of both, upwards: one of the two is seen from inside.
         let pair = seam("side", run(small, 3, 2), run("2", 3, 2));
-        faces(&pattern, &pair, &|_, _, _| None)
+        faces(&pattern, &pair, &|_, _, _| None).0
     };
     assert_eq!(sewn("1"), [Face::Down, Face::Up]);
     assert_eq!(sewn("front"), [Face::Up, Face::Down]);
