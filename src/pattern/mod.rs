@@ -34,7 +34,7 @@ pub use point::Point2;
 pub use seam_pair::{Direction, Match, OutlineRun, Place, SeamPair, Side};
 pub use units::Units;
 
-pub(crate) use garmentcode::rotation_matrix;
+pub(crate) use garmentcode::{is_gathered, rotation_matrix, seam_id};
 
 use crate::config::Limits;
 use crate::fault::Faults;

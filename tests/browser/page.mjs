@@ -420,12 +420,15 @@ test("nothing left the origin, broke the policy or failed", () => {
   assert.deepEqual(tab.record, { foreign: [], errors: [], breaches: [] });
 });
 
-test("no part is cut off at 800 and 1920 pixels", async () => {
-  for (const viewport of [{ width: 800, height: 900 }, { width: 1920, height: 1080 }]) {
+test("no part is cut off at 800, 1280 and 1920 pixels", async () => {
+  for (const viewport of [{ width: 800, height: 900 }, { width: 1280, height: 800 }, { width: 1920, height: 1080 }]) {
     await page.setViewportSize(viewport);
     await page.waitForTimeout(300);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(wide <= 0, `${viewport.width}: ${wide} px too wide`);
+    const scrolled = await page.evaluate(() => [...document.querySelectorAll(".step")]
+      .filter((step) => step.scrollWidth > step.clientWidth).map((step) => step.id));
+    assert.deepEqual(scrolled, [], `${viewport.width}: wider than their columns`);
     assert.deepEqual(await axeFaults(page), []);
   }
 });

@@ -4,11 +4,8 @@ use super::super::counted::counted;
 use super::fit::MOST_FITTED;
 use super::panel::DrawnPanel;
 use super::stitch::stored_edge;
-use crate::pattern::polyline;
 use crate::pattern::{Panel, Pattern, SeamPair, Side};
-
-/// Ease above which the importer takes a stitch to be gathered.
-const GATHERED: f64 = 0.15;
+use crate::pattern::{is_gathered, polyline, seam_id};
 
 /// Counts of what a specification leaves out.
 pub(super) struct LeftOut {
@@ -114,10 +111,9 @@ impl LeftOut {
     /// Looks at a seam that is stitch `index` of the file.
     pub(super) fn add_stitch(&mut self, seam: &SeamPair, pattern: &Pattern, index: usize) {
         let [a, b] = [&seam.a, &seam.b].map(|side| length(side, pattern));
-        let is_read_gathered = a.max(b) > (1.0 + GATHERED) * a.min(b);
         self.special += usize::from(seam.stage > 0 || seam.layered || seam.allow_twist);
-        self.gathers += usize::from(seam.gather != is_read_gathered);
-        self.ids += usize::from(seam.id != format!("stitch-{index}"));
+        self.gathers += usize::from(seam.gather != is_gathered(a, b));
+        self.ids += usize::from(seam.id != seam_id(index));
     }
 
     /// Returns the sentences.

@@ -18,6 +18,7 @@ mod rotation;
 mod stitches;
 
 pub(crate) use self::rotation::matrix as rotation_matrix;
+pub(crate) use self::stitches::{is_gathered, seam_id};
 
 use self::conventions::Conventions;
 use self::findings::SpecFindings;

@@ -14,6 +14,16 @@ use std::collections::BTreeMap;
 /// whatever their lengths.
 const GATHERED: f64 = 0.15;
 
+/// Returns true if a stitch of edges this long \[m\] is taken to be gathered.
+pub(crate) fn is_gathered(a: f64, b: f64) -> bool {
+    a.max(b) > (1.0 + GATHERED) * a.min(b)
+}
+
+/// Returns the id of the seam that is this stitch of a file.
+pub(crate) fn seam_id(stitch: usize) -> String {
+    format!("stitch-{stitch}")
+}
+
 /// The panels by name; `None` for one that could not be read.
 pub(super) type DrawnPanels<'a> = BTreeMap<&'a str, Option<DrawnPanel>>;
 
@@ -48,15 +58,15 @@ fn read_stitch(
     let [a, b] = [a, b].map(|side| read_side(side, panels, findings));
     let (a, b) = (a?, b?);
     let right_wrong = word.unwrap_or(Some(false))? || a.right_wrong || b.right_wrong;
-    let (longer, shorter) = (a.length.max(b.length), a.length.min(b.length));
+    let gather = is_gathered(a.length, b.length);
     let b = if right_wrong { b.run } else { reversed(b.run) };
     Some(SeamPair {
-        id: format!("stitch-{index}"),
+        id: seam_id(index),
         a: Side::One(a.run),
         b: Side::One(b),
         matching: Match::AsPicked,
         stage: 0,
-        gather: longer > (1.0 + GATHERED) * shorter,
+        gather,
         layered: false,
         allow_twist: false,
         confidence: None,
