@@ -15,11 +15,11 @@ const SAVED: f64 = 0.1;
 
 /// Places `panels` on `avatar`, or in free space without one.
 ///
-/// Flat panels are put where they are anchored, those that a file puts about a limb are rolled about
-/// it, and those of the trunk are lifted above what their seams would close through. Those that are
-/// rolled all round follow, each turned
-/// about its axis, and by quarters on the drawing where the placement does not say which way is up,
-/// so that its `stitches` to the panels before it and to itself are short.
+/// Flat panels are put where they are anchored, those that a file puts about a limb are rolled
+/// about it, and those of the trunk are lifted above what their seams would close through. Those
+/// that are rolled all round follow, each turned about its axis, and by quarters on the drawing
+/// where the placement does not say which way is up, so that its `stitches` to the panels before it
+/// and to itself are short.
 pub fn place_panels(
     panels: &[PanelPlacement<'_>],
     stitches: &[[SeamPoint; 2]],

@@ -303,18 +303,17 @@ mod tests {
         }
     }
 
-    /// Half a trouser leg before the left leg and half behind it, sewn between the legs from 15 cm
-    /// below the crotch on, whose hem starts 3 cm below the ankle.
+    /// Half a trouser leg before the left one and half behind it, 20 cm higher than the crotch,
+    /// sewn between the legs as far as some way below it, whose hem starts 3 cm below the ankle.
     #[test]
     fn trousers_start_above_the_ankles_and_below_the_crotch() {
         let avatar = body();
         let [crotch, ankle] = ["crotch", "ankle_l"].map(|name| avatar.landmarks[name].y);
         let hem = ankle - 0.03;
         for (below, rises) in [(0.15, 0.03 + ABOVE_ANKLE), (0.02, 0.02)] {
-            let high = crotch - below - hem;
-            let size = [0.3, high];
-            let at = |z: f64| (size, [0.17, hem + 0.5 * high, z]);
-            let inner = [[0.0, 0.0], [0.0, high]];
+            let size = [0.3, crotch + 0.2 - hem];
+            let at = |z: f64| (size, [0.17, hem + 0.5 * size[1], z]);
+            let inner = [[0.0, 0.0], [0.0, crotch - below - hem]];
             let stitches = row([0, 1], inner, inner);
             let placed = place(&[at(0.25), at(-0.25)], &stitches, &avatar);
             for at in placed {

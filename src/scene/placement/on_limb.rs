@@ -90,20 +90,29 @@ fn half_round(flat: &Placed, panel: &Panel, avatar: &Avatar) -> Option<HalfRound
     })
 }
 
-/// Returns the same start so far down the limb that all of the panel is outside the body: a cap
-/// would start within the trunk. Where no place is clear, it stays.
+/// Returns the same start so far down the limb that all of the panel is clear of the body, or where
+/// it is clearest: a cap would start within the trunk.
 fn clear_of_the_body(placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed {
     let down = placed
         .tilt
         .map_or(-Vector3::y(), |tilt| tilt * -Vector3::y());
     let points: Vec<_> = outline(panel).map(|uv| placed.position(uv)).collect();
-    let is_clear = |way: &f64| {
-        let mut moved = points.iter().map(|p| p + down * *way);
-        moved.all(|p| avatar.distance(&p) > CLEAR)
+    let clearance = |way: f64| {
+        let distances = points.iter().map(|p| avatar.distance(&(p + down * way)));
+        distances.fold(CLEAR, f64::min)
     };
-    let way = (0..=STEPS).map(|k| STEP * f64::from(k)).find(is_clear);
+    let mut best = [0.0, clearance(0.0)];
+    for way in (1..=STEPS).map(|k| STEP * f64::from(k)) {
+        if best[1] == CLEAR {
+            break;
+        }
+        let clearance = clearance(way);
+        if clearance > best[1] {
+            best = [way, clearance];
+        }
+    }
     Placed {
-        offset: placed.offset + down * way.unwrap_or(0.0),
+        offset: placed.offset + down * best[0],
         ..placed
     }
 }
