@@ -1,5 +1,6 @@
 //! A scene from its parts.
 
+use super::carriers;
 use super::{Body, Cut, Fabric, Membrane, Placed, Scene};
 use crate::mesh::ClothMesh;
 use nalgebra::Vector3;
@@ -37,7 +38,7 @@ const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.80665, 0.0);
 /// its triangles.
 pub fn build(parts: Parts) -> Scene {
     let Parts {
-        mesh,
+        mut mesh,
         panels,
         fabrics,
         body,
@@ -58,6 +59,9 @@ pub fn build(parts: Parts) -> Scene {
                 mass[v] += density * area / 3.0;
             }
         }
+    }
+    if let Some(avatar) = body.as_ref().and_then(Body::avatar) {
+        carriers::sew_first(&mut mesh, &start, avatar);
     }
     let friction = friction.unwrap_or_else(|| {
         fabrics

@@ -3,7 +3,9 @@
 mod avatar;
 mod body;
 mod build;
+mod carriers;
 mod coarser;
+mod crotch;
 mod fabric;
 mod fixed_cloth;
 mod membrane;

@@ -9,6 +9,7 @@ use super::panel_placement::{OwnStitch, PanelPlacement, thinned};
 use super::placed::Placed;
 use crate::pattern::Wrap;
 use crate::scene::Avatar;
+use crate::scene::crotch::is_between_legs;
 use nalgebra::Vector3;
 use std::collections::BTreeSet;
 
@@ -23,9 +24,6 @@ const STEPS: u32 = 40;
 /// Points at which a stitch is looked at, and stitches that are looked at, at most.
 const POINTS: u32 = 24;
 const STITCHES: usize = 500;
-/// Distance from the middle, and above the crotch, within which a seam from front to back goes
-/// between the legs \[m\].
-const BETWEEN_LEGS: f64 = 0.1;
 /// Height of the hem of trousers above the ankles \[m\]: below, it would close through a foot.
 const ABOVE_ANKLE: f64 = 0.02;
 
@@ -183,13 +181,12 @@ impl Trunk<'_> {
         let (Some(crotch), Some(ankle)) = (landmark("crotch"), landmark("ankle_l")) else {
             return Legs::default();
         };
-        let is_low = |p: &Vector3<f64>| p.y < crotch.y + BETWEEN_LEGS && p.x.abs() < BETWEEN_LEGS;
         let mut panels = BTreeSet::new();
         let mut room = f64::INFINITY;
         for stitch in self.stitches() {
-            let [a, b] = self.ends(stitch);
-            if is_low(&a) && is_low(&b) && (a.z - crotch.z) * (b.z - crotch.z) < 0.0 {
-                room = room.min(crotch.y - a.y.max(b.y));
+            let ends = self.ends(stitch);
+            if is_between_legs(&ends, crotch) {
+                room = room.min(crotch.y - ends[0].y.max(ends[1].y));
                 panels.extend(stitch.map(|p| p.panel));
             }
         }

@@ -23,7 +23,7 @@ pub(crate) fn measure_unrelaxed(
     let stiffness = options.closed_seam_stiffness(options.sewing_stiffness());
     let build_options = BuildOptions {
         seams: Seams::Stiff { stiffness },
-        hold: false,
+        hold: None,
         gravity: true,
         friction: None,
         explicit: false,

@@ -46,7 +46,7 @@ pub(crate) fn relax(
     let stitches = level.stitches(u32::MAX);
     let build_options = BuildOptions {
         seams: Seams::closed(level.options, stiffness),
-        hold: false,
+        hold: None,
         gravity: true,
         friction: Some(&level.anchors),
         explicit: level.options.method.is_explicit(),

@@ -1,5 +1,6 @@
 //! Sewing (P9): the stitches pull the panels together, stage by stage, until no gap is left.
 
+use crate::mesh::ClothMesh;
 use crate::solver::drape::drag::{SETTLED, SEWING_DRAG, SEWING_SPEED_LIMIT};
 use crate::solver::drape::level::Level;
 use crate::solver::drape::monitor::{IterationRecord, SEWING_SHARE};
@@ -7,6 +8,7 @@ use crate::solver::drape::stage::{StageOutcome, run_stage};
 use crate::solver::integrate::dynamic_relaxation::DynamicRelaxation;
 use crate::solver::model::build::build;
 use crate::solver::model::build_options::BuildOptions;
+use crate::solver::model::holds::SewingHold;
 use crate::solver::model::seams::Seams;
 use crate::solver::optimize::iterate::{Iterate, Termination};
 use crate::solver::options::Method;
@@ -23,6 +25,9 @@ const STIFFENINGS: usize = 3;
 const PATIENCE: usize = 150;
 /// Share of the smallest gap so far that counts as smaller.
 const SMALLER: f64 = 0.99;
+/// Greatest pull of a seam, over its length \[N/m\], before it is made stiffer: stitches half a
+/// meter long would draw straps off the shoulders and bands over the hip on their way.
+const MOST_PULL: f64 = 200.0;
 /// Motion of explicit steps while sewing.
 const MOTION: DynamicRelaxation = DynamicRelaxation {
     method: Method::SymplecticEuler,
@@ -56,15 +61,28 @@ fn close_stages(
     stages.dedup();
     for stage in stages {
         let stitches = level.stitches(stage);
+        let mut is_firm = sewn_before(&level.scene.mesh, stage);
+        let places = x.to_vec();
         let mut stiffenings = 0;
         loop {
-            let (pulled, of_pull) = pull(level, x, &stitches, stiffness);
+            let hold = SewingHold {
+                is_firm: &is_firm,
+                places: &places,
+            };
+            let (pulled, of_pull) = pull(level, x, &stitches, stiffness, hold);
             statistics.merge(&of_pull);
             let gap = seam_gap(&stitches, x);
             if gap < level.options.seam_eps_m {
                 break;
             }
-            if pulled.termination != Termination::Reached || stiffenings == STIFFENINGS {
+            let is_settled = pulled.termination == Termination::Reached;
+            // What is held too high or too low for the rest is let go first.
+            let is_stuck = pulled.termination == Termination::Stalled;
+            if is_firm.contains(&true) && (is_settled || is_stuck) {
+                is_firm.fill(false);
+                continue;
+            }
+            if !is_settled || stiffenings == STIFFENINGS {
                 return Err(Unfinished::SeamsOpen {
                     stage,
                     gap_m: gap,
@@ -80,20 +98,44 @@ fn close_stages(
     Ok(stiffness)
 }
 
+/// Returns the panels that earlier stages have sewn, true each, if the stage adds others to them;
+/// none if it closes seams between them, for which they must move.
+fn sewn_before(mesh: &ClothMesh, stage: u32) -> Vec<bool> {
+    let panel = |vertex| mesh.panels.partition_point(|p| p.vertices.end <= vertex);
+    let mut is_sewn = vec![false; mesh.panels.len()];
+    for stitch in mesh.stitches.iter().filter(|s| s.stage < stage) {
+        is_sewn[panel(stitch.a)] = true;
+        is_sewn[panel(stitch.b)] = true;
+    }
+    let mut of_stage = mesh.stitches.iter().filter(|s| s.stage == stage);
+    if of_stage.any(|s| is_sewn[panel(s.a)] && is_sewn[panel(s.b)]) {
+        is_sewn.fill(false);
+    }
+    is_sewn
+}
+
 /// Pulls once, with stitches of a stiffness \[N/m\].
 fn pull(
     level: &mut Level<'_, '_, '_>,
     x: &mut [Vector3<f64>],
     stitches: &[(usize, usize)],
     stiffness: f64,
+    hold: SewingHold<'_>,
 ) -> (StageOutcome, SolveStatistics) {
+    // On a body, and not in steps of motion, which know pair forces alone.
+    let is_held = level.scene.body.is_some() && !level.options.method.is_time_stepping();
     let build_options = BuildOptions {
         seams: Seams::Open {
             stitches: stitches.to_vec(),
             stiffness,
+            most: if is_held {
+                let softest = level.options.sewing_stiffness();
+                MOST_PULL * level.scene.mesh.mean_edge() * stiffness / softest
+            } else {
+                f64::INFINITY
+            },
         },
-        // On a body, and not in steps of motion, which know pair forces alone.
-        hold: level.scene.body.is_some() && !level.options.method.is_time_stepping(),
+        hold: is_held.then_some(hold),
         gravity: false,
         friction: None,
         explicit: level.options.method.is_explicit(),
@@ -171,6 +213,40 @@ impl SmallestGap {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mesh::{PanelRange, Stitch};
+
+    /// Panels of ten vertices each, sewn to each other as stated: stage and the two panels.
+    fn panels(stitches: &[(u32, usize, usize)]) -> ClothMesh {
+        let range = |i: usize| PanelRange {
+            vertices: 10 * i..10 * (i + 1),
+            triangles: 0..0,
+            corners: vec![],
+        };
+        let stitch = |&(stage, a, b): &(u32, usize, usize)| Stitch {
+            seam: 0,
+            stage,
+            a: 10 * a,
+            b: 10 * b + 9,
+        };
+        ClothMesh {
+            panels: (0..4).map(range).collect(),
+            stitches: stitches.iter().map(stitch).collect(),
+            ..ClothMesh::default()
+        }
+    }
+
+    #[test]
+    fn what_is_sewn_is_held_while_others_are_added() {
+        let mesh = panels(&[(0, 0, 1), (2, 1, 2), (2, 2, 3)]);
+        assert_eq!(sewn_before(&mesh, 0), [false; 4]);
+        assert_eq!(sewn_before(&mesh, 2), [true, true, false, false]);
+    }
+
+    #[test]
+    fn what_closes_among_itself_moves() {
+        let mesh = panels(&[(0, 0, 1), (1, 0, 2), (1, 0, 1)]);
+        assert_eq!(sewn_before(&mesh, 1), [false; 4]);
+    }
 
     #[test]
     fn seams_that_close_slowly_go_on() {

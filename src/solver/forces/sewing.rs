@@ -1,5 +1,10 @@
 //! The seam force F = -k l of the paper (P8): springs of rest length zero between the two points of
-//! each stitch.
+//! each stitch, which pull with a limited force where they are long.
+//!
+//! Beyond the length at which a spring reaches its greatest force its energy grows linearly (P. J.
+//! Huber, "Robust estimation of a location parameter", Annals of Mathematical Statistics 35(1),
+//! 1964). Its second derivative there is taken as that of a spring which pulls as hard: an upper
+//! bound, so that a Newton step moves the two points onto each other and never raises the energy.
 
 use crate::solver::forces::{PairForce, PairForces, Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Slot, Sparsity};
@@ -9,6 +14,8 @@ use nalgebra::{Matrix3, Vector3};
 pub(crate) struct SewingForce {
     stitches: Vec<(usize, usize)>,
     stiffness: f64,
+    /// Greatest force of a spring \[N\].
+    most: f64,
     slots: Vec<[Slot; 3]>,
 }
 
@@ -17,7 +24,35 @@ impl SewingForce {
         Self {
             stitches,
             stiffness,
+            most: f64::INFINITY,
             slots: Vec::new(),
+        }
+    }
+
+    /// Returns the same springs that pull no harder than `most` \[N\].
+    pub(crate) fn with_most(self, most: f64) -> Self {
+        Self { most, ..self }
+    }
+
+    /// Returns the stiffness of a spring of rest length zero that pulls as hard as this one does
+    /// at a length \[N/m\].
+    fn secant(&self, length: f64) -> f64 {
+        if self.is_limited(length) {
+            self.most / length
+        } else {
+            self.stiffness
+        }
+    }
+
+    fn is_limited(&self, length: f64) -> bool {
+        self.stiffness * length > self.most
+    }
+
+    fn energy_at(&self, length: f64) -> f64 {
+        if self.is_limited(length) {
+            self.most * (length - 0.5 * self.most / self.stiffness)
+        } else {
+            0.5 * self.stiffness * length * length
         }
     }
 }
@@ -46,17 +81,14 @@ impl Potential for SewingForce {
     }
 
     fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
-        0.5 * self.stiffness
-            * self
-                .stitches
-                .iter()
-                .map(|&(a, b)| (x[a] - x[b]).norm_squared())
-                .sum::<f64>()
+        let lengths = self.stitches.iter().map(|&(a, b)| (x[a] - x[b]).norm());
+        lengths.map(|length| self.energy_at(length)).sum()
     }
 
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
         for &(a, b) in &self.stitches {
-            let f = (x[b] - x[a]) * self.stiffness;
+            let way = x[b] - x[a];
+            let f = way * self.secant(way.norm());
             force[a] += f;
             force[b] -= f;
         }
@@ -64,14 +96,13 @@ impl Potential for SewingForce {
 
     fn add_hessian(
         &mut self,
-        _x: &[Vector3<f64>],
+        x: &[Vector3<f64>],
         _hessian_modification: f64,
         hessian: &mut BlockMatrix,
     ) {
-        // A central spring of rest length 0, without its rounding: n nᵀ + (I - n nᵀ) is not I to
-        // the last bit.
-        let block = Matrix3::identity() * self.stiffness;
-        for &[aa, bb, ab] in &self.slots {
+        for (&(a, b), &[aa, bb, ab]) in self.stitches.iter().zip(&self.slots) {
+            // Without the rounding of a spring's: n nᵀ + (I - n nᵀ) is not I to the last bit.
+            let block = Matrix3::identity() * self.secant((x[b] - x[a]).norm());
             hessian.add(aa, &block);
             hessian.add(bb, &block);
             hessian.add(ab, &-block);
@@ -84,6 +115,7 @@ impl Potential for SewingForce {
             stiffness[b] += 2.0 * self.stiffness;
         }
     }
+
     fn add_to_pair_forces(&self, pair_forces: &mut PairForces) -> bool {
         pair_forces
             .pairs

@@ -5,7 +5,7 @@ use crate::scene::{Avatar, Body, DressForm, FiberSpring};
 use crate::solver::forces::contact::{BodyContact, Facet, Friction, TipContact};
 use crate::solver::forces::*;
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
-use nalgebra::{DMatrix, Matrix3, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use std::sync::Arc;
 
 /// Six points off a plane, the same every time.
@@ -206,6 +206,36 @@ fn forces_are_the_gradients_of_their_energies() {
         // derivatives.
         check_derivatives(force.as_mut(), &x, 1e-5, 1e-8);
         check_convex(force.as_mut(), &x);
+    }
+}
+
+/// Stitches shorter and longer than that at which they pull their most.
+#[test]
+fn stitches_pull_with_a_limited_force_below_an_upper_bound() {
+    let x = points();
+    let pairs = vec![(0, 4), (2, 5)];
+    let lengths = pairs
+        .iter()
+        .map(|&(a, b): &(usize, usize)| (x[a] - x[b]).norm());
+    let [least, greatest] = lengths.fold([f64::INFINITY, 0.0], |[least, most], l| {
+        [least.min(l), most.max(l)]
+    });
+    assert!(least < greatest);
+    let (stiffness, most) = (1e3, 1e3 * 0.5 * (least + greatest));
+    let mut force = SewingForce::new(pairs, stiffness).with_most(most);
+    let pull = DVector::from_vec(net(&mut force, &x));
+    let of = |i: usize| pull.fixed_rows::<3>(3 * i).norm();
+    assert!((of(0).max(of(2)) - most).abs() < 1e-12 * most);
+    assert!((of(0).min(of(2)) - stiffness * least).abs() < 1e-12 * most);
+    let second = dense(&mut force, &x, 0.0);
+    let before = force.energy(&x);
+    for k in 0..1000_u32 {
+        let angle = |i: usize| f64::from(k) + 2.0 * i as f64;
+        let step = DVector::from_fn(pull.len(), |i, _| 0.1 * angle(i).sin());
+        let moved = x.iter().zip(step.as_slice().as_chunks::<3>().0);
+        let moved: Vec<_> = moved.map(|(x, s)| x + Vector3::from(*s)).collect();
+        let bound = before - pull.dot(&step) + 0.5 * step.dot(&(&second * &step));
+        assert!(force.energy(&moved) < bound + 1e-12 * before, "{k}");
     }
 }
 

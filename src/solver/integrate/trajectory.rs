@@ -42,7 +42,7 @@ pub fn trajectory(
     let began = (context.cpu_s)();
     let build_options = BuildOptions {
         seams: Seams::closed(options, options.sewing_stiffness()),
-        hold: false,
+        hold: None,
         gravity: true,
         friction: Some(&FrictionAnchors::default()),
         // Automatic methods may turn out to be explicit.

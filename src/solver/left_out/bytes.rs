@@ -22,7 +22,7 @@ fn assembled(scene: &Scene) -> AllocationInfo {
     let anchors = FrictionAnchors::default();
     let build_options = BuildOptions {
         seams: Seams::Stiff { stiffness: 1e4 },
-        hold: false,
+        hold: None,
         gravity: true,
         friction: Some(&anchors),
         explicit: false,

@@ -44,7 +44,7 @@ fn a_system_has_the_terms_that_its_scene_needs_and_no_others() {
         let scene = scene(has, CELLS);
         let build_options = BuildOptions {
             seams: Seams::Stiff { stiffness: 1e4 },
-            hold: false,
+            hold: None,
             gravity: true,
             friction: Some(&FrictionAnchors::default()),
             explicit: false,

@@ -4,21 +4,17 @@ pub use crate::solver::model::membrane::springs;
 
 use crate::scene::{Fabric, Scene};
 use crate::solver::forces::contact::ClothContact;
-use crate::solver::forces::{BendForce, Gravity, Hold, ParticleHold, SewingForce, WindForce};
+use crate::solver::forces::{BendForce, Gravity, Hold, WindForce};
 use crate::solver::model::bending::bend_patches;
 use crate::solver::model::body_contact::body_contact;
 use crate::solver::model::build_options::BuildOptions;
 use crate::solver::model::cloth_surface::{cloth_surface, layer_friction};
 use crate::solver::model::dof_map::DofMap;
+use crate::solver::model::holds::holds;
 use crate::solver::model::membrane::membrane_force;
-use crate::solver::model::rest_shape::vertex_areas;
 use crate::solver::model::system::{System, TimedTerm};
 use crate::solver::options::SolverOptions;
 use nalgebra::Vector3;
-
-/// Stiffness by which sewing holds panels on their places, over their area \[N/m³\]: at 50 mm as
-/// much as a shirt weighs.
-const HOLD: f64 = 30.0;
 
 /// A system, and the particle of each vertex of the scene that it was built from.
 pub(crate) struct Model<'a> {
@@ -53,12 +49,11 @@ pub(crate) fn build<'a>(
         let start = dof_map.average(&scene.start);
         forces.push(Box::new(WindForce::new(wind, triangles, &start)));
     }
-    if let Some((stitches, stiffness)) = build_options.seams.springs(scene) {
-        let pairs = dof_map.pairs(&stitches);
-        forces.push(Box::new(SewingForce::new(pairs, stiffness)));
+    if let Some(springs) = build_options.seams.springs(scene, &dof_map) {
+        forces.push(Box::new(springs));
     }
-    if build_options.hold {
-        forces.push(Box::new(Hold::new(holds(scene, &dof_map))));
+    if let Some(held) = &build_options.hold {
+        forces.push(Box::new(Hold::new(holds(scene, &dof_map, held))));
     }
     let mut is_fixed = vec![false; mass.len()];
     for &pin in &scene.pins {
@@ -89,32 +84,6 @@ pub(crate) fn build<'a>(
         clock,
     };
     Model { dof_map, system }
-}
-
-/// Returns the hold of each particle on its place at the start, free along the mean normal of the
-/// triangles about it.
-fn holds(scene: &Scene, dof_map: &DofMap) -> Vec<ParticleHold> {
-    let area = dof_map.sum(&vertex_areas(scene));
-    let place = dof_map.average(&scene.start);
-    let mut normal = vec![Vector3::zeros(); dof_map.count];
-    for t in dof_map.triangles(&scene.mesh.triangles) {
-        let [a, b, c] = t.map(|i| place[i]);
-        for i in t {
-            normal[i] += (b - a).cross(&(c - a));
-        }
-    }
-    let of_particle =
-        |((place, normal), area): ((&Vector3<f64>, &Vector3<f64>), f64)| ParticleHold {
-            place: *place,
-            free: normal.try_normalize(0.0).unwrap_or_default(),
-            stiffness: HOLD * area,
-        };
-    place
-        .iter()
-        .zip(&normal)
-        .zip(area)
-        .map(of_particle)
-        .collect()
 }
 
 /// Returns true if anything of the scene resists bending.

@@ -1,14 +1,15 @@
 //! Seams, loads and contact of a system.
 
 use crate::solver::forces::friction_anchors::FrictionAnchors;
+use crate::solver::model::holds::SewingHold;
 use crate::solver::model::seams::Seams;
 
 /// Seams, loads and contact of a system, besides the cloth of its scene.
 pub(crate) struct BuildOptions<'a> {
     /// Joint of the stitches.
     pub(crate) seams: Seams,
-    /// True if panels are held weakly where they were placed.
-    pub(crate) hold: bool,
+    /// The hold of panels while their seams close; none once they are sewn.
+    pub(crate) hold: Option<SewingHold<'a>>,
     /// True if weight and wind act.
     pub(crate) gravity: bool,
     /// Friction anchors to begin with; none without friction.

@@ -6,6 +6,7 @@ pub(crate) mod build;
 pub(crate) mod build_options;
 pub(crate) mod cloth_surface;
 pub(crate) mod dof_map;
+pub(crate) mod holds;
 pub(crate) mod membrane;
 pub(crate) mod rest_shape;
 pub(crate) mod seams;

@@ -1,6 +1,7 @@
 //! Ways in which the two points of each stitch of a scene are joined.
 
 use crate::scene::Scene;
+use crate::solver::forces::SewingForce;
 use crate::solver::model::dof_map::DofMap;
 use crate::solver::options::{SeamClose, SolverOptions};
 
@@ -13,6 +14,8 @@ pub(crate) enum Seams {
         stitches: Vec<(usize, usize)>,
         /// Stiffness of each spring \[N/m\].
         stiffness: f64,
+        /// Greatest force of each spring \[N\].
+        most: f64,
     },
     /// One particle for both points.
     Welded,
@@ -47,18 +50,19 @@ impl Seams {
         }
     }
 
-    /// Returns the pairs of vertices that springs join and the stiffness of a spring \[N/m\], if
-    /// there are any.
-    pub(crate) fn springs(&self, scene: &Scene) -> Option<(Vec<(usize, usize)>, f64)> {
-        let (pairs, stiffness) = match self {
+    /// Returns the springs between particles that join the stitches, if there are any.
+    pub(crate) fn springs(&self, scene: &Scene, dof_map: &DofMap) -> Option<SewingForce> {
+        let (pairs, stiffness, most) = match self {
             Self::Open {
                 stitches,
                 stiffness,
-            } => (stitches.clone(), *stiffness),
-            Self::Stiff { stiffness } => (stitches(scene).collect(), *stiffness),
+                most,
+            } => (stitches.clone(), *stiffness, *most),
+            Self::Stiff { stiffness } => (stitches(scene).collect(), *stiffness, f64::INFINITY),
             Self::Welded | Self::Apart => return None,
         };
-        (!pairs.is_empty()).then_some((pairs, stiffness))
+        let springs = SewingForce::new(dof_map.pairs(&pairs), stiffness).with_most(most);
+        (!pairs.is_empty()).then_some(springs)
     }
 }
 

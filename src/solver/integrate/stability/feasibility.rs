@@ -68,7 +68,7 @@ fn stable_step(scene: &Scene, options: &SolverOptions, clock: &dyn Fn() -> f64) 
     };
     let build_options = BuildOptions {
         seams,
-        hold: false,
+        hold: None,
         gravity: false,
         friction: None,
         explicit: false,

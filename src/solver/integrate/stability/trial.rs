@@ -314,7 +314,7 @@ impl StabilityTrial<'_, '_, '_> {
         let sewing = self.options.sewing_stiffness();
         let build_options = BuildOptions {
             seams: Seams::closed(self.options, sewing),
-            hold: false,
+            hold: None,
             gravity: true,
             friction: Some(self.anchors),
             explicit: self.options.method.is_explicit(),
