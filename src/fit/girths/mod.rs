@@ -2,6 +2,7 @@
 //! far as its cloth is stretched.
 
 mod section;
+mod trunk;
 
 use self::section::{Plane, Section, Sections};
 use super::sides::arm_side;
@@ -37,32 +38,34 @@ struct Place {
 }
 
 /// Returns the warning of a garment that is too small for its body, as it starts: the panels are
-/// cut by the levels of bust, waist and hip, thighs and upper arms, where they go all round.
+/// cut by the levels of the trunk, by thighs and upper arms, where they go all round.
 pub(super) fn too_small(scene: &Scene) -> Option<Warning> {
     let avatar = scene.body.as_ref().and_then(Body::avatar)?;
     let sections = Sections::new(scene);
+    let parts = parts(scene);
     let lack = |place: Place| {
         let of = |plane: &Plane| sections.of(*plane, &place.panels, &scene.start);
         let closed = place.planes.iter().map(of).filter(|s| s.is_closed);
         let widest = closed.max_by(|a, b| a.stretched_m.total_cmp(&b.stretched_m))?;
         let is_lacking = place.body_m - widest.stretched_m > NO_LACK;
-        is_lacking.then(|| in_words(&place, &widest))
+        is_lacking.then(|| in_words(place.name, place.body_m, &widest))
     };
-    let lacks: Vec<String> = places(avatar, scene).into_iter().filter_map(lack).collect();
+    let trunk = trunk::lack(avatar, scene, &sections, &parts[0]);
+    let limbs = limbs(avatar, scene, &parts).into_iter().filter_map(lack);
+    let lacks: Vec<String> = trunk.into_iter().chain(limbs).collect();
     (!lacks.is_empty()).then(|| {
         let detail = format!("the garment is too small: {}", lacks.join("; "));
         Warning::new(FitCode::TooSmall, "", detail)
     })
 }
 
-fn in_words(place: &Place, widest: &Section) -> String {
+fn in_words(place: &str, body_m: f64, widest: &Section) -> String {
     let cm = |length: f64| length * 100.0;
     let given = 100.0 * (widest.stretched_m / widest.rest_m - 1.0);
     format!(
-        "round the {} it measures {:.0} cm and the body {:.0} cm, and its cloth gives {given:.0} % ({:.0} cm)",
-        place.name,
+        "round the {place} it measures {:.0} cm and the body {:.0} cm, and its cloth gives {given:.0} % ({:.0} cm)",
         cm(widest.rest_m),
-        cm(place.body_m),
+        cm(body_m),
         cm(widest.stretched_m - widest.rest_m)
     )
 }
@@ -91,24 +94,8 @@ pub(super) fn overstretched(scene: &Scene, positions: &[Vector3<f64>]) -> Option
     ))
 }
 
-/// Returns the places of the body at which the start of a garment is measured.
-fn places(avatar: &Avatar, scene: &Scene) -> Vec<Place> {
-    let [trunk, left, right] = parts(scene);
-    let at_level = [
-        ("bust", "bust_point_l"),
-        ("waist", "waist_front"),
-        ("hip", "hip_front"),
-    ];
-    let levels = at_level.into_iter().filter_map(|(name, landmark)| {
-        let height = avatar.landmarks.get(landmark)?.y;
-        let around = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|share| level(height + share * OFF_LEVEL));
-        Some(Place {
-            name,
-            planes: around.to_vec(),
-            panels: trunk.clone(),
-            body_m: avatar.girth_at(height)?,
-        })
-    });
+/// Returns the places of the limbs at which the start of a garment is measured.
+fn limbs(avatar: &Avatar, scene: &Scene, [trunk, left, right]: &[Vec<usize>; 3]) -> Vec<Place> {
     let arms = [
         ("left upper arm", Limb::ArmLeft, left),
         ("right upper arm", Limb::ArmRight, right),
@@ -125,13 +112,10 @@ fn places(avatar: &Avatar, scene: &Scene) -> Vec<Place> {
                 .iter()
                 .filter_map(|&along| normal_to(avatar, limb, along))
                 .collect(),
-            panels,
+            panels: panels.clone(),
         })
     });
-    levels
-        .chain(arms)
-        .chain(thighs(avatar, scene, &trunk))
-        .collect()
+    arms.chain(thighs(avatar, scene, trunk)).collect()
 }
 
 /// Returns the thighs, measured by the panels on their own side: they go all round one only where

@@ -23,7 +23,7 @@ pub(super) struct Section {
     pub(super) shape_m: f64,
     /// Length of it as far stretched as the cloth gives \[m\].
     pub(super) stretched_m: f64,
-    /// True if it ends nowhere: each edge that it crosses is sewn to one of the same panels.
+    /// True if it ends nowhere: each edge that it crosses is sewn to a panel that it crosses too.
     pub(super) is_closed: bool,
 }
 
@@ -56,20 +56,21 @@ impl<'a> Sections<'a> {
             ..Section::default()
         };
         let above = |v: usize| (positions[v] - plane.point).dot(&plane.normal);
+        let mut ends = vec![];
+        let mut crossed = BTreeSet::new();
         for &panel in panels {
             let range = &self.scene.mesh.panels[panel];
             for triangle in &self.scene.mesh.triangles[range.triangles.clone()] {
-                let crossed = crossed_edges(triangle, above);
-                let [Some(one), Some(other)] = crossed else {
+                let [Some(one), Some(other)] = crossed_edges(triangle, above) else {
                     continue;
                 };
                 section.add(self.piece(panel, positions, [one, other]));
-                section.is_closed &= [one, other]
-                    .iter()
-                    .all(|crossing| self.goes_on(crossing.edge, panels));
+                ends.extend([one.edge, other.edge]);
+                crossed.insert(panel);
             }
         }
-        section.is_closed &= section.rest_m > 0.0;
+        section.is_closed &=
+            !ends.is_empty() && ends.iter().all(|edge| self.goes_on(*edge, &crossed));
         section
     }
 
@@ -96,9 +97,9 @@ impl<'a> Sections<'a> {
         }
     }
 
-    /// Returns true if the cloth goes on beyond an edge: inside of its panel, or on the panels of
-    /// `panels` that it is sewn to.
-    fn goes_on(&self, edge: [usize; 2], panels: &[usize]) -> bool {
+    /// Returns true if a section goes on beyond an edge: inside of its panel, or on another of
+    /// these panels, which it crosses, that the edge is sewn to.
+    fn goes_on(&self, edge: [usize; 2], panels: &BTreeSet<usize>) -> bool {
         let [a, b] = edge;
         let is_sewn = |v: usize| {
             let others = self.sewn_to.get(&v).into_iter().flatten();

@@ -8,13 +8,14 @@ use crate::progress::CancelToken;
 use crate::solver::Context;
 use serde_json::json;
 
-/// Two panels of 50 by 60 cm in cotton poplin, placed at `front` and `back` and sewn along both
-/// sides, on a body with these measures.
-fn tube([front, back]: [&str; 2], form: serde_json::Value) -> Scene {
+/// Two panels of 50 cm by a length \[m\] in cotton poplin, placed at `front` and `back`, so much
+/// lower \[m\], and sewn along both sides, on a body with these measures.
+fn tube([front, back]: [&str; 2], [length, lower]: [f64; 2], form: serde_json::Value) -> Scene {
     let limits = Limits::default();
     let bytes = include_bytes!("../../../static/samples/top.dxf");
     let any = pattern::import(bytes, &ImportOptions::default(), &limits).expect("a pattern");
-    let panels = ["one", "other"].map(|id| Panel::rectangle(id, [0.5, 0.6]));
+    let panels = ["one", "other"].map(|id| Panel::rectangle(id, [0.5, length]));
+    let placement = |at: &str| json!({ "placement": { "at": at, "offset_m": [0.0, -lower, 0.0] } });
     let seam = |id: &str, [from, to]: [usize; 2], [back_from, back_to]: [usize; 2]| {
         json!({
             "id": id,
@@ -25,7 +26,7 @@ fn tube([front, back]: [&str; 2], form: serde_json::Value) -> Scene {
     // Seen from outside, the left of the front is sewn to the right of the back.
     let stated = json!({
         "schema": "seamster/garment/1",
-        "panels": { "one": { "placement": { "at": front } }, "other": { "placement": { "at": back } } },
+        "panels": { "one": placement(front), "other": placement(back) },
         "seams": [seam("left", [0, 1], [3, 2]), seam("right", [3, 2], [0, 1])],
         "avatar": { "form": form },
         "default_fabric": "cotton-poplin",
@@ -50,25 +51,37 @@ fn tube([front, back]: [&str; 2], form: serde_json::Value) -> Scene {
 
 fn skirt(hip_m: f64) -> Scene {
     let form = json!({ "height_m": 1.7, "bust_m": 0.95, "waist_m": 0.8, "hip_m": hip_m });
-    tube(["skirt_front", "skirt_back"], form)
+    tube(["skirt_front", "skirt_back"], [0.6, 0.0], form)
 }
 
 /// A tube of 100 cm in cloth that gives 8 % along its weft is large enough for a hip of 105 cm and
-/// too small for one of 110.
+/// too small for one of 112.
 #[test]
 fn a_skirt_is_too_small_for_a_hip_that_its_cloth_does_not_reach_round() {
     assert!(too_small(&skirt(1.05)).is_none());
-    let told = too_small(&skirt(1.10)).expect("2 cm are lacking");
+    let told = too_small(&skirt(1.12)).expect("4 cm are lacking");
     let why =
-        "round the hip it measures 100 cm and the body 110 cm, and its cloth gives 8 % (8 cm)";
+        "round the hip it measures 100 cm and the body 112 cm, and its cloth gives 8 % (8 cm)";
     assert!(told.detail.contains(why), "{}", told.detail);
     assert!(!told.detail.contains("waist"), "{}", told.detail);
+}
+
+/// A band of 100 cm that starts at a hip of 120 cm rides up to a waist of 80; one as long as a skirt
+/// is too small.
+#[test]
+fn a_band_that_rides_up_is_not_too_small() {
+    let start = |length| {
+        let form = json!({ "height_m": 1.7, "bust_m": 1.0, "waist_m": 0.8, "hip_m": 1.2 });
+        tube(["skirt_front", "skirt_back"], [length, 0.18], form)
+    };
+    assert!(too_small(&start(0.1)).is_none());
+    assert!(too_small(&start(0.4)).is_some());
 }
 
 /// An open front is not a girth.
 #[test]
 fn a_garment_that_is_open_is_not_too_small() {
-    let mut open = skirt(1.10);
+    let mut open = skirt(1.12);
     open.mesh.stitches.retain(|stitch| stitch.seam == 0);
     assert!(too_small(&open).is_none());
 }
