@@ -23,7 +23,7 @@ pub(super) struct Section {
     pub(super) shape_m: f64,
     /// Length of it as far stretched as the cloth gives \[m\].
     pub(super) stretched_m: f64,
-    /// True if it ends nowhere: each edge that it crosses is sewn to a panel that it crosses too.
+    /// True if it ends nowhere: it crosses both sides of each seam as often.
     pub(super) is_closed: bool,
 }
 
@@ -31,33 +31,44 @@ pub(super) struct Section {
 pub(super) struct Sections<'a> {
     scene: &'a Scene,
     borders: BTreeSet<[usize; 2]>,
-    sewn_to: BTreeMap<usize, Vec<usize>>,
+    sewn: BTreeMap<usize, Vec<SeamSide>>,
+}
+
+/// A side of a seam.
+#[derive(Clone, Copy, PartialEq)]
+struct SeamSide {
+    seam: usize,
+    is_a: bool,
 }
 
 impl<'a> Sections<'a> {
     pub(super) fn new(scene: &'a Scene) -> Self {
-        let mut sewn_to: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        let mut sewn: BTreeMap<usize, Vec<SeamSide>> = BTreeMap::new();
         for stitch in &scene.mesh.stitches {
-            sewn_to.entry(stitch.a).or_default().push(stitch.b);
-            sewn_to.entry(stitch.b).or_default().push(stitch.a);
+            for (vertex, is_a) in [(stitch.a, true), (stitch.b, false)] {
+                let side = SeamSide {
+                    seam: stitch.seam,
+                    is_a,
+                };
+                let sides = sewn.entry(vertex).or_default();
+                if !sides.contains(&side) {
+                    sides.push(side);
+                }
+            }
         }
         Self {
             scene,
             borders: borders(&scene.mesh),
-            sewn_to,
+            sewn,
         }
     }
 
     /// Returns the section of the panels of these indices with their vertices at `positions`
     /// \[m\].
     pub(super) fn of(&self, plane: Plane, panels: &[usize], positions: &[Vector3<f64>]) -> Section {
-        let mut section = Section {
-            is_closed: true,
-            ..Section::default()
-        };
+        let mut section = Section::default();
         let above = |v: usize| (positions[v] - plane.point).dot(&plane.normal);
         let mut ends = vec![];
-        let mut crossed = BTreeSet::new();
         for &panel in panels {
             let range = &self.scene.mesh.panels[panel];
             for triangle in &self.scene.mesh.triangles[range.triangles.clone()] {
@@ -66,12 +77,29 @@ impl<'a> Sections<'a> {
                 };
                 section.add(self.piece(panel, positions, [one, other]));
                 ends.extend([one.edge, other.edge]);
-                crossed.insert(panel);
             }
         }
-        section.is_closed &=
-            !ends.is_empty() && ends.iter().all(|edge| self.goes_on(*edge, &crossed));
+        section.is_closed = !ends.is_empty() && self.are_closed(&ends);
         section
+    }
+
+    /// Returns true if a section that crosses these edges crosses no edge of the cloth that is not
+    /// sewn, and both sides of each seam as often: a plane through a dart that lies level crosses
+    /// one of its legs.
+    fn are_closed(&self, edges: &[[usize; 2]]) -> bool {
+        let is_border = |&&[a, b]: &&[usize; 2]| self.borders.contains(&[a.min(b), a.max(b)]);
+        let mut balance: BTreeMap<usize, i64> = BTreeMap::new();
+        for edge in edges.iter().filter(is_border) {
+            let [of_a, of_b] = edge.map(|v| self.sewn.get(&v).map_or(&[][..], Vec::as_slice));
+            let mut sides = of_a.iter().filter(|side| of_b.contains(side)).peekable();
+            if sides.peek().is_none() {
+                return false;
+            }
+            for side in sides {
+                *balance.entry(side.seam).or_default() += if side.is_a { 1 } else { -1 };
+            }
+        }
+        balance.values().all(|difference| *difference == 0)
     }
 
     /// Returns the lengths of the piece between two crossed edges of a triangle.
@@ -93,26 +121,8 @@ impl<'a> Sections<'a> {
             rest_m: along.norm(),
             shape_m: (to - from).norm(),
             stretched_m: along.norm() * (1.0 + extension),
-            is_closed: true,
+            is_closed: false,
         }
-    }
-
-    /// Returns true if a section goes on beyond an edge: inside of its panel, or on another of
-    /// these panels, which it crosses, that the edge is sewn to.
-    fn goes_on(&self, edge: [usize; 2], panels: &BTreeSet<usize>) -> bool {
-        let [a, b] = edge;
-        let is_sewn = |v: usize| {
-            let others = self.sewn_to.get(&v).into_iter().flatten();
-            others
-                .into_iter()
-                .any(|&other| panels.contains(&self.panel_of(other)))
-        };
-        !self.borders.contains(&[a.min(b), a.max(b)]) || (is_sewn(a) && is_sewn(b))
-    }
-
-    fn panel_of(&self, vertex: usize) -> usize {
-        let panels = &self.scene.mesh.panels;
-        panels.partition_point(|range| range.vertices.end <= vertex)
     }
 }
 
