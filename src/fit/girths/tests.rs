@@ -66,8 +66,8 @@ fn a_skirt_is_too_small_for_a_hip_that_its_cloth_does_not_reach_round() {
     assert!(!told.detail.contains("waist"), "{}", told.detail);
 }
 
-/// A band of 100 cm that starts at a hip of 120 cm rides up to a waist of 80; one as long as a skirt
-/// is too small.
+/// A band of 100 cm that starts at a hip of 120 cm rides up to a waist of 80; one as long as a
+/// skirt is too small.
 #[test]
 fn a_band_that_rides_up_is_not_too_small() {
     let start = |length| {
