@@ -1,6 +1,6 @@
 //! A scene from its parts.
 
-use super::carriers;
+use super::carriers::carriers;
 use super::{Body, Cut, Fabric, Membrane, Placed, Scene};
 use crate::mesh::ClothMesh;
 use nalgebra::Vector3;
@@ -38,7 +38,7 @@ const GRAVITY: Vector3<f64> = Vector3::new(0.0, -9.80665, 0.0);
 /// its triangles.
 pub fn build(parts: Parts) -> Scene {
     let Parts {
-        mut mesh,
+        mesh,
         panels,
         fabrics,
         body,
@@ -60,9 +60,9 @@ pub fn build(parts: Parts) -> Scene {
             }
         }
     }
-    if let Some(avatar) = body.as_ref().and_then(Body::avatar) {
-        carriers::sew_first(&mut mesh, &start, avatar);
-    }
+    let avatar = body.as_ref().and_then(Body::avatar);
+    let carriers = avatar.map(|avatar| carriers(&mesh, &start, avatar));
+    let carriers = carriers.unwrap_or_default();
     let friction = friction.unwrap_or_else(|| {
         fabrics
             .iter()
@@ -88,6 +88,7 @@ pub fn build(parts: Parts) -> Scene {
         fixed_axis: None,
         wind: None,
         layers: vec![],
+        carriers,
         self_contact: true,
     }
 }

@@ -70,6 +70,7 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
         fixed_axis: scene.fixed_axis,
         wind: scene.wind,
         layers: scene.layers.clone(),
+        carriers: scene.carriers.clone(),
         self_contact: scene.self_contact,
         mesh,
     };

@@ -184,6 +184,7 @@ fn square(rows: usize) -> Scene {
         fixed_axis: None,
         wind: None,
         layers: vec![],
+        carriers: vec![],
         self_contact: false,
     }
 }

@@ -10,8 +10,8 @@ use crate::fault::{FitCode, Warning};
 use crate::scene::{Avatar, Body, Limb, Scene};
 use nalgebra::Vector3;
 
-/// Furthest that a level of the garment may start from the level of the body that it is meant for
-/// \[m\].
+/// Furthest that a level of the garment may start above, or thighs below, the level of the body
+/// that it is meant for \[m\].
 const OFF_LEVEL: f64 = 0.03;
 /// Distance of the places along a limb at which it is measured \[m\].
 const STEP: f64 = 0.02;

@@ -32,10 +32,12 @@ pub(super) struct Sections<'a> {
     scene: &'a Scene,
     borders: BTreeSet<[usize; 2]>,
     sewn: BTreeMap<usize, Vec<SeamSide>>,
+    /// Seams of which both sides are edges of the cloth: the others are sewn to a line within it.
+    of_edges: BTreeSet<usize>,
 }
 
 /// A side of a seam.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct SeamSide {
     seam: usize,
     is_a: bool,
@@ -56,9 +58,19 @@ impl<'a> Sections<'a> {
                 }
             }
         }
+        let borders = borders(&scene.mesh);
+        let along = |edge: &[usize; 2]| common_sides(&sewn, *edge).collect::<Vec<_>>();
+        let sides: BTreeSet<SeamSide> = borders.iter().flat_map(along).collect();
+        let is_edge = |side: &&SeamSide| {
+            sides.contains(&SeamSide {
+                is_a: !side.is_a,
+                ..**side
+            })
+        };
         Self {
+            of_edges: sides.iter().filter(is_edge).map(|side| side.seam).collect(),
             scene,
-            borders: borders(&scene.mesh),
+            borders,
             sewn,
         }
     }
@@ -89,13 +101,11 @@ impl<'a> Sections<'a> {
     fn are_closed(&self, edges: &[[usize; 2]]) -> bool {
         let is_border = |&&[a, b]: &&[usize; 2]| self.borders.contains(&[a.min(b), a.max(b)]);
         let mut balance: BTreeMap<usize, i64> = BTreeMap::new();
-        for edge in edges.iter().filter(is_border) {
-            let [of_a, of_b] = edge.map(|v| self.sewn.get(&v).map_or(&[][..], Vec::as_slice));
-            let mut sides = of_a.iter().filter(|side| of_b.contains(side)).peekable();
-            if sides.peek().is_none() {
+        for &edge in edges.iter().filter(is_border) {
+            if edge.iter().any(|vertex| !self.sewn.contains_key(vertex)) {
                 return false;
             }
-            for side in sides {
+            for side in common_sides(&self.sewn, edge).filter(|s| self.of_edges.contains(&s.seam)) {
                 *balance.entry(side.seam).or_default() += if side.is_a { 1 } else { -1 };
             }
         }
@@ -152,6 +162,15 @@ fn crossed_edges(triangle: &[usize; 3], above: impl Fn(usize) -> f64) -> [Option
         })
     });
     [crossed.next(), crossed.next()]
+}
+
+/// Returns the sides of seams that both ends of an edge are on.
+fn common_sides(
+    sewn: &BTreeMap<usize, Vec<SeamSide>>,
+    edge: [usize; 2],
+) -> impl Iterator<Item = SeamSide> + '_ {
+    let [of_a, of_b] = edge.map(|v| sewn.get(&v).map_or(&[][..], Vec::as_slice));
+    of_a.iter().filter(|side| of_b.contains(side)).copied()
 }
 
 /// Returns the edges of one triangle alone, the smaller vertex first.

@@ -13,7 +13,10 @@ use std::collections::BTreeMap;
 /// \[m\].
 const STEP: f64 = 0.02;
 /// Share of the body's girth that a garment may lack: over one step a waist widens by as much.
-const NO_LACK: f64 = 0.02;
+const NO_LACK_SHARE: f64 = 0.02;
+
+/// Longest trunk that is measured \[m\]: landmarks of a body of one's own may be anywhere.
+const TALLEST: f64 = 1.0;
 
 /// The girth of a part at a level, with what it lacks there.
 #[derive(Clone, Copy)]
@@ -37,6 +40,9 @@ pub(super) fn lack(
     let height = |name: &str| avatar.landmarks.get(name).map(|p| p.y);
     let (crotch, hip) = (height("crotch")?, height("hip_front")?);
     let (waist, bust) = (height("waist_front")?, height("bust_point_l")?);
+    if !(crotch < hip && hip < waist && waist < bust && bust - crotch < TALLEST) {
+        return None;
+    }
     let levels = steps([crotch - (waist - hip), bust + OFF_LEVEL], STEP);
     let girths = steps([crotch, bust], STEP).chain([hip, waist, bust]);
     let girths: Vec<(f64, f64)> = girths
@@ -73,7 +79,8 @@ pub(super) fn lack(
             .min_by(|a, b| a.share.total_cmp(&b.share))
     };
     let parts = parts(scene, sections, panels, levels).into_values();
-    let worst = most(parts.filter_map(least).collect()).filter(|lack| lack.share > NO_LACK)?;
+    let worst =
+        most(parts.filter_map(least).collect()).filter(|lack| lack.share > NO_LACK_SHARE)?;
     let names = [("bust", bust), ("waist", waist), ("hip", hip)];
     let off = |named: &(&str, f64)| (named.1 - worst.at).abs();
     let (name, _) = names.into_iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;

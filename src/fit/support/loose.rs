@@ -10,6 +10,7 @@ use nalgebra::Vector3;
 /// Share by which an opening may be wider than the body and still hold: friction, and cloth that
 /// lies over cloth beneath it.
 const HOLDS: f64 = 0.01;
+
 /// Returns the warning of a garment that starts as `scene` says and whose neck, or else whose
 /// highest opening round the trunk, is wider than what is to hold it.
 pub(in crate::fit) fn too_large(scene: &Scene) -> Option<Warning> {
@@ -94,8 +95,10 @@ fn at_the_shoulders(scene: &Scene, avatar: &Avatar, neck: &Opening) -> Option<[f
     let over = neck.vertices.iter().zip(next).filter_map(|(&v, &w)| {
         let [a, b] = [scene.start[v], scene.start[w]];
         let [a_off, b_off] = [a.z - depth, b.z - depth];
-        let x = a.lerp(&b, a_off / (a_off - b_off)).x;
-        (a_off * b_off < 0.0).then_some((x, hangs(v) && hangs(w)))
+        ((a_off < 0.0) != (b_off < 0.0)).then(|| {
+            let x = a.lerp(&b, a_off / (a_off - b_off)).x;
+            (x, hangs(v) && hangs(w))
+        })
     });
     let over: Vec<(f64, bool)> = over.collect();
     let xs = || over.iter().map(|(x, _)| *x);

@@ -24,6 +24,8 @@ const NEAR: f64 = 0.2;
 const CLEAR: f64 = 0.005;
 const STEP: f64 = 0.01;
 const STEPS: u32 = 20;
+/// Gain in clearance for which a panel is moved \[m\].
+const GAIN: f64 = 1e-3;
 /// Least cosine between a side of its drawing and the limb: a panel beside the trunk hangs
 /// straight.
 const ALIKE: f64 = 0.9;
@@ -97,18 +99,14 @@ fn clear_of_the_body(placed: Placed, panel: &Panel, avatar: &Avatar) -> Placed {
         .tilt
         .map_or(-Vector3::y(), |tilt| tilt * -Vector3::y());
     let points: Vec<_> = outline(panel).map(|uv| placed.position(uv)).collect();
-    let clearance = |way: f64| {
-        let distances = points.iter().map(|p| avatar.distance(&(p + down * way)));
-        distances.fold(CLEAR, f64::min)
-    };
-    let mut best = [0.0, clearance(0.0)];
-    for way in (1..=STEPS).map(|k| STEP * f64::from(k)) {
+    let mut best = [0.0, f64::NEG_INFINITY];
+    for way in (0..=STEPS).map(|k| STEP * f64::from(k)) {
+        let needed = best[1] + GAIN;
+        let mut distances = points.iter().map(|p| avatar.distance(&(p + down * way)));
+        let clearance = distances.try_fold(CLEAR, |least, d| (d > needed).then(|| least.min(d)));
+        best = clearance.map_or(best, |clearance| [way, clearance]);
         if best[1] == CLEAR {
             break;
-        }
-        let clearance = clearance(way);
-        if clearance > best[1] {
-            best = [way, clearance];
         }
     }
     Placed {

@@ -58,6 +58,7 @@ impl RawScene {
                 gust: 0.0,
             }),
             layers: vec![],
+            carriers: vec![],
             self_contact: false,
         })
     }

@@ -1,6 +1,5 @@
 //! Sewing (P9): the stitches pull the panels together, stage by stage, until no gap is left.
 
-use crate::mesh::ClothMesh;
 use crate::solver::drape::drag::{SETTLED, SEWING_DRAG, SEWING_SPEED_LIMIT};
 use crate::solver::drape::level::Level;
 use crate::solver::drape::monitor::{IterationRecord, SEWING_SHARE};
@@ -40,51 +39,93 @@ const MOTION: DynamicRelaxation = DynamicRelaxation {
 /// Pulls the seams shut, stage by stage.
 pub(crate) fn sew(level: &mut Level<'_, '_, '_>, x: &mut [Vector3<f64>]) -> SewOutcome {
     let mut statistics = SolveStatistics::default();
-    let stiffness = close_stages(level, x, &mut statistics);
+    let stiffness = close_rounds(level, x, &mut statistics);
     SewOutcome {
         stiffness,
         statistics,
     }
 }
 
-/// Closes all stages, later ones with the stiffness that closed the earlier; returns the last
+/// Stitches that are pulled at once.
+struct Round {
+    /// The garment's stage that they belong to.
+    stage: u32,
+    stitches: Vec<(usize, usize)>,
+    /// Panels that are held firmly meanwhile, true each.
+    is_firm: Vec<bool>,
+}
+
+/// Returns the rounds in which seams close: stage by stage, and what carries the garment first.
+fn rounds(level: &Level<'_, '_, '_>) -> Vec<Round> {
+    let mesh = &level.scene.mesh;
+    let mut stages: Vec<u32> = mesh.stitches.iter().map(|s| s.stage).collect();
+    stages.sort_unstable();
+    stages.dedup();
+    let round = |stage: u32| Round {
+        stage,
+        stitches: level.stitches(stage),
+        is_firm: vec![false; mesh.panels.len()],
+    };
+    let mut rounds: Vec<Round> = stages.into_iter().map(round).collect();
+    let carriers = &level.scene.carriers;
+    if let Some(all) = rounds
+        .first_mut()
+        .filter(|_| is_held(level) && !carriers.is_empty())
+    {
+        carriers.iter().for_each(|&panel| all.is_firm[panel] = true);
+        let carries =
+            |vertex: usize| all.is_firm[mesh.panels.partition_point(|p| p.vertices.end <= vertex)];
+        let between = all
+            .stitches
+            .iter()
+            .filter(|(a, b)| carries(*a) && carries(*b));
+        let first = Round {
+            stage: all.stage,
+            stitches: between.copied().collect(),
+            is_firm: vec![false; mesh.panels.len()],
+        };
+        rounds.insert(0, first);
+    }
+    rounds
+}
+
+/// Returns true if panels are held while their seams close: on a body, and not in steps of motion,
+/// which know pair forces alone.
+fn is_held(level: &Level<'_, '_, '_>) -> bool {
+    level.scene.body.is_some() && !level.options.method.is_time_stepping()
+}
+
+/// Closes all seams, later ones with the stiffness that closed the earlier; returns the last
 /// stiffness \[N/m\].
-fn close_stages(
+fn close_rounds(
     level: &mut Level<'_, '_, '_>,
     x: &mut [Vector3<f64>],
     statistics: &mut SolveStatistics,
 ) -> Result<f64, Unfinished> {
     let mut stiffness = level.options.sewing_stiffness();
-    let stitches = level.scene.mesh.stitches.iter();
-    let mut stages: Vec<u32> = stitches.map(|s| s.stage).collect();
-    stages.sort_unstable();
-    stages.dedup();
-    for stage in stages {
-        let stitches = level.stitches(stage);
-        let mut is_firm = sewn_before(&level.scene.mesh, stage);
+    for mut round in rounds(level) {
         let places = x.to_vec();
         let mut stiffenings = 0;
         loop {
-            let hold = SewingHold {
-                is_firm: &is_firm,
-                places: &places,
-            };
-            let (pulled, of_pull) = pull(level, x, &stitches, stiffness, hold);
+            let (pulled, of_pull) = pull(level, x, &round, &places, stiffness);
             statistics.merge(&of_pull);
-            let gap = seam_gap(&stitches, x);
+            let gap = seam_gap(&round.stitches, x);
             if gap < level.options.seam_eps_m {
                 break;
             }
             let is_settled = pulled.termination == Termination::Reached;
+            let is_stuck = matches!(
+                pulled.termination,
+                Termination::Stalled | Termination::IterationLimit
+            );
             // What is held too high or too low for the rest is let go first.
-            let is_stuck = pulled.termination == Termination::Stalled;
-            if is_firm.contains(&true) && (is_settled || is_stuck) {
-                is_firm.fill(false);
+            if round.is_firm.contains(&true) && (is_settled || is_stuck) {
+                round.is_firm.fill(false);
                 continue;
             }
             if !is_settled || stiffenings == STIFFENINGS {
                 return Err(Unfinished::SeamsOpen {
-                    stage,
+                    stage: round.stage,
                     gap_m: gap,
                     end: pulled.end(level.monitor.canceled),
                     residual: pulled.residual,
@@ -98,44 +139,31 @@ fn close_stages(
     Ok(stiffness)
 }
 
-/// Returns the panels that earlier stages have sewn, true each, if the stage adds others to them;
-/// none if it closes seams between them, for which they must move.
-fn sewn_before(mesh: &ClothMesh, stage: u32) -> Vec<bool> {
-    let panel = |vertex| mesh.panels.partition_point(|p| p.vertices.end <= vertex);
-    let mut is_sewn = vec![false; mesh.panels.len()];
-    for stitch in mesh.stitches.iter().filter(|s| s.stage < stage) {
-        is_sewn[panel(stitch.a)] = true;
-        is_sewn[panel(stitch.b)] = true;
-    }
-    let mut of_stage = mesh.stitches.iter().filter(|s| s.stage == stage);
-    if of_stage.any(|s| is_sewn[panel(s.a)] && is_sewn[panel(s.b)]) {
-        is_sewn.fill(false);
-    }
-    is_sewn
-}
-
-/// Pulls once, with stitches of a stiffness \[N/m\].
+/// Pulls once, with stitches of a stiffness \[N/m\]; what is held firmly stays at `places` \[m\].
 fn pull(
     level: &mut Level<'_, '_, '_>,
     x: &mut [Vector3<f64>],
-    stitches: &[(usize, usize)],
+    round: &Round,
+    places: &[Vector3<f64>],
     stiffness: f64,
-    hold: SewingHold<'_>,
 ) -> (StageOutcome, SolveStatistics) {
-    // On a body, and not in steps of motion, which know pair forces alone.
-    let is_held = level.scene.body.is_some() && !level.options.method.is_time_stepping();
+    let Round {
+        stitches, is_firm, ..
+    } = round;
+    let is_held = is_held(level);
+    let edge = level.scene.mesh.mean_edge();
     let build_options = BuildOptions {
         seams: Seams::Open {
-            stitches: stitches.to_vec(),
+            stitches: stitches.clone(),
             stiffness,
-            most: if is_held {
-                let softest = level.options.sewing_stiffness();
-                MOST_PULL * level.scene.mesh.mean_edge() * stiffness / softest
+            // Scenes of springs alone have no triangles, and no edge.
+            max_force: if is_held && edge > 0.0 {
+                MOST_PULL * edge * stiffness / level.options.sewing_stiffness()
             } else {
                 f64::INFINITY
             },
         },
-        hold: is_held.then_some(hold),
+        hold: is_held.then_some(SewingHold { is_firm, places }),
         gravity: false,
         friction: None,
         explicit: level.options.method.is_explicit(),
@@ -150,7 +178,7 @@ fn pull(
     level.monitor.begin_stage();
     let monitor = &mut level.monitor;
     let mut last_residual = f64::NAN;
-    let is_finest = level.is_finest;
+    let may_stall = !level.is_finest || is_firm.contains(&true);
     let mut smallest = SmallestGap::default();
     let mut callback = |iterate: Iterate<'_>| {
         last_residual = iterate.residual;
@@ -164,7 +192,7 @@ fn pull(
             estimate_before: None,
             shape: &|| iterate.positions.to_vec(),
         });
-        let stalled = smallest.has_stalled(iterate.number, gap) && !is_finest;
+        let stalled = may_stall && smallest.has_stalled(iterate.number, gap);
         let settled = gap < eps || (iterate.number > 0 && iterate.residual < SETTLED);
         if flow.is_continue() && settled {
             ControlFlow::Break(Termination::Reached)
@@ -213,41 +241,6 @@ impl SmallestGap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{PanelRange, Stitch};
-
-    /// Panels of ten vertices each, sewn to each other as stated: stage and the two panels.
-    fn panels(stitches: &[(u32, usize, usize)]) -> ClothMesh {
-        let range = |i: usize| PanelRange {
-            vertices: 10 * i..10 * (i + 1),
-            triangles: 0..0,
-            corners: vec![],
-        };
-        let stitch = |&(stage, a, b): &(u32, usize, usize)| Stitch {
-            seam: 0,
-            stage,
-            a: 10 * a,
-            b: 10 * b + 9,
-        };
-        ClothMesh {
-            panels: (0..4).map(range).collect(),
-            stitches: stitches.iter().map(stitch).collect(),
-            ..ClothMesh::default()
-        }
-    }
-
-    #[test]
-    fn what_is_sewn_is_held_while_others_are_added() {
-        let mesh = panels(&[(0, 0, 1), (2, 1, 2), (2, 2, 3)]);
-        assert_eq!(sewn_before(&mesh, 0), [false; 4]);
-        assert_eq!(sewn_before(&mesh, 2), [true, true, false, false]);
-    }
-
-    #[test]
-    fn what_closes_among_itself_moves() {
-        let mesh = panels(&[(0, 0, 1), (1, 0, 2), (1, 0, 1)]);
-        assert_eq!(sewn_before(&mesh, 1), [false; 4]);
-    }
-
     #[test]
     fn seams_that_close_slowly_go_on() {
         let mut smallest = SmallestGap::default();

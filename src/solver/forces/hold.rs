@@ -1,9 +1,9 @@
-//! A weak hold of panels on their places while their seams close.
+//! The hold of cloth on its places while seams close.
 //!
 //! Stitches alone leave a garment free to slide down the body and to turn about it, and what pulls
-//! unevenly, a band that is sewn on from one side, turns it. Each particle is held, over its cloth
-//! area, against moves along the plane that its cloth stands in at the start; toward the body it
-//! is free.
+//! unevenly, a band that is sewn on from one side, turns it. Each particle is held against moves
+//! along the plane that its cloth stands in at the start, weakly, and is free toward the body; what
+//! carries the garment, once it is sewn, firmly and every way (`model/holds.rs`).
 
 use crate::solver::forces::active_elements::ActiveElements;
 use crate::solver::forces::{Potential, TermKind};
@@ -13,9 +13,9 @@ use nalgebra::{Matrix3, Vector3};
 /// Hold of one particle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ParticleHold {
-    /// Place at the start \[m\].
+    /// Place that it is held at \[m\].
     pub(crate) place: Vector3<f64>,
-    /// Direction in which it is free, of length 1.
+    /// Direction in which it is free, of length 1; 0 if there is none.
     pub(crate) free: Vector3<f64>,
     /// Stiffness against moves across that direction \[N/m\].
     pub(crate) stiffness: f64,

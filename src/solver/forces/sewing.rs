@@ -15,7 +15,7 @@ pub(crate) struct SewingForce {
     stitches: Vec<(usize, usize)>,
     stiffness: f64,
     /// Greatest force of a spring \[N\].
-    most: f64,
+    max_force: f64,
     slots: Vec<[Slot; 3]>,
 }
 
@@ -24,33 +24,33 @@ impl SewingForce {
         Self {
             stitches,
             stiffness,
-            most: f64::INFINITY,
+            max_force: f64::INFINITY,
             slots: Vec::new(),
         }
     }
 
-    /// Returns the same springs that pull no harder than `most` \[N\].
-    pub(crate) fn with_most(self, most: f64) -> Self {
-        Self { most, ..self }
+    /// Returns the same springs that pull no harder than `max_force` \[N\].
+    pub(crate) fn with_max_force(self, max_force: f64) -> Self {
+        Self { max_force, ..self }
     }
 
     /// Returns the stiffness of a spring of rest length zero that pulls as hard as this one does
     /// at a length \[N/m\].
     fn secant(&self, length: f64) -> f64 {
         if self.is_limited(length) {
-            self.most / length
+            self.max_force / length
         } else {
             self.stiffness
         }
     }
 
     fn is_limited(&self, length: f64) -> bool {
-        self.stiffness * length > self.most
+        self.stiffness * length > self.max_force
     }
 
     fn energy_at(&self, length: f64) -> f64 {
         if self.is_limited(length) {
-            self.most * (length - 0.5 * self.most / self.stiffness)
+            self.max_force * (length - 0.5 * self.max_force / self.stiffness)
         } else {
             0.5 * self.stiffness * length * length
         }

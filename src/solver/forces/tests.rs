@@ -222,7 +222,7 @@ fn stitches_pull_with_a_limited_force_below_an_upper_bound() {
     });
     assert!(least < greatest);
     let (stiffness, most) = (1e3, 1e3 * 0.5 * (least + greatest));
-    let mut force = SewingForce::new(pairs, stiffness).with_most(most);
+    let mut force = SewingForce::new(pairs, stiffness).with_max_force(most);
     let pull = DVector::from_vec(net(&mut force, &x));
     let of = |i: usize| pull.fixed_rows::<3>(3 * i).norm();
     assert!((of(0).max(of(2)) - most).abs() < 1e-12 * most);

@@ -95,6 +95,7 @@ pub(crate) fn scene(has: Has, cells: usize) -> Scene {
             gust: 0.0,
         }),
         layers: vec![],
+        carriers: vec![],
         self_contact: has.self_contact,
     }
 }

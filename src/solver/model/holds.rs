@@ -16,8 +16,8 @@ const FIRM_HOLD: f64 = 3e4;
 /// What is held while seams close, and where.
 #[derive(Clone, Copy)]
 pub(crate) struct SewingHold<'a> {
-    /// Panels that are held firmly where they are, one for each panel of the mesh: earlier stages
-    /// have sewn them.
+    /// Panels that are held firmly where they are, true or false for each panel of the mesh: what
+    /// carries the garment, once it is sewn.
     pub(crate) is_firm: &'a [bool],
     /// Place of each vertex when these seams began to close \[m\].
     pub(crate) places: &'a [Vector3<f64>],

@@ -15,7 +15,7 @@ pub(crate) enum Seams {
         /// Stiffness of each spring \[N/m\].
         stiffness: f64,
         /// Greatest force of each spring \[N\].
-        most: f64,
+        max_force: f64,
     },
     /// One particle for both points.
     Welded,
@@ -52,16 +52,16 @@ impl Seams {
 
     /// Returns the springs between particles that join the stitches, if there are any.
     pub(crate) fn springs(&self, scene: &Scene, dof_map: &DofMap) -> Option<SewingForce> {
-        let (pairs, stiffness, most) = match self {
+        let (pairs, stiffness, max_force) = match self {
             Self::Open {
                 stitches,
                 stiffness,
-                most,
-            } => (stitches.clone(), *stiffness, *most),
+                max_force,
+            } => (stitches.clone(), *stiffness, *max_force),
             Self::Stiff { stiffness } => (stitches(scene).collect(), *stiffness, f64::INFINITY),
             Self::Welded | Self::Apart => return None,
         };
-        let springs = SewingForce::new(dof_map.pairs(&pairs), stiffness).with_most(most);
+        let springs = SewingForce::new(dof_map.pairs(&pairs), stiffness).with_max_force(max_force);
         (!pairs.is_empty()).then_some(springs)
     }
 }
