@@ -4,7 +4,7 @@
 mod section;
 mod trunk;
 
-use self::section::{Plane, Section, Sections};
+use self::section::{Plane, Section, Sections, level, steps};
 use super::sides::arm_side;
 use crate::fault::{FitCode, Warning};
 use crate::scene::{Avatar, Body, Limb, Scene};
@@ -48,7 +48,7 @@ pub(super) fn too_small(scene: &Scene) -> Option<Warning> {
         let closed = place.planes.iter().map(of).filter(|s| s.is_closed);
         let widest = closed.max_by(|a, b| a.stretched_m.total_cmp(&b.stretched_m))?;
         let is_lacking = place.body_m - widest.stretched_m > NO_LACK;
-        is_lacking.then(|| in_words(place.name, place.body_m, &widest))
+        is_lacking.then(|| widest.against(place.name, place.body_m))
     };
     let trunk = trunk::lack(avatar, scene, &sections, &parts[0]);
     let limbs = limbs(avatar, scene, &parts).into_iter().filter_map(lack);
@@ -57,17 +57,6 @@ pub(super) fn too_small(scene: &Scene) -> Option<Warning> {
         let detail = format!("the garment is too small: {}", lacks.join("; "));
         Warning::new(FitCode::TooSmall, "", detail)
     })
-}
-
-fn in_words(place: &str, body_m: f64, widest: &Section) -> String {
-    let cm = |length: f64| length * 100.0;
-    let given = 100.0 * (widest.stretched_m / widest.rest_m - 1.0);
-    format!(
-        "round the {place} it measures {:.0} cm and the body {:.0} cm, and its cloth gives {given:.0} % ({:.0} cm)",
-        cm(widest.rest_m),
-        cm(body_m),
-        cm(widest.stretched_m - widest.rest_m)
-    )
 }
 
 /// Returns the fault of a garment at `positions` \[m\] whose cloth is stretched round the body
@@ -201,18 +190,6 @@ fn upper_arm(avatar: &Avatar, limb: Limb) -> Option<Vec<f64>> {
     let (joint, direction) = avatar.limb(limb)?.at(0.0);
     let along = direction.dot(&(armpit - joint)) + STEP;
     Some(steps([along, along + UPPER_ARM], STEP).collect())
-}
-
-fn steps([from, to]: [f64; 2], step: f64) -> impl Iterator<Item = f64> {
-    let at = move |number: u32| from + f64::from(number) * step;
-    (0..).map(at).take_while(move |at| *at <= to)
-}
-
-fn level(height: f64) -> Plane {
-    Plane {
-        point: Vector3::new(0.0, height, 0.0),
-        normal: Vector3::y(),
-    }
 }
 
 fn normal_to(avatar: &Avatar, limb: Limb, along: f64) -> Option<Plane> {

@@ -14,6 +14,20 @@ pub(super) struct Plane {
     pub(super) normal: Vector3<f64>,
 }
 
+/// Returns the level plane at a height \[m\].
+pub(super) fn level(height: f64) -> Plane {
+    Plane {
+        point: Vector3::new(0.0, height, 0.0),
+        normal: Vector3::y(),
+    }
+}
+
+/// Returns numbers from one to another, a step apart.
+pub(super) fn steps([from, to]: [f64; 2], step: f64) -> impl Iterator<Item = f64> {
+    let at = move |number: u32| from + f64::from(number) * step;
+    (0..).map(at).take_while(move |at| *at <= to)
+}
+
 /// The line in which a plane cuts some panels.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Section {
@@ -141,6 +155,18 @@ impl Section {
         self.rest_m += piece.rest_m;
         self.shape_m += piece.shape_m;
         self.stretched_m += piece.stretched_m;
+    }
+
+    /// Returns its length against the girth of the body \[m\] at a place, in words.
+    pub(super) fn against(&self, place: &str, body_m: f64) -> String {
+        let cm = |length: f64| length * 100.0;
+        let given = 100.0 * (self.stretched_m / self.rest_m - 1.0);
+        format!(
+            "round the {place} it measures {:.0} cm and the body {:.0} cm, and its cloth gives {given:.0} % ({:.0} cm)",
+            cm(self.rest_m),
+            cm(body_m),
+            cm(self.stretched_m - self.rest_m)
+        )
     }
 }
 

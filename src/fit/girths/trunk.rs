@@ -4,14 +4,15 @@
 //! worn: a waistband that starts at the hip rides up to the waist. A part is too small only if some
 //! girth of it is lacking at every height that it can take.
 
-use super::section::{Section, Sections};
-use super::{OFF_LEVEL, in_words, level, steps};
+use super::section::{Section, Sections, level, steps};
 use crate::scene::{Avatar, Scene};
 use std::collections::BTreeMap;
 
 /// Distance of the levels at which a garment is measured, and of the heights that it can take
 /// \[m\].
 const STEP: f64 = 0.02;
+/// Furthest that a part is worn below where it starts \[m\].
+const LOWER: f64 = 0.03;
 /// Share of the body's girth that a garment may lack: over one step a waist widens by as much.
 const NO_LACK_SHARE: f64 = 0.02;
 
@@ -43,7 +44,7 @@ pub(super) fn lack(
     if !(crotch < hip && hip < waist && waist < bust && bust - crotch < TALLEST) {
         return None;
     }
-    let levels = steps([crotch - (waist - hip), bust + OFF_LEVEL], STEP);
+    let levels = steps([crotch - (waist - hip), bust + LOWER], STEP);
     let girths = steps([crotch, bust], STEP).chain([hip, waist, bust]);
     let girths: Vec<(f64, f64)> = girths
         .filter_map(|at| Some((at, avatar.girth_at(at)?)))
@@ -66,7 +67,7 @@ pub(super) fn lack(
     };
     let most = |lacks: Vec<Lack>| lacks.into_iter().max_by(|a, b| a.share.total_cmp(&b.share));
     let least = |part: Vec<(f64, Section)>| {
-        let raised = steps([-OFF_LEVEL, waist - hip], STEP).map(|rise| {
+        let raised = steps([-LOWER, waist - hip], STEP).map(|rise| {
             let lacks = part
                 .iter()
                 .filter_map(|(at, section)| lack(at + rise, *section));
@@ -84,7 +85,7 @@ pub(super) fn lack(
     let names = [("bust", bust), ("waist", waist), ("hip", hip)];
     let off = |named: &(&str, f64)| (named.1 - worst.at).abs();
     let (name, _) = names.into_iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
-    Some(in_words(name, worst.body_m, &worst.section))
+    Some(worst.section.against(name, worst.body_m))
 }
 
 /// Returns the closed sections at these levels with their heights \[m\], by the panels that they
