@@ -133,7 +133,7 @@ fn places(
     }
     for &vertex in report.inside.iter().take(KEPT) {
         let vertex = vertex as usize;
-        let panel = mesh.panels.partition_point(|p| p.vertices.end <= vertex);
+        let panel = mesh.panel_of(vertex);
         let at = points[vertex].map(f64::from);
         places.add(IntersectionKind::InsideBody, vec![panel], at);
     }

@@ -19,9 +19,7 @@ pub(super) fn starts(
     });
     let panels: Vec<_> = panels.collect();
     let point = |vertex: usize| SeamPoint {
-        panel: mesh
-            .panels
-            .partition_point(|range| range.vertices.end <= vertex),
+        panel: mesh.panel_of(vertex),
         uv: mesh.uv[vertex],
     };
     let stitches = mesh.stitches.iter();

@@ -52,6 +52,12 @@ impl ClothMesh {
         self.triangles.iter().map(area).sum()
     }
 
+    /// Index of the panel that a vertex belongs to.
+    pub fn panel_of(&self, vertex: usize) -> usize {
+        self.panels
+            .partition_point(|range| range.vertices.end <= vertex)
+    }
+
     /// Edge length of the equilateral triangle that has the mean area of the triangles \[m\].
     pub fn mean_edge(&self) -> f64 {
         let mean = self.area() / self.triangles.len().max(1) as f64;

@@ -73,7 +73,8 @@ pub struct Scene {
     /// Layer of each panel of the mesh, from the body outwards; empty where they have no order.
     pub layers: Vec<usize>,
     /// Panels of the mesh that carry the garment on the body, which are sewn to each other before
-    /// what hangs from them; empty where all seams close at once, or the garment orders them.
+    /// what hangs from them, ascending; empty where all seams close at once, or the garment orders
+    /// them.
     pub carriers: Vec<usize>,
     /// True if cloth must not pass through cloth.
     pub self_contact: bool,

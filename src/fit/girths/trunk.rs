@@ -15,9 +15,21 @@ const STEP: f64 = 0.02;
 const LOWER: f64 = 0.03;
 /// Share of the body's girth that a garment may lack: over one step a waist widens by as much.
 const NO_LACK_SHARE: f64 = 0.02;
-
 /// Longest trunk that is measured \[m\]: landmarks of a body of one's own may be anywhere.
 const TALLEST: f64 = 1.0;
+
+/// A closed section of a garment, and the height at which it starts \[m\].
+type Ring = (f64, Section);
+
+/// Heights \[m\] and girths of a body's trunk.
+struct Trunk {
+    crotch: f64,
+    hip: f64,
+    waist: f64,
+    bust: f64,
+    /// Heights with the girth there \[m\].
+    girths: Vec<(f64, f64)>,
+}
 
 /// The girth of a part at a level, with what it lacks there.
 #[derive(Clone, Copy)]
@@ -38,64 +50,92 @@ pub(super) fn lack(
     sections: &Sections<'_>,
     panels: &[usize],
 ) -> Option<String> {
-    let height = |name: &str| avatar.landmarks.get(name).map(|p| p.y);
-    let (crotch, hip) = (height("crotch")?, height("hip_front")?);
-    let (waist, bust) = (height("waist_front")?, height("bust_point_l")?);
-    if !(crotch < hip && hip < waist && waist < bust && bust - crotch < TALLEST) {
-        return None;
+    let trunk = Trunk::of(avatar)?;
+    let parts = parts_apart(scene, sections, panels, trunk.levels()).into_values();
+    let lacks = parts.filter_map(|rings| trunk.least_lack(&rings));
+    let worst = most(lacks).filter(|lack| lack.share > NO_LACK_SHARE)?;
+    Some(worst.section.against(trunk.name(worst.at), worst.body_m))
+}
+
+impl Trunk {
+    /// Returns the trunk of a body whose landmarks are in their order.
+    fn of(avatar: &Avatar) -> Option<Self> {
+        let height = |name: &str| avatar.landmarks.get(name).map(|p| p.y);
+        let (crotch, hip) = (height("crotch")?, height("hip_front")?);
+        let (waist, bust) = (height("waist_front")?, height("bust_point_l")?);
+        let is_sound = crotch < hip && hip < waist && waist < bust && bust - crotch < TALLEST;
+        let heights = || steps([crotch, bust], STEP).chain([hip, waist, bust]);
+        let girth = |at: f64| Some((at, avatar.girth_at(at)?));
+        is_sound.then(|| Self {
+            crotch,
+            hip,
+            waist,
+            bust,
+            girths: heights().filter_map(girth).collect(),
+        })
     }
-    let levels = steps([crotch - (waist - hip), bust + LOWER], STEP);
-    let girths = steps([crotch, bust], STEP).chain([hip, waist, bust]);
-    let girths: Vec<(f64, f64)> = girths
-        .filter_map(|at| Some((at, avatar.girth_at(at)?)))
-        .collect();
-    // Below the crotch the body is legs; above the bust what is worn hangs from the shoulders.
-    let at_body = |at: f64| {
-        let off = |girth: &(f64, f64)| (girth.0 - at).abs();
-        let nearest = girths.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
-        nearest.filter(|_| at >= crotch).copied()
-    };
-    let lack = |at: f64, section: Section| {
-        let (at, body_m) = at_body(at)?;
-        let share = 1.0 - section.stretched_m / body_m;
+
+    /// Furthest that a part rides up: a band from the hip to the waist \[m\].
+    fn rise(&self) -> f64 {
+        self.waist - self.hip
+    }
+
+    /// Returns the heights at which a garment is measured \[m\].
+    fn levels(&self) -> impl Iterator<Item = f64> + use<> {
+        steps([self.crotch - self.rise(), self.bust + LOWER], STEP)
+    }
+
+    /// Returns what is lacking of a part with these rings at the height at which it lacks least;
+    /// nothing if it can be beside no part of the trunk, where nothing is known of it.
+    fn least_lack(&self, rings: &[Ring]) -> Option<Lack> {
+        let at_rise = |rise: f64| {
+            let lacks = rings.iter();
+            most(lacks.filter_map(|(at, section)| self.lack(at + rise, *section)))
+        };
+        let lacks: Option<Vec<Lack>> = steps([-LOWER, self.rise()], STEP).map(at_rise).collect();
+        let lacks = lacks?.into_iter();
+        lacks.min_by(|a, b| a.share.total_cmp(&b.share))
+    }
+
+    /// Returns what a section lacks at a height \[m\]. Below the crotch the body is legs; above
+    /// the bust what is worn hangs from the shoulders.
+    fn lack(&self, at: f64, section: Section) -> Option<Lack> {
+        let off = |girth: &&(f64, f64)| (girth.0 - at).abs();
+        let nearest = self.girths.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+        let &(height, body_m) = nearest.filter(|_| at >= self.crotch)?;
         Some(Lack {
-            share,
-            at,
+            share: 1.0 - section.stretched_m / body_m,
+            at: height,
             body_m,
             section,
         })
-    };
-    let most = |lacks: Vec<Lack>| lacks.into_iter().max_by(|a, b| a.share.total_cmp(&b.share));
-    let least = |part: Vec<(f64, Section)>| {
-        let raised = steps([-LOWER, waist - hip], STEP).map(|rise| {
-            let lacks = part
-                .iter()
-                .filter_map(|(at, section)| lack(at + rise, *section));
-            most(lacks.collect())
-        });
-        // At a height at which it is beside no part of the trunk nothing is known of it.
-        let raised: Option<Vec<Lack>> = raised.collect();
-        raised?
-            .into_iter()
-            .min_by(|a, b| a.share.total_cmp(&b.share))
-    };
-    let parts = parts(scene, sections, panels, levels).into_values();
-    let worst =
-        most(parts.filter_map(least).collect()).filter(|lack| lack.share > NO_LACK_SHARE)?;
-    let names = [("bust", bust), ("waist", waist), ("hip", hip)];
-    let off = |named: &(&str, f64)| (named.1 - worst.at).abs();
-    let (name, _) = names.into_iter().min_by(|a, b| off(a).total_cmp(&off(b)))?;
-    Some(worst.section.against(name, worst.body_m))
+    }
+
+    /// Returns the name of the place that is nearest to a height \[m\].
+    fn name(&self, at: f64) -> &'static str {
+        let is_nearer_to = |one: f64, other: f64| (at - one).abs() < (at - other).abs();
+        if is_nearer_to(self.bust, self.waist) {
+            "bust"
+        } else if is_nearer_to(self.waist, self.hip) {
+            "waist"
+        } else {
+            "hip"
+        }
+    }
+}
+
+fn most(lacks: impl Iterator<Item = Lack>) -> Option<Lack> {
+    lacks.max_by(|a, b| a.share.total_cmp(&b.share))
 }
 
 /// Returns the closed sections at these levels with their heights \[m\], by the panels that they
 /// go through: parts that are apart at the start take heights of their own.
-fn parts(
+fn parts_apart(
     scene: &Scene,
     sections: &Sections<'_>,
     panels: &[usize],
     levels: impl Iterator<Item = f64>,
-) -> BTreeMap<Vec<usize>, Vec<(f64, Section)>> {
+) -> BTreeMap<Vec<usize>, Vec<Ring>> {
     let reaches = |panel: usize, at: f64| {
         let heights = scene.start[scene.mesh.panels[panel].vertices.clone()].iter();
         let heights = heights.map(|p| p.y - at);
@@ -104,7 +144,7 @@ fn parts(
         });
         least < 0.0 && most > 0.0
     };
-    let mut parts: BTreeMap<Vec<usize>, Vec<(f64, Section)>> = BTreeMap::new();
+    let mut parts: BTreeMap<Vec<usize>, Vec<Ring>> = BTreeMap::new();
     for at in levels {
         let section = sections.of(level(at), panels, &scene.start);
         if section.is_closed {

@@ -86,9 +86,8 @@ fn at_the_shoulders(scene: &Scene, avatar: &Avatar, neck: &Opening) -> Option<[f
     let armpit = avatar.landmarks.get("armpit_l")?.y;
     let depth = 0.5 * (left.z + right.z);
     let hangs = |vertex: usize| {
-        let panels = &scene.mesh.panels;
-        let of = panels.partition_point(|range| range.vertices.end <= vertex);
-        let panel = &scene.start[panels[of].vertices.clone()];
+        let panel = &scene.mesh.panels[scene.mesh.panel_of(vertex)];
+        let panel = &scene.start[panel.vertices.clone()];
         panel.iter().any(|p| p.y < armpit)
     };
     let next = neck.vertices.iter().cycle().skip(1);

@@ -26,7 +26,7 @@ const PATIENCE: usize = 150;
 const SMALLER: f64 = 0.99;
 /// Greatest pull of a seam, over its length \[N/m\], before it is made stiffer: stitches half a
 /// meter long would draw straps off the shoulders and bands over the hip on their way.
-const MOST_PULL: f64 = 200.0;
+const MAX_PULL: f64 = 200.0;
 /// Motion of explicit steps while sewing.
 const MOTION: DynamicRelaxation = DynamicRelaxation {
     method: Method::SymplecticEuler,
@@ -51,8 +51,8 @@ struct Round {
     /// The garment's stage that they belong to.
     stage: u32,
     stitches: Vec<(usize, usize)>,
-    /// Panels that are held firmly meanwhile, true each.
-    is_firm: Vec<bool>,
+    /// Panels that are held firmly meanwhile.
+    held: Vec<usize>,
 }
 
 /// Returns the rounds in which seams close: stage by stage, and what carries the garment first.
@@ -64,27 +64,21 @@ fn rounds(level: &Level<'_, '_, '_>) -> Vec<Round> {
     let round = |stage: u32| Round {
         stage,
         stitches: level.stitches(stage),
-        is_firm: vec![false; mesh.panels.len()],
+        held: vec![],
     };
     let mut rounds: Vec<Round> = stages.into_iter().map(round).collect();
     let carriers = &level.scene.carriers;
-    if let Some(all) = rounds
-        .first_mut()
-        .filter(|_| is_held(level) && !carriers.is_empty())
-    {
-        carriers.iter().for_each(|&panel| all.is_firm[panel] = true);
-        let carries =
-            |vertex: usize| all.is_firm[mesh.panels.partition_point(|p| p.vertices.end <= vertex)];
-        let between = all
-            .stitches
-            .iter()
-            .filter(|(a, b)| carries(*a) && carries(*b));
-        let first = Round {
+    let first = rounds.first_mut().filter(|_| is_held(level));
+    if let Some(all) = first.filter(|_| !carriers.is_empty()) {
+        let carries = |vertex: usize| carriers.binary_search(&mesh.panel_of(vertex)).is_ok();
+        let between = all.stitches.iter().copied();
+        let between = Round {
             stage: all.stage,
-            stitches: between.copied().collect(),
-            is_firm: vec![false; mesh.panels.len()],
+            stitches: between.filter(|&(a, b)| carries(a) && carries(b)).collect(),
+            held: vec![],
         };
-        rounds.insert(0, first);
+        all.held.clone_from(carriers);
+        rounds.insert(0, between);
     }
     rounds
 }
@@ -104,7 +98,11 @@ fn close_rounds(
 ) -> Result<f64, Unfinished> {
     let mut stiffness = level.options.sewing_stiffness();
     for mut round in rounds(level) {
-        let places = x.to_vec();
+        let places = if round.held.is_empty() {
+            vec![]
+        } else {
+            x.to_vec()
+        };
         let mut stiffenings = 0;
         loop {
             let (pulled, of_pull) = pull(level, x, &round, &places, stiffness);
@@ -119,8 +117,8 @@ fn close_rounds(
                 Termination::Stalled | Termination::IterationLimit
             );
             // What is held too high or too low for the rest is let go first.
-            if round.is_firm.contains(&true) && (is_settled || is_stuck) {
-                round.is_firm.fill(false);
+            if !round.held.is_empty() && (is_settled || is_stuck) {
+                round.held.clear();
                 continue;
             }
             if !is_settled || stiffenings == STIFFENINGS {
@@ -147,9 +145,7 @@ fn pull(
     places: &[Vector3<f64>],
     stiffness: f64,
 ) -> (StageOutcome, SolveStatistics) {
-    let Round {
-        stitches, is_firm, ..
-    } = round;
+    let Round { stitches, held, .. } = round;
     let is_held = is_held(level);
     let edge = level.scene.mesh.mean_edge();
     let build_options = BuildOptions {
@@ -158,12 +154,15 @@ fn pull(
             stiffness,
             // Scenes of springs alone have no triangles, and no edge.
             max_force: if is_held && edge > 0.0 {
-                MOST_PULL * edge * stiffness / level.options.sewing_stiffness()
+                MAX_PULL * edge * stiffness / level.options.sewing_stiffness()
             } else {
                 f64::INFINITY
             },
         },
-        hold: is_held.then_some(SewingHold { is_firm, places }),
+        hold: is_held.then_some(SewingHold {
+            panels: held,
+            places,
+        }),
         gravity: false,
         friction: None,
         explicit: level.options.method.is_explicit(),
@@ -178,7 +177,7 @@ fn pull(
     level.monitor.begin_stage();
     let monitor = &mut level.monitor;
     let mut last_residual = f64::NAN;
-    let may_stall = !level.is_finest || is_firm.contains(&true);
+    let may_stall = !level.is_finest || !held.is_empty();
     let mut smallest = SmallestGap::default();
     let mut callback = |iterate: Iterate<'_>| {
         last_residual = iterate.residual;

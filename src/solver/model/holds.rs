@@ -16,10 +16,9 @@ const FIRM_HOLD: f64 = 3e4;
 /// What is held while seams close, and where.
 #[derive(Clone, Copy)]
 pub(crate) struct SewingHold<'a> {
-    /// Panels that are held firmly where they are, true or false for each panel of the mesh: what
-    /// carries the garment, once it is sewn.
-    pub(crate) is_firm: &'a [bool],
-    /// Place of each vertex when these seams began to close \[m\].
+    /// Panels that are held firmly where they are: what carries the garment, once it is sewn.
+    pub(crate) panels: &'a [usize],
+    /// Place of each vertex when these seams began to close \[m\]; empty without such panels.
     pub(crate) places: &'a [Vector3<f64>],
 }
 
@@ -28,7 +27,7 @@ pub(crate) struct SewingHold<'a> {
 pub(super) fn holds(
     scene: &Scene,
     dof_map: &DofMap,
-    SewingHold { is_firm, places }: &SewingHold<'_>,
+    SewingHold { panels, places }: &SewingHold<'_>,
 ) -> Vec<ParticleHold> {
     let area = dof_map.sum(&vertex_areas(scene));
     let place = dof_map.average(&scene.start);
@@ -45,9 +44,8 @@ pub(super) fn holds(
         stiffness: HOLD * area,
     };
     let mut holds: Vec<_> = place.iter().zip(&normal).zip(&area).map(weak).collect();
-    let firm = scene.mesh.panels.iter().zip(*is_firm);
-    for (panel, _) in firm.filter(|(_, is_firm)| **is_firm) {
-        for vertex in panel.vertices.clone() {
+    for &panel in *panels {
+        for vertex in scene.mesh.panels[panel].vertices.clone() {
             let particle = dof_map.of_vertex[vertex];
             holds[particle] = ParticleHold {
                 place: places[vertex],
