@@ -12,6 +12,7 @@ mod layers;
 mod library;
 mod limbs;
 mod over;
+mod panel_list;
 mod panel_spec;
 mod picture;
 mod references;

@@ -5,12 +5,13 @@ use super::garment::{Garment, SelfContact};
 use super::girths;
 use super::harder;
 use super::layers;
+use super::panel_list::panel_list;
 use super::resolve::ResolvedGarment;
 use super::starts;
 use super::support;
 use super::verdict::{Demands, verdict};
 use crate::export::{DrapedPanel, GarmentMesh};
-use crate::fault::{Faults, Warning};
+use crate::fault::{Faults, PlacementCode, Warning};
 use crate::memory;
 use crate::mesh::{self, ClothMesh, PanelRange};
 use crate::scene::{self, Avatar, Body, BodySource, Limbs, PanelParts, Parts, Scene};
@@ -67,6 +68,9 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
     report.warnings = garment.warnings().to_vec();
     report.warnings.extend(warnings);
     report.warnings.extend(size_warnings(&scene));
+    if !options.method.is_time_stepping() {
+        report.warnings.extend(sewn_first(&scene, &names));
+    }
     Ok(FitOutcome {
         mesh,
         report,
@@ -78,6 +82,14 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
 pub(super) fn size_warnings(scene: &Scene) -> impl Iterator<Item = Warning> {
     let warnings = [girths::too_small(scene), support::too_large(scene)];
     warnings.into_iter().flatten()
+}
+
+/// Tells which panels are sewn before the others.
+fn sewn_first(scene: &Scene, names: &[&str]) -> Option<Warning> {
+    let ids = panel_list(scene.carriers.iter().map(|&panel| names[panel]));
+    let detail = format!("{ids} carry the garment: they are sewn to each other before the others");
+    let is_some = !scene.carriers.is_empty();
+    is_some.then(|| Warning::new(PlacementCode::SewnFirst, "/seams", detail))
 }
 
 /// Says in the report which crossings a shape has, where they could be counted, and if it is good.

@@ -1,5 +1,6 @@
 //! Start of each panel of a garment: on the body, turned to its seams, outside of what is beneath.
 
+use super::panel_list::panel_list;
 use super::resolve::ResolvedGarment;
 use crate::fault::{PlacementCode, Warning, pointer_token};
 use crate::mesh::ClothMesh;
@@ -93,12 +94,9 @@ fn lifted(panels: &[PanelPlacement<'_>], changes: &[Change]) -> Option<Warning> 
     let most = changes.iter().filter_map(height).reduce(f64::max)?;
     let ids = panels.iter().zip(changes);
     let ids = ids.filter(|(_, change)| height(change).is_some());
-    let ids: Vec<_> = ids
-        .map(|(panel, _)| format!("`{}`", panel.panel.id))
-        .collect();
+    let ids = panel_list(ids.map(|(panel, _)| &*panel.panel.id));
     let detail = format!(
-        "{} start higher than they are put, by {:.0} mm at most, so that their seams close above the shoulders and their hems above the ankles",
-        ids.join(", "),
+        "{ids} start higher than they are put, by {:.0} mm at most, so that their seams close above the shoulders and their hems above the ankles",
         most * 1e3
     );
     Some(Warning::new(PlacementCode::Lifted, "/panels", detail))

@@ -11,6 +11,9 @@ fault_codes! {
         Moved = "moved":
             "A file puts a panel about a limb of its own body; it starts about that of the body at hand.",
             "Give the panel a placement in the garment to choose its start.";
+        SewnFirst = "sewn_first":
+            "Panels at the top of a garment are sewn to each other first and held while the rest is sewn to them.",
+            "Give seams a `stage` of their own to sew them in another order; with 1 for all, at once.";
         Turned = "turned":
             "A band or sleeve starts turned by quarters from how it is drawn, where its seams are shorter.",
             "Give `up_deg` in the panel's placement to choose the direction that is up.";

@@ -8,6 +8,7 @@ use seamster::pattern::{ImportOptions, import};
 use seamster::scene::DressForm;
 use seamster::solver::DrapeReport;
 use seamster_fixtures::drafting::{SamplePattern, samples_for};
+use seamster_fixtures::panels::{pattern, polygon};
 use serde_json::{Value, json};
 
 const SKIRT: usize = 0;
@@ -112,4 +113,51 @@ fn a_top_of_a_child_is_told() {
         "{:?}",
         report.warnings
     );
+}
+
+/// Two panels with a square neck of this width \[m\], sewn at shoulders and sides.
+fn top_with_neck(width: f64) -> DrapeReport {
+    let (left, right) = (0.45 - 0.5 * width, 0.45 + 0.5 * width);
+    let corners = [
+        [0.0, 0.0],
+        [0.0, 0.6],
+        [left, 0.6],
+        [left, 0.45],
+        [right, 0.45],
+        [right, 0.6],
+        [0.9, 0.6],
+        [0.9, 0.0],
+    ];
+    let panels = ["front", "back"].map(|id| polygon(id, &corners));
+    // Seen from outside, the left of the front is sewn to the right of the back.
+    let pairs = [[0, 1], [1, 2], [5, 6], [6, 7]].map(|[from, to]| {
+        json!({
+            "id": format!("seam-{from}"),
+            "a": { "panel": "front", "from": from, "to": to },
+            "b": { "panel": "back", "from": 7 - from, "to": 7 - to },
+        })
+    });
+    let stated = json!({
+        "schema": "seamster/garment/1",
+        "panels": {
+            "front": { "placement": { "at": "torso_front" } },
+            "back": { "placement": { "at": "torso_back" } },
+        },
+        "seams": pairs,
+        "avatar": { "form": DressForm::default() },
+        "simulate": unsewn(),
+    });
+    let garment = Garment {
+        pattern: Some(PatternRef::Whole(Box::new(pattern(panels.to_vec())))),
+        ..serde_json::from_value(stated).unwrap()
+    };
+    super::sewn(garment).report
+}
+
+/// The shoulders of the form are 38 cm wide.
+#[test]
+fn a_neck_wider_than_the_shoulders_is_too_large() {
+    let told = |width| has_warning(&top_with_neck(width), "fit/too_large");
+    assert!(!told(0.3));
+    assert!(told(0.5));
 }
