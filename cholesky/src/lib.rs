@@ -41,6 +41,13 @@ pub struct Cholesky {
     vector: Vec<f64>,
 }
 
+/// Memory of a factor, for another one.
+#[derive(Default)]
+pub struct Memory {
+    factor: Vec<TileColumn>,
+    stacks: [Vec<TileColumn>; 2],
+}
+
 /// The matrix is not positive definite to rounding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct NotPositiveDefinite;
@@ -55,10 +62,13 @@ impl Cholesky {
     ///
     /// # Errors
     /// [`OutOfMemory`] if the factor does not fit.
-    pub fn new(column_start: &[usize], rows: &[usize]) -> Result<Self, OutOfMemory> {
+    pub fn new(
+        matrix @ (column_start, rows): (&[usize], &[usize]),
+        memory: Memory,
+    ) -> Result<Self, OutOfMemory> {
         let graph = graph_of(column_start, rows);
         let parts = dissection::dissect(&graph);
-        Self::dissected((column_start, rows), &graph, parts)
+        Self::dissected(matrix, &graph, parts, memory)
     }
 
     /// Analyzes a matrix of some of the vertices of this one, which are 0, 1, ... there and
@@ -68,32 +78,44 @@ impl Cholesky {
     /// [`OutOfMemory`] if the factor does not fit.
     pub fn restricted(
         &self,
-        (column_start, rows): (&[usize], &[usize]),
+        matrix @ (column_start, rows): (&[usize], &[usize]),
         vertices: &[usize],
+        memory: Memory,
     ) -> Result<Self, OutOfMemory> {
         let mut place = vec![None; self.symbolic.order.len()];
         for (i, &v) in vertices.iter().enumerate() {
             place[v] = Some(i);
         }
         let parts = dissection::restrict(&self.parts, &place);
-        Self::dissected((column_start, rows), &graph_of(column_start, rows), parts)
+        Self::dissected(matrix, &graph_of(column_start, rows), parts, memory)
     }
 
     fn dissected(
         matrix: (&[usize], &[usize]),
         graph: &Graph,
         parts: Vec<Part>,
+        memory: Memory,
     ) -> Result<Self, OutOfMemory> {
         let symbolic = Symbolic::new(matrix, graph, &parts);
+        let [even, odd] = memory.stacks;
+        let [even_len, odd_len] = symbolic.stack_len;
         Ok(Self {
             arch: Arch::new(),
-            factor: zeros(symbolic.factor_len)?,
-            stacks: [zeros(symbolic.stack_len[0])?, zeros(symbolic.stack_len[1])?],
+            factor: resized(memory.factor, symbolic.factor_len)?,
+            stacks: [resized(even, even_len)?, resized(odd, odd_len)?],
             suspect: None,
             vector: vec![0.0; 3 * graph.vertex_count()],
             symbolic,
             parts,
         })
+    }
+
+    /// Takes the memory of the factor, which is of no use from then on.
+    pub fn take_memory(&mut self) -> Memory {
+        Memory {
+            factor: std::mem::take(&mut self.factor),
+            stacks: std::mem::take(&mut self.stacks),
+        }
     }
 
     /// Returns the count of numbers stored in the factor.
@@ -166,10 +188,11 @@ fn graph_of(column_start: &[usize], rows: &[usize]) -> Graph {
     Graph::from_pairs(count, entries.filter(|(column, row)| column != row))
 }
 
-/// Returns memory for so many tile columns.
-fn zeros(len: usize) -> Result<Vec<TileColumn>, OutOfMemory> {
-    let mut memory = Vec::new();
-    memory.try_reserve_exact(len).map_err(|_| OutOfMemory)?;
+/// Returns memory for `len` tile columns, with whatever is in it: a factorization writes before it
+/// reads.
+fn resized(mut memory: Vec<TileColumn>, len: usize) -> Result<Vec<TileColumn>, OutOfMemory> {
+    let more = len.saturating_sub(memory.len());
+    memory.try_reserve_exact(more).map_err(|_| OutOfMemory)?;
     memory.resize(len, [0.0; TILE_ROWS]);
     Ok(memory)
 }
@@ -184,6 +207,21 @@ mod tests {
         column_start: Vec<usize>,
         rows: Vec<usize>,
         blocks: Vec<Matrix3<f64>>,
+    }
+
+    impl GridMatrix {
+        fn laid_out(&self) -> (&[usize], &[usize]) {
+            (&self.column_start, &self.rows)
+        }
+    }
+
+    /// Returns memory that would spoil whatever is read before it is written.
+    fn used_memory() -> Memory {
+        let used = || vec![[f64::NAN; TILE_ROWS]; 40_000];
+        Memory {
+            factor: used(),
+            stacks: [used(), used()],
+        }
     }
 
     /// Returns a matrix of random blocks with `diagonal` on its diagonal.
@@ -240,7 +278,7 @@ mod tests {
             let right: Vec<_> = (0..count)
                 .map(|i| Vector3::new(i as f64, 1.0, -2.0))
                 .collect();
-            let mut cholesky = Cholesky::new(&matrix.column_start, &matrix.rows).expect("small");
+            let mut cholesky = Cholesky::new(matrix.laid_out(), used_memory()).expect("small");
             let scalars = DVector::from_iterator(3 * count, right.iter().flatten().copied());
             let exact = dense(&matrix).lu().solve(&scalars).expect("regular");
             // In the same memory, by vectors and without.
@@ -285,14 +323,15 @@ mod tests {
     #[test]
     fn a_matrix_of_some_vertices_is_solved_in_the_order_of_all() {
         let matrix = grid(23, 17, 14.0);
-        let whole = Cholesky::new(&matrix.column_start, &matrix.rows).expect("small");
+        let whole = Cholesky::new(matrix.laid_out(), Memory::default()).expect("small");
         // Every third or a patch: separators are emptied, and the graph falls to pieces.
         let third = (0..23 * 17).step_by(3).collect::<Vec<_>>();
         let patch = (0..23 * 17).filter(|i| i % 23 < 6).collect::<Vec<_>>();
         for vertices in [third, patch, vec![5], vec![]] {
             let part = restricted(&matrix, &vertices);
-            let laid_out = (&part.column_start[..], &part.rows[..]);
-            let mut cholesky = whole.restricted(laid_out, &vertices).expect("small");
+            let mut cholesky = whole
+                .restricted(part.laid_out(), &vertices, used_memory())
+                .expect("small");
             cholesky.factorize(&part.blocks).expect("as the whole");
             let mut solution: Vec<_> = vertices.iter().map(|&v| Vector3::x() * v as f64).collect();
             let right =
@@ -308,7 +347,7 @@ mod tests {
     #[test]
     fn an_indefinite_matrix_is_refused_and_the_next_one_is_not() {
         let mut matrix = grid(9, 9, 14.0);
-        let mut cholesky = Cholesky::new(&matrix.column_start, &matrix.rows).expect("small");
+        let mut cholesky = Cholesky::new(matrix.laid_out(), Memory::default()).expect("small");
         let middle = matrix.column_start[40];
         matrix.blocks[middle] = Matrix3::from_diagonal(&Vector3::new(14.0, -14.0, 14.0));
         assert_eq!(cholesky.factorize(&matrix.blocks), Err(NotPositiveDefinite));

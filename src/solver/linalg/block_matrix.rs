@@ -1,7 +1,7 @@
 //! Sparsity of the Hessian, and the symmetric matrix of 3 x 3 blocks laid out after it.
 
 use nalgebra::{Matrix3, Vector3};
-use seamster_cholesky::{Cholesky, OutOfMemory};
+use seamster_cholesky::{Cholesky, Memory, OutOfMemory};
 
 /// Lower triangle of a symmetric block matrix, column by column, rows ascending: the diagonal block
 /// comes first in each column.
@@ -40,16 +40,16 @@ impl Sparsity {
         self.column_start.len() - 1
     }
 
-    /// Returns memory for the factor of a matrix of this sparsity.
+    /// Lays out the factor of a matrix of this sparsity in `memory`, or more.
     ///
     /// # Errors
     /// [`OutOfMemory`] if there is none.
-    pub(crate) fn cholesky(&self) -> Result<Cholesky, OutOfMemory> {
-        Cholesky::new(&self.column_start, &self.rows)
+    pub(crate) fn cholesky(&self, memory: Memory) -> Result<Cholesky, OutOfMemory> {
+        Cholesky::new((&self.column_start, &self.rows), memory)
     }
 
-    /// Returns memory for the factor of a matrix of this sparsity, whose particles are some of
-    /// those that `whole` factors, in the order of that.
+    /// Lays out the factor of a matrix of this sparsity, whose particles are some of those that
+    /// `whole` factors, in the order of that.
     ///
     /// # Errors
     /// [`OutOfMemory`] if there is none.
@@ -57,8 +57,9 @@ impl Sparsity {
         &self,
         whole: &Cholesky,
         particles: &[usize],
+        memory: Memory,
     ) -> Result<Cholesky, OutOfMemory> {
-        whole.restricted((&self.column_start, &self.rows), particles)
+        whole.restricted((&self.column_start, &self.rows), particles, memory)
     }
 
     /// Returns the number of blocks stored.

@@ -14,7 +14,7 @@ use crate::solver::model::system::System;
 use crate::solver::optimize::line_search::MAX_DISPLACEMENT;
 use crate::solver::optimize::newton_workspace::add_inertia;
 use nalgebra::Vector3;
-use seamster_cholesky::Cholesky;
+use seamster_cholesky::{Cholesky, Memory};
 
 /// Share of the squared errors of the forces that the particles which move account for.
 const COVERED: f64 = 0.99;
@@ -56,6 +56,8 @@ pub(crate) struct LocalElimination {
     is_moving: Vec<bool>,
     /// Place of each moving particle among them.
     place: Vec<usize>,
+    /// Memory of the factor of the moving particles.
+    memory: Memory,
 }
 
 impl LocalElimination {
@@ -68,7 +70,13 @@ impl LocalElimination {
             near_force: vec![Vector3::zeros(); count],
             is_moving: vec![false; count],
             place: vec![0; count],
+            memory: Memory::default(),
         }
+    }
+
+    /// Takes memory for matrices of another sparsity of the same particles.
+    pub(crate) fn lay_out(&mut self, sparsity: &Sparsity) {
+        self.hessian = BlockMatrix::zeros(sparsity);
     }
 
     /// Moves the few particles that the step to `trial` got wrong, round by round, while a round
@@ -209,9 +217,12 @@ impl LocalElimination {
         let sparsity = self.local_sparsity(global.sparsity, particles);
         let mass: Vec<f64> = particles.iter().map(|&i| system.mass[i]).collect();
         let mut local = BlockMatrix::zeros(&sparsity);
-        let mut cholesky = sparsity.cholesky_within(global.cholesky, particles).ok()?;
+        let memory = std::mem::take(&mut self.memory);
+        let mut cholesky = sparsity
+            .cholesky_within(global.cholesky, particles, memory)
+            .ok()?;
         let mut modification = global.modification;
-        loop {
+        let is_definite = loop {
             system.hessian(trial, modification, &mut self.hessian);
             self.gather(global.sparsity, particles, &sparsity, &mut local);
             let weight = |mass| mass / (global.gamma * global.gamma);
@@ -219,17 +230,19 @@ impl LocalElimination {
             if let Some(axis) = system.fixed_axis {
                 local.constrain_axis(&sparsity, axis);
             }
-            if cholesky.factorize(&local.blocks).is_ok() {
-                break;
-            }
-            if modification >= 1.0 {
-                return None;
+            let is_definite = cholesky.factorize(&local.blocks).is_ok();
+            if is_definite || modification >= 1.0 {
+                break is_definite;
             }
             modification = (2.0 * modification).clamp(LEAST_MODIFICATION, 1.0);
-        }
-        let mut step: Vec<_> = particles.iter().map(|&i| self.force[i]).collect();
-        cholesky.solve(&mut step);
-        Some(step)
+        };
+        let step = is_definite.then(|| {
+            let mut step: Vec<_> = particles.iter().map(|&i| self.force[i]).collect();
+            cholesky.solve(&mut step);
+            step
+        });
+        self.memory = cholesky.take_memory();
+        step
     }
 
     fn local_sparsity(&mut self, sparsity: &Sparsity, particles: &[usize]) -> Sparsity {

@@ -95,9 +95,9 @@ impl Newton {
 
     /// Lays out the matrices anew, for couplings that have come.
     fn lay_out(&mut self, system: &mut System<'_>) -> Result<(), OutOfMemory> {
-        self.work = NewtonWorkspace::new(system)?;
+        self.work.lay_out(system)?;
         self.shifted = BlockMatrix::zeros(&self.work.sparsity);
-        self.elimination = LocalElimination::new(&self.work.sparsity);
+        self.elimination.lay_out(&self.work.sparsity);
         Ok(())
     }
 

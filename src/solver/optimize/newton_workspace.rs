@@ -3,7 +3,7 @@
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use crate::solver::model::system::System;
 use nalgebra::{Matrix3, Vector3};
-use seamster_cholesky::{Cholesky, OutOfMemory};
+use seamster_cholesky::{Cholesky, Memory, OutOfMemory};
 
 /// Scratch memory of Newton's method on one system.
 pub(crate) struct NewtonWorkspace {
@@ -28,12 +28,23 @@ impl NewtonWorkspace {
         let count = system.particle_count();
         Ok(Self {
             hessian: BlockMatrix::zeros(&sparsity),
-            cholesky: sparsity.cholesky()?,
+            cholesky: sparsity.cholesky(Memory::default())?,
             sparsity,
             force: vec![Vector3::zeros(); count],
             step: vec![Vector3::zeros(); count],
             trial: vec![Vector3::zeros(); count],
         })
+    }
+
+    /// Lays the matrices out anew, for couplings that have come.
+    ///
+    /// # Errors
+    /// [`OutOfMemory`] if there is none for the factor.
+    pub(crate) fn lay_out(&mut self, system: &mut System<'_>) -> Result<(), OutOfMemory> {
+        self.sparsity = system.bind();
+        self.hessian = BlockMatrix::zeros(&self.sparsity);
+        self.cholesky = self.sparsity.cholesky(self.cholesky.take_memory())?;
+        Ok(())
     }
 
     /// Solves for the step by the last factor.

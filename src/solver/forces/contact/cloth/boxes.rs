@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use std::ops::ControlFlow;
 
 /// A closed box with sides along the axes \[m\].
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Bounds {
     low: Vector3<f64>,
     high: Vector3<f64>,
@@ -106,6 +106,39 @@ impl BoxTree {
             return ControlFlow::Continue(());
         }
         self.pairs_between(0, self.fixed, visit)
+    }
+
+    /// Calls `visit` with every item whose box overlaps `bounds`, always in the same order, until
+    /// it breaks.
+    pub(super) fn for_each_near(
+        &self,
+        bounds: &Bounds,
+        visit: &mut impl FnMut(u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        if self.fixed > 0 {
+            self.items_near(0, bounds, visit)?;
+        }
+        if self.fixed < self.nodes.len() {
+            self.items_near(self.fixed, bounds, visit)?;
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn items_near(
+        &self,
+        index: usize,
+        bounds: &Bounds,
+        visit: &mut impl FnMut(u32) -> ControlFlow<()>,
+    ) -> ControlFlow<()> {
+        let node = &self.nodes[index];
+        if !node.bounds.overlaps(bounds) {
+            return ControlFlow::Continue(());
+        }
+        if let Some(item) = node.item {
+            return visit(item);
+        }
+        self.items_near(index + 1, bounds, visit)?;
+        self.items_near(node.second as usize, bounds, visit)
     }
 
     fn pairs_within(
@@ -229,6 +262,24 @@ mod tests {
             let second = boxes(2, count);
             tree.refit(&second);
             assert_eq!(found(&tree), tried(&second, moving));
+        }
+    }
+
+    #[test]
+    fn items_near_a_box_are_those_that_overlap_it() {
+        for (count, moving) in [(0, 0), (1, 1), (200, 90), (200, 200), (9, 0)] {
+            let items = boxes(1, count);
+            let tree = BoxTree::new(&items, moving);
+            for bounds in boxes(3, 20) {
+                let mut found = vec![];
+                let flow = tree.for_each_near(&bounds, &mut |item| {
+                    found.push(item as usize);
+                    ControlFlow::Continue(())
+                });
+                found.sort_unstable();
+                let overlapping = (0..count).filter(|&i| items[i].overlaps(&bounds));
+                assert!(flow.is_continue() && overlapping.eq(found));
+            }
         }
     }
 

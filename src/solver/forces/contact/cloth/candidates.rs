@@ -1,13 +1,12 @@
 //! The pairs of features that may come into contact while every particle stays in a box of its own.
 
-use super::boxes::{Bounds, BoxTree};
 use super::proximity::{Features, Proximity};
+use super::ranges::{Moved, Ranges, Way};
 use super::surface::ContactSurface;
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 
-/// Share of the thickness below which a pair is left out: its features meet, and nothing tells on
-/// which side of each other they were.
+/// Share of the thickness up to which the features of a pair meet, and it is left out.
 const MET: f64 = 1e-6;
 
 /// Pairs for each particle that are looked at at most: where cloth is crumpled to a point, what is
@@ -23,6 +22,8 @@ pub(super) struct FeaturePair {
     pub(super) thickness: f64,
     /// Distance at the base \[m\].
     pub(super) distance: f64,
+    /// Cloth area over which they press each other \[m²\].
+    pub(super) weight: f64,
 }
 
 impl FeaturePair {
@@ -32,6 +33,12 @@ impl FeaturePair {
 
     pub(super) fn proximity(&self, x: &[Vector3<f64>]) -> Proximity {
         Proximity::of(self.features, &self.gather(x))
+    }
+
+    /// Returns true if the features meet at `x`, and nothing tells on which side of each other they
+    /// were.
+    fn meets(&self, x: &[Vector3<f64>]) -> bool {
+        self.proximity(x).distance() <= MET * self.thickness
     }
 
     /// Returns the furthest that the features may have come nearer when their corners have moved
@@ -48,97 +55,129 @@ impl FeaturePair {
 /// Pairs that may meet while every particle stays in its box.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Candidates {
-    /// Positions at which the distances were taken \[m\].
-    base: Vec<Vector3<f64>>,
-    boxes: Vec<Bounds>,
-    tree: BoxTree,
+    ranges: Ranges,
     pub(super) pairs: Vec<FeaturePair>,
+    /// Corners of pairs that were left out because their features meet.
+    met: Vec<[usize; 4]>,
 }
 
 impl Candidates {
     /// Returns true if every particle at `x` is in its box.
     pub(super) fn cover(&self, x: &[Vector3<f64>]) -> bool {
-        self.boxes.len() == x.len() && self.boxes.iter().zip(x).all(|(b, x)| b.contains(x))
+        self.ranges.cover(x)
     }
 
-    /// Finds the pairs that may meet while particles move from `from` to `to` and by `slack` \[m\]
-    /// beside the way.
-    pub(super) fn find(
-        &mut self,
-        surface: &ContactSurface,
-        (from, to): (&[Vector3<f64>], &[Vector3<f64>]),
-        slack: f64,
-    ) {
-        let thickness = surface.most_thickness();
-        self.base.clear();
-        self.base.extend_from_slice(from);
-        self.boxes.clear();
-        let around = |(a, b)| Bounds::about(a, b, slack);
-        self.boxes.extend(from.iter().zip(to).map(around));
-        // Half the thickness on either side.
-        let near = |(a, b)| Bounds::about(a, b, slack + 0.5 * thickness);
-        let near: Vec<_> = from.iter().zip(to).map(near).collect();
-        let of_triangle = |[a, b, c]: &[usize; 3]| near[*a].with(&near[*b]).with(&near[*c]);
-        let bounds: Vec<_> = surface.triangles.iter().map(of_triangle).collect();
-        if self.tree.is_empty() {
-            self.tree = BoxTree::new(&bounds, surface.moving_triangles);
-        } else {
-            self.tree.refit(&bounds);
+    /// Finds the pairs that may meet on a way.
+    pub(super) fn find(&mut self, surface: &ContactSurface, way: &Way<'_>) {
+        self.ranges.renew(surface, way);
+        self.pairs.clear();
+        self.met.clear();
+        let mut search = self.search(surface, way.from, None);
+        let tree = &search.ranges.tree;
+        let _ = tree.for_each_pair(&mut |s, t| search.add_pairs(s as usize, t as usize));
+    }
+
+    /// Finds the pairs that [`Candidates::find`] does, and perhaps some more; where few particles
+    /// have left their boxes, or are where features meet, only those of these are sought. Returns
+    /// the number of pairs that stayed, which are the first ones.
+    pub(super) fn follow(&mut self, surface: &ContactSurface, way: &Way<'_>) -> usize {
+        self.find_met(way.from);
+        let met = self.met.as_flattened();
+        let Some(Moved {
+            particles,
+            triangles,
+        }) = self.ranges.follow(surface, way, met)
+        else {
+            self.find(surface, way);
+            return 0;
+        };
+        let has_moved = |pair: &FeaturePair| pair.corners.iter().any(|&i| particles[i]);
+        self.pairs.retain(|pair| !has_moved(pair));
+        self.met.clear();
+        let stayed = self.pairs.len();
+        let mut search = self.search(surface, way.from, Some(&particles));
+        let ranges = search.ranges;
+        let is_done = |t: usize| triangles.binary_search(&t).is_ok();
+        for &s in &triangles {
+            let flow = ranges.tree.for_each_near(&ranges.triangles[s], &mut |t| {
+                let t = t as usize;
+                if t > s || (t < s && !is_done(t)) {
+                    search.add_pairs(s, t)
+                } else {
+                    ControlFlow::Continue(())
+                }
+            });
+            if flow.is_break() {
+                break;
+            }
         }
-        let reach: Vec<f64> = from
-            .iter()
-            .zip(to)
-            .map(|(a, b)| (a - b).norm() + slack * 3f64.sqrt())
-            .collect();
-        let mut search = Search {
+        stayed
+    }
+
+    /// Finds those of the pairs whose features meet at `x`.
+    fn find_met(&mut self, x: &[Vector3<f64>]) {
+        if self.ranges.is_empty() {
+            return;
+        }
+        let moved = self.ranges.moved(x);
+        let meets = |pair: &&FeaturePair| {
+            pair.distance - pair.approach(&moved) <= MET * pair.thickness && pair.meets(x)
+        };
+        let met = self.pairs.iter().filter(meets).map(|pair| pair.corners);
+        self.met.extend(met);
+    }
+
+    /// Returns a search for pairs that are apart at `from`, of particles that `has_moved` or all.
+    fn search<'a>(
+        &'a mut self,
+        surface: &'a ContactSurface,
+        from: &'a [Vector3<f64>],
+        has_moved: Option<&'a [bool]>,
+    ) -> Search<'a> {
+        Search {
             surface,
             from,
-            near: &near,
-            reach: &reach,
+            has_moved,
+            ranges: &self.ranges,
+            most: MOST_PAIRS * from.len(),
             pairs: &mut self.pairs,
-        };
-        search.pairs.clear();
-        let most = MOST_PAIRS * from.len();
-        let _ = self.tree.for_each_pair(&mut |s, t| {
-            search.add_pairs(s as usize, t as usize);
-            if search.pairs.len() < most {
-                ControlFlow::Continue(())
-            } else {
-                ControlFlow::Break(())
-            }
-        });
+            met: &mut self.met,
+        }
     }
 
-    /// Returns how far each particle is from its base \[m\].
+    /// Returns how far each particle is from where distances are taken \[m\].
     pub(super) fn moved(&self, x: &[Vector3<f64>]) -> Vec<f64> {
-        let moved = self.base.iter().zip(x);
-        moved.map(|(base, x)| (x - base).norm()).collect()
+        self.ranges.moved(x)
     }
 }
 
 /// A search for pairs.
 struct Search<'a> {
     surface: &'a ContactSurface,
+    /// Positions in which features that meet are left out \[m\].
     from: &'a [Vector3<f64>],
-    /// Boxes of the particles, wider by half the thickness.
-    near: &'a [Bounds],
-    /// Furthest that each particle may move \[m\].
-    reach: &'a [f64],
+    /// The particles one of which a pair has to have, if not all pairs are sought.
+    has_moved: Option<&'a [bool]>,
+    ranges: &'a Ranges,
+    /// Pairs that are kept at most.
+    most: usize,
     pairs: &'a mut Vec<FeaturePair>,
+    met: &'a mut Vec<[usize; 4]>,
 }
 
 impl Search<'_> {
-    /// Adds the pairs of features of two triangles whose boxes overlap.
-    fn add_pairs(&mut self, s: usize, t: usize) {
+    /// Adds the pairs of features of two triangles whose boxes overlap; breaks where there are too
+    /// many.
+    fn add_pairs(&mut self, s: usize, t: usize) -> ControlFlow<()> {
         let (s, t) = (s.min(t), s.max(t));
-        let surface = self.surface;
+        let (surface, near) = (self.surface, &self.ranges.near);
         for (s, t) in [(s, t), (t, s)] {
             let corners = surface.triangles[t];
             let [a, b, c] = corners;
             for &v in &surface.own[s].vertices {
                 let is_near = || {
-                    let triangle = self.near[a].with(&self.near[b]).with(&self.near[c]);
-                    self.near[v].overlaps(&triangle)
+                    let triangle = near[a].with(&near[b]).with(&near[c]);
+                    near[v].overlaps(&triangle)
                 };
                 if !surface.share_corner(&[v], &corners) && is_near() {
                     self.add(Features::VertexTriangle, [v, a, b, c]);
@@ -146,17 +185,26 @@ impl Search<'_> {
             }
         }
         for &[a, b] in &surface.own[s].edges {
-            let first = self.near[a].with(&self.near[b]);
+            let first = near[a].with(&near[b]);
             for &[c, d] in &surface.own[t].edges {
-                let is_near = || first.overlaps(&self.near[c].with(&self.near[d]));
+                let is_near = || first.overlaps(&near[c].with(&near[d]));
                 if !surface.share_corner(&[a, b], &[c, d]) && is_near() {
                     self.add(Features::Edges, [a, b, c, d]);
                 }
             }
         }
+        if self.pairs.len() < self.most {
+            ControlFlow::Continue(())
+        } else {
+            ControlFlow::Break(())
+        }
     }
 
     fn add(&mut self, features: Features, corners: [usize; 4]) {
+        let is_sought = |has_moved: &[bool]| corners.iter().any(|&i| has_moved[i]);
+        if !self.has_moved.is_none_or(is_sought) {
+            return;
+        }
         let of = |i: usize| self.surface.thickness[corners[i]];
         // The mean of the two.
         let thickness = 0.5
@@ -169,10 +217,16 @@ impl Search<'_> {
             corners,
             thickness,
             distance: 0.0,
+            weight: 0.0,
         };
-        pair.distance = pair.proximity(self.from).distance();
-        let is_apart = pair.distance > MET * thickness;
-        if is_apart && pair.distance - pair.approach(self.reach) < thickness {
+        pair.distance = pair.proximity(&self.ranges.base).distance();
+        if pair.distance - pair.approach(&self.ranges.reach) >= thickness {
+            return;
+        }
+        // Bases of some particles are of another time than those of others.
+        if pair.meets(self.from) {
+            self.met.push(corners);
+        } else {
             self.pairs.push(pair);
         }
     }

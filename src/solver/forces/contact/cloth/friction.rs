@@ -203,9 +203,9 @@ pub(super) struct Renewal<'a> {
 }
 
 impl Renewal<'_> {
-    /// Ties a pair that touches, over an area of `weight` \[m²\], drawn out as far as it was and
-    /// the step has drawn it, but no further than it holds.
-    pub(super) fn tie(&mut self, pair: &FeaturePair, weight: f64, proximity: &Proximity) {
+    /// Ties a pair that touches, drawn out as far as it was and the step has drawn it, but no
+    /// further than it holds.
+    pub(super) fn tie(&mut self, pair: &FeaturePair, proximity: &Proximity) {
         let coefficients = pair.corners.map(|i| self.friction.coefficient[i]);
         let coefficient = coefficients.into_iter().fold(f64::INFINITY, f64::min);
         let pressure = respond(proximity.distance(), pair.thickness).pressure;
@@ -216,8 +216,8 @@ impl Renewal<'_> {
             normal: proximity.normal(),
             axes: axes(pair, self.x),
             offset: Vector3::zeros(),
-            stiffness: weight * layer::TANGENTIAL,
-            limit: coefficient * weight * pressure,
+            stiffness: pair.weight * layer::TANGENTIAL,
+            limit: coefficient * pair.weight * pressure,
             slipping: false,
         };
         if tie.limit == 0.0 {

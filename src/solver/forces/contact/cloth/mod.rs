@@ -24,6 +24,7 @@ mod fixed;
 mod friction;
 mod law;
 mod proximity;
+mod ranges;
 mod separate;
 mod surface;
 mod untangle;
@@ -36,6 +37,7 @@ use self::fixed::AllPositions;
 use self::friction::LayerFriction;
 use self::law::respond;
 use self::proximity::{Features, Proximity, sine_squared};
+use self::ranges::Way;
 use self::surface::ContactSurface;
 use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
@@ -68,8 +70,6 @@ pub(crate) struct ClothContact {
     /// The last accepted shape \[m\], of which the weights are; `#P + #F`.
     accepted: Vec<Vector3<f64>>,
     candidates: Candidates,
-    /// Cloth area over which each candidate presses \[m²\].
-    weights: Vec<f64>,
     /// The particles that alone move, if not all do.
     moving: Option<Vec<bool>>,
     /// Candidates with a particle that moves.
@@ -96,7 +96,6 @@ impl ClothContact {
             area,
             accepted: vec![],
             candidates: Candidates::default(),
-            weights: vec![],
             moving: None,
             active: vec![],
             touching: vec![],
@@ -119,27 +118,29 @@ impl ClothContact {
             return;
         }
         let slack = self.surface.most_thickness().max(LEAST_SLACK);
-        self.candidates.find(&self.surface, (from, to), slack);
+        let way = Way { from, to, slack };
+        let stayed = self.candidates.follow(&self.surface, &way);
         if self.accepted.is_empty() {
             self.accepted = from.to_vec();
         }
-        self.weigh();
+        self.weigh(stayed);
         self.select();
     }
 
-    /// Computes the weights of all candidates in the accepted shape: like the normal forces of
-    /// friction, they stay as they are within a step.
-    fn weigh(&mut self) {
-        let weight = |pair: &FeaturePair| match pair.features {
-            Features::VertexTriangle => self.area[pair.corners[0]],
-            Features::Edges => {
-                let [a, b, c, d] = pair.corners.map(|i| self.area[i]);
-                let sine = sine_squared(&pair.gather(&self.accepted));
-                let share = (sine / NOT_PARALLEL).min(1.0);
-                0.5 * (a + b).min(c + d) * share * share * (3.0 - 2.0 * share)
-            }
-        };
-        self.weights = self.candidates.pairs.iter().map(weight).collect();
+    /// Computes the weights of the candidates from number `first` on in the accepted shape: like
+    /// the normal forces of friction, they stay as they are within a step.
+    fn weigh(&mut self, first: usize) {
+        for pair in &mut self.candidates.pairs[first..] {
+            pair.weight = match pair.features {
+                Features::VertexTriangle => self.area[pair.corners[0]],
+                Features::Edges => {
+                    let [a, b, c, d] = pair.corners.map(|i| self.area[i]);
+                    let sine = sine_squared(&pair.gather(&self.accepted));
+                    let share = (sine / NOT_PARALLEL).min(1.0);
+                    0.5 * (a + b).min(c + d) * share * share * (3.0 - 2.0 * share)
+                }
+            };
+        }
     }
 
     /// Selects the candidates with a particle that moves.
@@ -166,11 +167,11 @@ impl ClothContact {
         result
     }
 
-    /// Calls `run` with every acting pair that touches at `x`, its weight and its closest points.
+    /// Calls `run` with every acting pair that touches at `x` and its closest points.
     fn for_each_touching(
         &mut self,
         x: &[Vector3<f64>],
-        mut run: impl FnMut(&FeaturePair, f64, &Proximity),
+        mut run: impl FnMut(&FeaturePair, &Proximity),
     ) {
         self.cover(x, x);
         let moved = self.candidates.moved(x);
@@ -181,7 +182,7 @@ impl ClothContact {
             }
             let proximity = pair.proximity(x);
             if (NONE..pair.thickness).contains(&proximity.distance()) {
-                run(pair, self.weights[k], &proximity);
+                run(pair, &proximity);
             }
         }
     }
@@ -192,9 +193,7 @@ impl ClothContact {
             return false;
         };
         let mut renewal = friction.renew(x);
-        self.for_each_touching(x, |pair, weight, proximity| {
-            renewal.tie(pair, weight, proximity);
-        });
+        self.for_each_touching(x, |pair, proximity| renewal.tie(pair, proximity));
         let slipped = renewal.finish();
         self.friction = Some(friction);
         slipped
@@ -219,6 +218,8 @@ impl ClothContact {
                 self.touching.push(pair.corners);
             }
         }
+        // Pairs are in the order in which they were found.
+        self.touching.sort_unstable();
         let is_coupled = |corners: &[usize; 4]| {
             let sparsity = self.sparsity.as_ref();
             sparsity.is_some_and(|sparsity| is_coupled(sparsity, corners))
@@ -232,7 +233,7 @@ impl ClothContact {
 
 /// Adds the second derivative of a pair's energy to `hessian`.
 fn add_pair(
-    (pair, weight, proximity): (&FeaturePair, f64, &Proximity),
+    (pair, proximity): (&FeaturePair, &Proximity),
     hessian_modification: f64,
     sparsity: &Sparsity,
     hessian: &mut BlockMatrix,
@@ -240,8 +241,8 @@ fn add_pair(
     let response = respond(proximity.distance(), pair.thickness);
     let normal = proximity.normal();
     let across = normal * normal.transpose();
-    let stiff = weight * response.slope;
-    let pushed = weight * response.pressure / proximity.distance();
+    let stiff = pair.weight * response.slope;
+    let pushed = pair.weight * response.pressure / proximity.distance();
     let bent = (1.0 - hessian_modification) * pushed;
     let c = proximity.coefficients;
     let block = |i: usize, j: usize| {
@@ -277,8 +278,8 @@ impl Potential for ClothContact {
     fn energy(&mut self, x: &[Vector3<f64>]) -> f64 {
         self.with_fixed(x, |contact, x| {
             let mut sum = 0.0;
-            contact.for_each_touching(x, |pair, weight, proximity| {
-                sum += weight * respond(proximity.distance(), pair.thickness).energy;
+            contact.for_each_touching(x, |pair, proximity| {
+                sum += pair.weight * respond(proximity.distance(), pair.thickness).energy;
             });
             sum + contact.friction.as_ref().map_or(0.0, |f| f.energy(x))
         })
@@ -286,9 +287,9 @@ impl Potential for ClothContact {
 
     fn add_force(&mut self, x: &[Vector3<f64>], force: &mut [Vector3<f64>]) {
         self.with_fixed(x, |contact, x| {
-            contact.for_each_touching(x, |pair, weight, proximity| {
+            contact.for_each_touching(x, |pair, proximity| {
                 let pressure = respond(proximity.distance(), pair.thickness).pressure;
-                let push = proximity.normal() * (weight * pressure);
+                let push = proximity.normal() * (pair.weight * pressure);
                 for (&i, c) in pair.corners.iter().zip(proximity.coefficients) {
                     if let Some(force) = force.get_mut(i) {
                         *force += push * c;
@@ -311,9 +312,8 @@ impl Potential for ClothContact {
             return;
         };
         self.with_fixed(x, |contact, x| {
-            contact.for_each_touching(x, |pair, weight, proximity| {
-                let touching = (pair, weight, proximity);
-                add_pair(touching, hessian_modification, &sparsity, hessian);
+            contact.for_each_touching(x, |pair, proximity| {
+                add_pair((pair, proximity), hessian_modification, &sparsity, hessian);
             });
             if let Some(friction) = &contact.friction {
                 friction.add_hessian(x, &sparsity, hessian);
@@ -340,7 +340,7 @@ impl Potential for ClothContact {
             contact.accepted.clear();
             contact.accepted.extend_from_slice(x);
             contact.cover(x, x);
-            contact.weigh();
+            contact.weigh(0);
             let before = std::mem::take(&mut contact.touching);
             contact.couple(x);
             let slipped = contact.tie(x);
@@ -376,6 +376,8 @@ impl Potential for ClothContact {
     }
 }
 
+#[cfg(test)]
+mod candidate_tests;
 #[cfg(test)]
 mod fixed_tests;
 #[cfg(test)]

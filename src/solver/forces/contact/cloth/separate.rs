@@ -2,6 +2,7 @@
 
 use super::candidates::Candidates;
 use super::confine::confine;
+use super::ranges::Way;
 use super::surface::ContactSurface;
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
@@ -18,7 +19,12 @@ const SLACK: f64 = 1e-3;
 pub(super) fn separate(surface: &ContactSurface, x: &mut [Vector3<f64>], is_fixed: &[bool]) {
     let mut candidates = Candidates::default();
     for _ in 0..ROUNDS {
-        candidates.find(surface, (x, x), SLACK);
+        let way = |to| Way {
+            from: x,
+            to,
+            slack: SLACK,
+        };
+        candidates.find(surface, &way(x));
         let mut to = x.to_vec();
         let moves = moves(&candidates, x, is_fixed);
         if moves.is_empty() {
@@ -27,7 +33,7 @@ pub(super) fn separate(surface: &ContactSurface, x: &mut [Vector3<f64>], is_fixe
         for (i, move_) in moves {
             to[i] += move_;
         }
-        candidates.find(surface, (x, &to), SLACK);
+        candidates.find(surface, &way(&to));
         let all: Vec<usize> = (0..candidates.pairs.len()).collect();
         confine(&candidates, &all, x, &mut to);
         x.copy_from_slice(&to);
