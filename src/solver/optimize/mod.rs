@@ -7,3 +7,6 @@ pub(crate) mod local_elimination;
 pub(crate) mod newton;
 pub(crate) mod newton_workspace;
 pub(crate) mod pseudo_transient;
+
+#[cfg(test)]
+mod local_elimination_tests;

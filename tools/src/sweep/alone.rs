@@ -16,15 +16,19 @@ const BESIDES: f64 = 60.0;
 ///
 /// # Errors
 /// A process that cannot be started.
-pub(super) fn run(garment: &SweepGarment, options: &SweepOptions) -> io::Result<SweepLine> {
-    let edge_length = options.edge_length.to_string();
+pub(super) fn run(
+    garment: &SweepGarment,
+    edge_length: f64,
+    options: &SweepOptions,
+) -> io::Result<SweepLine> {
+    let length = edge_length.to_string();
     let time_limit = options.time_limit.to_string();
     let form = options.form.to_string();
     let mut arguments = vec![
         "sweep",
         "--alone",
         "--edge-length",
-        &edge_length,
+        &length,
         "--form",
         &form,
         "--time-limit",
@@ -33,6 +37,9 @@ pub(super) fn run(garment: &SweepGarment, options: &SweepOptions) -> io::Result<
     ];
     if options.suggest {
         arguments.push("--suggest");
+    }
+    if options.no_self_contact {
+        arguments.push("--no-self-contact");
     }
     let each = options.drafted.map(|each| each.to_string());
     if let Some(each) = &each {
@@ -48,6 +55,6 @@ pub(super) fn run(garment: &SweepGarment, options: &SweepOptions) -> io::Result<
     };
     Ok(SweepLine {
         error: Some(error),
-        ..options.line(garment)
+        ..options.line(garment, edge_length)
     })
 }

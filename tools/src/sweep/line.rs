@@ -2,6 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+/// RMS distance to the last shape that is told of when it was reached \[m\].
+pub(super) const NEAR: f64 = 1e-4;
+
 /// Outcome of sewing one garment.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(super) struct SweepLine {
@@ -31,6 +34,11 @@ pub(super) struct SweepLine {
     pub(super) worn: bool,
     pub(super) worn_because: String,
     pub(super) why: String,
+    pub(super) newton_iterations: usize,
+    pub(super) error_estimate_m: Option<f64>,
+    pub(super) mesh_error_m: Option<f64>,
+    /// CPU seconds of the drape after which it stayed within [`NEAR`] of the last shape.
+    pub(super) near_cpu_s: Option<f64>,
     pub(super) cpu_s: f64,
     pub(super) memory_bytes: u64,
 }

@@ -5,7 +5,7 @@
 //! those by suggested seams. With `--drafted`, garments drafted by seeds instead, on forms that
 //! they are drafted for. Each is a process of its own, so that its memory is its own and a
 //! crash is a row too. A JSON line each goes to `target/sweep.jsonl`, a picture from four sides to
-//! `target/sweep/`.
+//! `target/sweep/`, of the last edge length.
 
 mod alone;
 mod form;
@@ -15,6 +15,7 @@ mod options;
 mod sewn;
 mod table;
 
+use crate::marked;
 use garment::SweepGarment;
 use line::SweepLine;
 pub(crate) use options::SweepOptions;
@@ -60,7 +61,10 @@ pub(crate) fn main(options: &SweepOptions) -> io::Result<()> {
     }
     let lines = sew_all(&garments, options)?;
     println!("\n{}", table::summary(&lines));
-    Ok(())
+    match &options.table {
+        Some(file) => marked::replace(file, "garments", &table::markdown(&lines)),
+        None => Ok(()),
+    }
 }
 
 /// Sews each garment in a process of its own, and prints the rows as they come.
@@ -74,10 +78,12 @@ fn sew_all(garments: &[SweepGarment], options: &SweepOptions) -> io::Result<Vec<
             if number == 0 {
                 println!("{}", table::head(are_true));
             }
-            let line = alone::run(garment, options)?;
-            println!("{}", table::row(&line));
-            writeln!(file, "{}", serde_json::to_string(&line)?)?;
-            lines.push(line);
+            for &edge_length in &options.edge_lengths {
+                let line = alone::run(garment, edge_length, options)?;
+                println!("{}", table::row(&line));
+                writeln!(file, "{}", serde_json::to_string(&line)?)?;
+                lines.push(line);
+            }
         }
     }
     Ok(lines)

@@ -1,6 +1,7 @@
 //! The lines as rows of plain text.
 
 use super::line::SweepLine;
+use std::fmt::Write;
 
 /// Returns the head of the rows of one kind of seams.
 pub(super) fn head(are_true: bool) -> String {
@@ -60,6 +61,39 @@ pub(super) fn summary(lines: &[SweepLine]) -> String {
         of_kind(true),
         of_kind(false)
     )
+}
+
+/// Returns the lines as a table of error and time in Markdown.
+pub(super) fn markdown(lines: &[SweepLine]) -> String {
+    let mut out = String::from(
+        "\n| garment | edges mm | vertices | iterations | CPU s | to 0.1 mm | r | estimate mm | mesh error mm | good |\n\
+         |---|---:|---:|---:|---:|---:|---:|---:|---:|---|\n",
+    );
+    let millimeters = |of: Option<f64>| of.map_or("–".to_owned(), |m| format!("{:.1e}", 1e3 * m));
+    for line in lines {
+        let star = if line.converged { "" } else { "*" };
+        let good = match line.failed.is_empty() {
+            true => "yes".to_owned(),
+            false => line.failed.join(", "),
+        };
+        let cells = [
+            line.name.trim_end_matches("_specification").to_owned(),
+            format!("{:.0}", 1e3 * line.edge_length_m),
+            line.vertices.to_string(),
+            line.newton_iterations.to_string(),
+            format!("{:.1}", line.cpu_s),
+            line.near_cpu_s
+                .map_or("–".to_owned(), |s| format!("{s:.1}")),
+            format!("{:.0e}{star}", line.residual),
+            millimeters(line.error_estimate_m),
+            line.mesh_error_m
+                .map_or("–".to_owned(), |m| format!("{:.1}", 1e3 * m)),
+            good,
+        ];
+        let _ = writeln!(out, "| {} |", cells.join(" | "));
+    }
+    out.push('\n');
+    out
 }
 
 fn spaced(cells: [&str; 14]) -> String {
