@@ -1,5 +1,6 @@
 //! Tests of `fit`: garments sewn from pattern to report.
 
+mod carriers;
 mod format_page;
 mod garmentcode;
 mod laid;
