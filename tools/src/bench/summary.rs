@@ -43,7 +43,9 @@ pub(crate) fn markdown(lines: &[BenchLine]) -> String {
 fn quickest<'a>(lines: &'a [BenchLine], scene: &str, method: &str) -> Option<&'a BenchLine> {
     lines
         .iter()
-        .filter(|line| line.scene == scene && line.method == method && line.residual <= AT_REST)
+        .filter(|line| line.scene == scene && line.method == method)
+        // One that was stopped may balance its forces in no minimum.
+        .filter(|line| line.converged && line.residual <= AT_REST)
         .min_by(|a, b| a.cpu_s.total_cmp(&b.cpu_s))
 }
 
