@@ -43,7 +43,7 @@ pub struct Cholesky {
 
 /// Memory of a factor, for another one.
 #[derive(Default)]
-pub struct Memory {
+pub struct FactorMemory {
     factor: Vec<TileColumn>,
     stacks: [Vec<TileColumn>; 2],
 }
@@ -64,7 +64,7 @@ impl Cholesky {
     /// [`OutOfMemory`] if the factor does not fit.
     pub fn new(
         matrix @ (column_start, rows): (&[usize], &[usize]),
-        memory: Memory,
+        memory: FactorMemory,
     ) -> Result<Self, OutOfMemory> {
         let graph = graph_of(column_start, rows);
         let parts = dissection::dissect(&graph);
@@ -80,7 +80,7 @@ impl Cholesky {
         &self,
         matrix @ (column_start, rows): (&[usize], &[usize]),
         vertices: &[usize],
-        memory: Memory,
+        memory: FactorMemory,
     ) -> Result<Self, OutOfMemory> {
         let mut place = vec![None; self.symbolic.order.len()];
         for (i, &v) in vertices.iter().enumerate() {
@@ -94,7 +94,7 @@ impl Cholesky {
         matrix: (&[usize], &[usize]),
         graph: &Graph,
         parts: Vec<Part>,
-        memory: Memory,
+        memory: FactorMemory,
     ) -> Result<Self, OutOfMemory> {
         let symbolic = Symbolic::new(matrix, graph, &parts);
         let [even, odd] = memory.stacks;
@@ -111,8 +111,8 @@ impl Cholesky {
     }
 
     /// Takes the memory of the factor, which is of no use from then on.
-    pub fn take_memory(&mut self) -> Memory {
-        Memory {
+    pub fn take_memory(&mut self) -> FactorMemory {
+        FactorMemory {
             factor: std::mem::take(&mut self.factor),
             stacks: std::mem::take(&mut self.stacks),
         }
@@ -216,9 +216,9 @@ mod tests {
     }
 
     /// Returns memory that would spoil whatever is read before it is written.
-    fn used_memory() -> Memory {
+    fn used_memory() -> FactorMemory {
         let used = || vec![[f64::NAN; TILE_ROWS]; 40_000];
-        Memory {
+        FactorMemory {
             factor: used(),
             stacks: [used(), used()],
         }
@@ -323,7 +323,7 @@ mod tests {
     #[test]
     fn a_matrix_of_some_vertices_is_solved_in_the_order_of_all() {
         let matrix = grid(23, 17, 14.0);
-        let whole = Cholesky::new(matrix.laid_out(), Memory::default()).expect("small");
+        let whole = Cholesky::new(matrix.laid_out(), FactorMemory::default()).expect("small");
         // Every third or a patch: separators are emptied, and the graph falls to pieces.
         let third = (0..23 * 17).step_by(3).collect::<Vec<_>>();
         let patch = (0..23 * 17).filter(|i| i % 23 < 6).collect::<Vec<_>>();
@@ -347,7 +347,8 @@ mod tests {
     #[test]
     fn an_indefinite_matrix_is_refused_and_the_next_one_is_not() {
         let mut matrix = grid(9, 9, 14.0);
-        let mut cholesky = Cholesky::new(matrix.laid_out(), Memory::default()).expect("small");
+        let mut cholesky =
+            Cholesky::new(matrix.laid_out(), FactorMemory::default()).expect("small");
         let middle = matrix.column_start[40];
         matrix.blocks[middle] = Matrix3::from_diagonal(&Vector3::new(14.0, -14.0, 14.0));
         assert_eq!(cholesky.factorize(&matrix.blocks), Err(NotPositiveDefinite));

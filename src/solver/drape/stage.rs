@@ -45,7 +45,7 @@ pub(crate) struct StageMethod {
 }
 
 /// Runs one stage from `x`, which becomes its last accepted shape; returns Newton's method too, if
-/// that ran.
+/// that ran and still has its matrices.
 pub(crate) fn run_stage(
     system: &mut System<'_>,
     x: &mut [Vector3<f64>],
@@ -65,7 +65,8 @@ pub(crate) fn run_stage(
         iterations: newton.iterations,
         ..StageOutcome::new(termination)
     };
-    (outcome, Some(newton))
+    let has_matrices = termination != Termination::OutOfMemory;
+    (outcome, has_matrices.then_some(newton))
 }
 
 /// Runs one stage by motion of so many steps at most.

@@ -1,7 +1,7 @@
 //! Sparsity of the Hessian, and the symmetric matrix of 3 x 3 blocks laid out after it.
 
 use nalgebra::{Matrix3, Vector3};
-use seamster_cholesky::{Cholesky, Memory, OutOfMemory};
+use seamster_cholesky::{Cholesky, FactorMemory, OutOfMemory};
 
 /// Lower triangle of a symmetric block matrix, column by column, rows ascending: the diagonal block
 /// comes first in each column.
@@ -44,7 +44,7 @@ impl Sparsity {
     ///
     /// # Errors
     /// [`OutOfMemory`] if there is none.
-    pub(crate) fn cholesky(&self, memory: Memory) -> Result<Cholesky, OutOfMemory> {
+    pub(crate) fn cholesky(&self, memory: FactorMemory) -> Result<Cholesky, OutOfMemory> {
         Cholesky::new((&self.column_start, &self.rows), memory)
     }
 
@@ -57,7 +57,7 @@ impl Sparsity {
         &self,
         whole: &Cholesky,
         particles: &[usize],
-        memory: Memory,
+        memory: FactorMemory,
     ) -> Result<Cholesky, OutOfMemory> {
         whole.restricted((&self.column_start, &self.rows), particles, memory)
     }

@@ -14,7 +14,7 @@ use crate::solver::model::system::System;
 use crate::solver::optimize::line_search::MAX_DISPLACEMENT;
 use crate::solver::optimize::newton_workspace::add_inertia;
 use nalgebra::Vector3;
-use seamster_cholesky::{Cholesky, Memory};
+use seamster_cholesky::{Cholesky, FactorMemory};
 
 /// Share of the squared errors of the forces that the particles which move account for.
 const COVERED: f64 = 0.99;
@@ -57,7 +57,7 @@ pub(crate) struct LocalElimination {
     /// Place of each moving particle among them.
     place: Vec<usize>,
     /// Memory of the factor of the moving particles.
-    memory: Memory,
+    memory: FactorMemory,
 }
 
 impl LocalElimination {
@@ -70,7 +70,7 @@ impl LocalElimination {
             near_force: vec![Vector3::zeros(); count],
             is_moving: vec![false; count],
             place: vec![0; count],
-            memory: Memory::default(),
+            memory: FactorMemory::default(),
         }
     }
 

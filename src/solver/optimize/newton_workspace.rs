@@ -3,7 +3,7 @@
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use crate::solver::model::system::System;
 use nalgebra::{Matrix3, Vector3};
-use seamster_cholesky::{Cholesky, Memory, OutOfMemory};
+use seamster_cholesky::{Cholesky, FactorMemory, OutOfMemory};
 
 /// Scratch memory of Newton's method on one system.
 pub(crate) struct NewtonWorkspace {
@@ -28,7 +28,7 @@ impl NewtonWorkspace {
         let count = system.particle_count();
         Ok(Self {
             hessian: BlockMatrix::zeros(&sparsity),
-            cholesky: sparsity.cholesky(Memory::default())?,
+            cholesky: sparsity.cholesky(FactorMemory::default())?,
             sparsity,
             force: vec![Vector3::zeros(); count],
             step: vec![Vector3::zeros(); count],

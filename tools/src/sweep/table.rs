@@ -1,4 +1,4 @@
-//! The lines as rows of plain text.
+//! The lines as rows of plain text, and as a table in Markdown.
 
 use super::line::SweepLine;
 use std::fmt::Write;

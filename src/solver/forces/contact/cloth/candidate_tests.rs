@@ -8,6 +8,20 @@ use super::surface::ContactSurface;
 use super::tests::{THICKNESS, turned, two_sheets};
 use nalgebra::Vector3;
 
+fn way<'a>(from: &'a [Vector3<f64>], to: &'a [Vector3<f64>]) -> Way<'a> {
+    Way {
+        from,
+        to,
+        slack: 1e-3,
+    }
+}
+
+fn corners(found: &Candidates) -> Vec<[usize; 4]> {
+    let mut corners: Vec<_> = found.pairs.iter().map(|pair| pair.corners).collect();
+    corners.sort_unstable();
+    corners
+}
+
 #[test]
 fn candidates_do_not_depend_on_what_was_looked_at_before() {
     let (surface, x) = two_sheets([4, 3], |p| turned(p) + Vector3::z() * 0.3 * THICKNESS);
@@ -31,20 +45,6 @@ fn candidates_do_not_depend_on_what_was_looked_at_before() {
     assert_eq!(to, x);
 }
 
-fn way<'a>(from: &'a [Vector3<f64>], to: &'a [Vector3<f64>]) -> Way<'a> {
-    Way {
-        from,
-        to,
-        slack: 1e-3,
-    }
-}
-
-fn corners(found: &Candidates) -> Vec<[usize; 4]> {
-    let mut corners: Vec<_> = found.pairs.iter().map(|pair| pair.corners).collect();
-    corners.sort_unstable();
-    corners
-}
-
 /// Some particles of two sheets wander, others stay where they are.
 #[test]
 fn candidates_that_follow_some_particles_are_all_that_may_meet() {
@@ -65,15 +65,13 @@ fn candidates_that_follow_some_particles_are_all_that_may_meet() {
             has_stayed |= followed.follow(&surface, &way(&x, &to)) > 0;
         }
         assert!(followed.cover(&x) && followed.cover(&to));
-        // Whatever is so near that it touches on the way, or may when it moves a little further.
-        let near = |pair: &&FeaturePair| {
-            let proximity = pair.proximity(&to).distance();
-            proximity < pair.thickness
-        };
+        // Boxes are not those that all particles would get now, so only what touches is sure to be
+        // a pair of both.
+        let touches = |pair: &&FeaturePair| pair.proximity(&to).distance() < pair.thickness;
         let mut whole = Candidates::default();
         whole.find(&surface, &way(&x, &to));
         let known = corners(&followed);
-        for pair in whole.pairs.iter().filter(near) {
+        for pair in whole.pairs.iter().filter(touches) {
             assert!(known.binary_search(&pair.corners).is_ok(), "step {step}");
         }
         // Distances are bounded by how far the corners have moved.

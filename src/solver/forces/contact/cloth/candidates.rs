@@ -77,9 +77,10 @@ impl Candidates {
         let _ = tree.for_each_pair(&mut |s, t| search.add_pairs(s as usize, t as usize));
     }
 
-    /// Finds the pairs that [`Candidates::find`] does, and perhaps some more; where few particles
-    /// have left their boxes, or are where features meet, only those of these are sought. Returns
-    /// the number of pairs that stayed, which are the first ones.
+    /// Finds the pairs that may meet on a way like [`Candidates::find`], with less work where few
+    /// particles leave their boxes: the others keep theirs, and only pairs of those that leave, or
+    /// that are where features meet, are sought. Returns the number of pairs that stayed, which are
+    /// the first ones.
     pub(super) fn follow(&mut self, surface: &ContactSurface, way: &Way<'_>) -> usize {
         self.find_met(way.from);
         let met = self.met.as_flattened();
