@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 use std::ops::ControlFlow;
 
 /// A closed box with sides along the axes \[m\].
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
     low: Vector3<f64>,
     high: Vector3<f64>,
@@ -16,6 +16,14 @@ impl Bounds {
         Self {
             low: a.inf(b).add_scalar(-margin),
             high: a.sup(b).add_scalar(margin),
+        }
+    }
+
+    /// Returns a box `margin` wider on every side \[m\].
+    pub(super) fn wider(&self, margin: f64) -> Self {
+        Self {
+            low: self.low.add_scalar(-margin),
+            high: self.high.add_scalar(margin),
         }
     }
 

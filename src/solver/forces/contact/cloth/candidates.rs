@@ -1,8 +1,8 @@
 //! The pairs of features that may come into contact while every particle stays in a box of its own.
 
 use super::proximity::{Features, Proximity};
-use super::ranges::{Moved, Ranges, Way};
 use super::surface::ContactSurface;
+use super::swept_boxes::{SweptBoxes, SweptMotion};
 use nalgebra::Vector3;
 use std::ops::ControlFlow;
 
@@ -22,7 +22,7 @@ pub(super) struct FeaturePair {
     pub(super) thickness: f64,
     /// Distance at the base \[m\].
     pub(super) distance: f64,
-    /// Cloth area over which they press each other \[m²\].
+    /// Cloth area over which they press each other \[m²\]; 0 until the contact has weighed them.
     pub(super) weight: f64,
 }
 
@@ -55,72 +55,64 @@ impl FeaturePair {
 /// Pairs that may meet while every particle stays in its box.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Candidates {
-    ranges: Ranges,
+    boxes: SweptBoxes,
     pub(super) pairs: Vec<FeaturePair>,
     /// Corners of pairs that were left out because their features meet.
     met: Vec<[usize; 4]>,
+    /// True if there were more pairs than are kept.
+    is_cut_off: bool,
 }
 
 impl Candidates {
     /// Returns true if every particle at `x` is in its box.
     pub(super) fn cover(&self, x: &[Vector3<f64>]) -> bool {
-        self.ranges.cover(x)
+        self.boxes.cover(x)
     }
 
-    /// Finds the pairs that may meet on a way.
-    pub(super) fn find(&mut self, surface: &ContactSurface, way: &Way<'_>) {
-        self.ranges.renew(surface, way);
+    /// Finds the pairs that may meet on a motion.
+    pub(super) fn rebuild(&mut self, surface: &ContactSurface, motion: &SweptMotion<'_>) {
+        self.boxes.rebuild(surface, motion);
         self.pairs.clear();
         self.met.clear();
-        let mut search = self.search(surface, way.from, None);
-        let tree = &search.ranges.tree;
-        let _ = tree.for_each_pair(&mut |s, t| search.add_pairs(s as usize, t as usize));
+        let mut search = self.search(surface, motion.from, None);
+        let boxes = search.boxes;
+        let flow = boxes.for_each_pair(|s, t| search.add_pairs(s, t));
+        self.is_cut_off = flow.is_break();
     }
 
-    /// Finds the pairs that may meet on a way like [`Candidates::find`], with less work where few
-    /// particles leave their boxes: the others keep theirs, and only pairs of those that leave, or
-    /// that are where features meet, are sought. Returns the number of pairs that stayed, which are
-    /// the first ones.
-    pub(super) fn follow(&mut self, surface: &ContactSurface, way: &Way<'_>) -> usize {
-        self.find_met(way.from);
+    /// Finds the pairs that may meet on a motion like [`Candidates::rebuild`], with less work where
+    /// few particles leave their boxes: the others keep theirs, and only pairs of those that leave,
+    /// or that are where features meet, are sought. Returns the number of pairs that stayed, which
+    /// are the first ones.
+    pub(super) fn update(&mut self, surface: &ContactSurface, motion: &SweptMotion<'_>) -> usize {
+        self.find_met(motion.from);
         let met = self.met.as_flattened();
-        let Some(Moved {
-            particles,
-            triangles,
-        }) = self.ranges.follow(surface, way, met)
-        else {
-            self.find(surface, way);
-            return 0;
+        // Of the pairs beyond the limit nothing is known.
+        let updated = match self.is_cut_off {
+            true => None,
+            false => self.boxes.update(surface, motion, met),
         };
-        let has_moved = |pair: &FeaturePair| pair.corners.iter().any(|&i| particles[i]);
-        self.pairs.retain(|pair| !has_moved(pair));
-        self.met.clear();
-        let stayed = self.pairs.len();
-        let mut search = self.search(surface, way.from, Some(&particles));
-        let ranges = search.ranges;
-        let is_done = |t: usize| triangles.binary_search(&t).is_ok();
-        for &s in &triangles {
-            let flow = ranges.tree.for_each_near(&ranges.triangles[s], &mut |t| {
-                let t = t as usize;
-                if t > s || (t < s && !is_done(t)) {
-                    search.add_pairs(s, t)
-                } else {
-                    ControlFlow::Continue(())
-                }
-            });
-            if flow.is_break() {
-                break;
+        if let Some(updated) = updated {
+            let is_updated = |&i: &usize| updated.particles[i];
+            self.pairs
+                .retain(|pair| !pair.corners.iter().any(is_updated));
+            self.met.clear();
+            let stayed = self.pairs.len();
+            let mut search = self.search(surface, motion.from, Some(&updated.particles));
+            let boxes = search.boxes;
+            let add = |s, t| search.add_pairs(s, t);
+            let flow = boxes.for_each_pair_of(&updated.triangles, surface, add);
+            if flow.is_continue() {
+                return stayed;
             }
         }
-        stayed
+        self.rebuild(surface, motion);
+        0
     }
 
     /// Finds those of the pairs whose features meet at `x`.
     fn find_met(&mut self, x: &[Vector3<f64>]) {
-        if self.ranges.is_empty() {
-            return;
-        }
-        let moved = self.ranges.moved(x);
+        let moved = self.boxes.moved(x);
         let meets = |pair: &&FeaturePair| {
             pair.distance - pair.approach(&moved) <= MET * pair.thickness && pair.meets(x)
         };
@@ -128,18 +120,20 @@ impl Candidates {
         self.met.extend(met);
     }
 
-    /// Returns a search for pairs that are apart at `from`, of particles that `has_moved` or all.
+    /// Returns a search for pairs that are apart at `from`: all, or those with a particle that is
+    /// `updated`.
     fn search<'a>(
         &'a mut self,
         surface: &'a ContactSurface,
         from: &'a [Vector3<f64>],
-        has_moved: Option<&'a [bool]>,
+        updated: Option<&'a [bool]>,
     ) -> Search<'a> {
         Search {
             surface,
+            thickness: surface.most_thickness(),
             from,
-            has_moved,
-            ranges: &self.ranges,
+            updated,
+            boxes: &self.boxes,
             most: MOST_PAIRS * from.len(),
             pairs: &mut self.pairs,
             met: &mut self.met,
@@ -148,19 +142,21 @@ impl Candidates {
 
     /// Returns how far each particle is from where distances are taken \[m\].
     pub(super) fn moved(&self, x: &[Vector3<f64>]) -> Vec<f64> {
-        self.ranges.moved(x)
+        self.boxes.moved(x)
     }
 }
 
 /// A search for pairs.
 struct Search<'a> {
     surface: &'a ContactSurface,
+    /// Thickness of the cloth where it is thickest \[m\].
+    thickness: f64,
     /// Positions in which features that meet are left out \[m\].
     from: &'a [Vector3<f64>],
     /// The particles one of which a pair has to have, if not all pairs are sought.
-    has_moved: Option<&'a [bool]>,
-    ranges: &'a Ranges,
-    /// Pairs that are kept at most.
+    updated: Option<&'a [bool]>,
+    boxes: &'a SweptBoxes,
+    /// Pairs that are kept at most, those that meet among them.
     most: usize,
     pairs: &'a mut Vec<FeaturePair>,
     met: &'a mut Vec<[usize; 4]>,
@@ -171,30 +167,29 @@ impl Search<'_> {
     /// many.
     fn add_pairs(&mut self, s: usize, t: usize) -> ControlFlow<()> {
         let (s, t) = (s.min(t), s.max(t));
-        let (surface, near) = (self.surface, &self.ranges.near);
+        let surface = self.surface;
         for (s, t) in [(s, t), (t, s)] {
             let corners = surface.triangles[t];
             let [a, b, c] = corners;
+            let near = self.boxes.around(&corners).wider(self.thickness);
             for &v in &surface.own[s].vertices {
-                let is_near = || {
-                    let triangle = near[a].with(&near[b]).with(&near[c]);
-                    near[v].overlaps(&triangle)
-                };
-                if !surface.share_corner(&[v], &corners) && is_near() {
+                let is_near = self.boxes.particles[v].overlaps(&near);
+                if is_near && !surface.share_corner(&[v], &corners) {
                     self.add(Features::VertexTriangle, [v, a, b, c]);
                 }
             }
         }
+        let bounds = |[a, b]: [usize; 2]| self.boxes.particles[a].with(&self.boxes.particles[b]);
         for &[a, b] in &surface.own[s].edges {
-            let first = near[a].with(&near[b]);
+            let near = bounds([a, b]).wider(self.thickness);
             for &[c, d] in &surface.own[t].edges {
-                let is_near = || first.overlaps(&near[c].with(&near[d]));
-                if !surface.share_corner(&[a, b], &[c, d]) && is_near() {
+                let is_near = near.overlaps(&bounds([c, d]));
+                if is_near && !surface.share_corner(&[a, b], &[c, d]) {
                     self.add(Features::Edges, [a, b, c, d]);
                 }
             }
         }
-        if self.pairs.len() < self.most {
+        if self.pairs.len() + self.met.len() < self.most {
             ControlFlow::Continue(())
         } else {
             ControlFlow::Break(())
@@ -202,8 +197,8 @@ impl Search<'_> {
     }
 
     fn add(&mut self, features: Features, corners: [usize; 4]) {
-        let is_sought = |has_moved: &[bool]| corners.iter().any(|&i| has_moved[i]);
-        if !self.has_moved.is_none_or(is_sought) {
+        let is_sought = |updated: &[bool]| corners.iter().any(|&i| updated[i]);
+        if !self.updated.is_none_or(is_sought) {
             return;
         }
         let of = |i: usize| self.surface.thickness[corners[i]];
@@ -220,8 +215,8 @@ impl Search<'_> {
             distance: 0.0,
             weight: 0.0,
         };
-        pair.distance = pair.proximity(&self.ranges.base).distance();
-        if pair.distance - pair.approach(&self.ranges.reach) >= thickness {
+        pair.distance = pair.proximity(&self.boxes.base).distance();
+        if pair.distance - pair.approach(&self.boxes.reach) >= thickness {
             return;
         }
         // Bases of some particles are of another time than those of others.

@@ -24,9 +24,9 @@ mod fixed;
 mod friction;
 mod law;
 mod proximity;
-mod ranges;
 mod separate;
 mod surface;
+mod swept_boxes;
 mod untangle;
 
 pub(crate) use self::surface::{ClothSurface, LayerOrder};
@@ -37,8 +37,8 @@ use self::fixed::AllPositions;
 use self::friction::LayerFriction;
 use self::law::respond;
 use self::proximity::{Features, Proximity, sine_squared};
-use self::ranges::Way;
 use self::surface::ContactSurface;
+use self::swept_boxes::SweptMotion;
 use crate::solver::forces::{Potential, TermKind};
 use crate::solver::linalg::block_matrix::{BlockMatrix, Sparsity};
 use nalgebra::Vector3;
@@ -118,8 +118,8 @@ impl ClothContact {
             return;
         }
         let slack = self.surface.most_thickness().max(LEAST_SLACK);
-        let way = Way { from, to, slack };
-        let stayed = self.candidates.follow(&self.surface, &way);
+        let motion = SweptMotion { from, to, slack };
+        let stayed = self.candidates.update(&self.surface, &motion);
         if self.accepted.is_empty() {
             self.accepted = from.to_vec();
         }

@@ -2,8 +2,8 @@
 
 use super::candidates::Candidates;
 use super::confine::confine;
-use super::ranges::Way;
 use super::surface::ContactSurface;
+use super::swept_boxes::SweptMotion;
 use nalgebra::Vector3;
 use std::collections::BTreeMap;
 
@@ -19,12 +19,12 @@ const SLACK: f64 = 1e-3;
 pub(super) fn separate(surface: &ContactSurface, x: &mut [Vector3<f64>], is_fixed: &[bool]) {
     let mut candidates = Candidates::default();
     for _ in 0..ROUNDS {
-        let way = |to| Way {
+        let motion = |to| SweptMotion {
             from: x,
             to,
             slack: SLACK,
         };
-        candidates.find(surface, &way(x));
+        candidates.rebuild(surface, &motion(x));
         let mut to = x.to_vec();
         let moves = moves(&candidates, x, is_fixed);
         if moves.is_empty() {
@@ -33,7 +33,7 @@ pub(super) fn separate(surface: &ContactSurface, x: &mut [Vector3<f64>], is_fixe
         for (i, move_) in moves {
             to[i] += move_;
         }
-        candidates.find(surface, &way(&to));
+        candidates.rebuild(surface, &motion(&to));
         let all: Vec<usize> = (0..candidates.pairs.len()).collect();
         confine(&candidates, &all, x, &mut to);
         x.copy_from_slice(&to);
