@@ -4,6 +4,7 @@ mod codes;
 mod line;
 mod nearest;
 mod pointer;
+mod quoted_list;
 
 pub use codes::{
     AvatarCode, FabricCode, FaultCode, FileCode, FitCode, GarmentCode, MeshCode, PatternCode,
@@ -12,6 +13,7 @@ pub use codes::{
 pub use line::without_controls;
 pub(crate) use nearest::nearest;
 pub(crate) use pointer::pointer_token;
+pub(crate) use quoted_list::quoted_list;
 
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;

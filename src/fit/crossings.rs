@@ -1,7 +1,6 @@
 //! Places where a garment passes through itself and through the body, by an exact test that
 //! knows nothing of the solver.
 
-use crate::mesh::ClothMesh;
 use crate::scene::{Avatar, Body, FixedCloth, Scene};
 use crate::solver::{Intersection, IntersectionKind};
 use nalgebra::Vector3;
@@ -110,7 +109,7 @@ fn places(
     let mesh = &scene.mesh;
     let fixed = scene.fixed_cloth.iter().flat_map(|fixed| &fixed.panels);
     let fixed: Vec<_> = fixed.collect();
-    let panel = |triangle: u32| panel_of(mesh, triangle as usize);
+    let panel = |triangle: u32| mesh.panel_of_triangle(triangle as usize);
     let mut places = Places::default();
     for Crossing { triangles, point } in &report.cloth.kept {
         let [a, b] = triangles.map(panel);
@@ -133,18 +132,13 @@ fn places(
     }
     for &vertex in report.inside.iter().take(KEPT) {
         let vertex = vertex as usize;
-        let panel = mesh.panel_of(vertex);
+        let panel = mesh.panel_of_vertex(vertex);
         let at = points[vertex].map(f64::from);
         places.add(IntersectionKind::InsideBody, vec![panel], at);
     }
     let fixed = fixed.iter().map(|panel| &*panel.name);
     let names: Vec<_> = panels.iter().copied().chain(fixed).collect();
     places.most(&names)
-}
-
-pub(super) fn panel_of(mesh: &ClothMesh, triangle: usize) -> usize {
-    mesh.panels
-        .partition_point(|panel| panel.triangles.end <= triangle)
 }
 
 /// Kind, panels and cell of space of a crossing.

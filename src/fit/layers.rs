@@ -1,7 +1,7 @@
 //! The order of panels from the body outwards: ranks of the layers that a garment names, and the
 //! area in which they lie in the wrong order.
 
-use super::crossings::{indices, panel_of, single};
+use super::crossings::{indices, single};
 use super::garment::PanelSpec;
 use crate::scene::Scene;
 use nalgebra::Vector3;
@@ -37,7 +37,7 @@ pub(super) fn wrong_area(scene: &Scene, positions: &[Vector3<f64>], pairs: usize
     let (points, triangles) = (single(positions), indices(&scene.mesh.triangles));
     let surface = Surface::new(&points, &triangles, &[]).ok()?;
     let mut search = SegmentSearch::new(&surface, pairs);
-    let layer = |triangle: usize| scene.layers[panel_of(&scene.mesh, triangle)];
+    let layer = |triangle: usize| scene.layers[scene.mesh.panel_of_triangle(triangle)];
     let outwards = |p: &Vector3<f64>| avatar.outward(p);
     let mut wrong = 0.0;
     for (t, corners) in scene.mesh.triangles.iter().enumerate() {

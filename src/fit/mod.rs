@@ -12,7 +12,6 @@ mod layers;
 mod library;
 mod limbs;
 mod over;
-mod panel_list;
 mod panel_spec;
 mod picture;
 mod references;

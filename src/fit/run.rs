@@ -5,13 +5,12 @@ use super::garment::{Garment, SelfContact};
 use super::girths;
 use super::harder;
 use super::layers;
-use super::panel_list::panel_list;
 use super::resolve::ResolvedGarment;
 use super::starts;
 use super::support;
 use super::verdict::{Demands, verdict};
 use crate::export::{DrapedPanel, GarmentMesh};
-use crate::fault::{Faults, PlacementCode, Warning};
+use crate::fault::{Faults, PlacementCode, Warning, quoted_list};
 use crate::memory;
 use crate::mesh::{self, ClothMesh, PanelRange};
 use crate::scene::{self, Avatar, Body, BodySource, Limbs, PanelParts, Parts, Scene};
@@ -84,12 +83,14 @@ pub(super) fn size_warnings(scene: &Scene) -> impl Iterator<Item = Warning> {
     warnings.into_iter().flatten()
 }
 
-/// Tells which panels are sewn before the others.
+/// Returns the warning that some panels, of these names, are sewn before the others, if any are.
 fn sewn_first(scene: &Scene, names: &[&str]) -> Option<Warning> {
-    let ids = panel_list(scene.carriers.iter().map(|&panel| names[panel]));
+    if scene.carriers.is_empty() {
+        return None;
+    }
+    let ids = quoted_list(scene.carriers.iter().map(|&panel| names[panel]));
     let detail = format!("{ids} carry the garment: they are sewn to each other before the others");
-    let is_some = !scene.carriers.is_empty();
-    is_some.then(|| Warning::new(PlacementCode::SewnFirst, "/seams", detail))
+    Some(Warning::new(PlacementCode::SewnFirst, "/seams", detail))
 }
 
 /// Says in the report which crossings a shape has, where they could be counted, and if it is good.

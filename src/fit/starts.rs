@@ -1,8 +1,7 @@
 //! Start of each panel of a garment: on the body, turned to its seams, outside of what is beneath.
 
-use super::panel_list::panel_list;
 use super::resolve::ResolvedGarment;
-use crate::fault::{PlacementCode, Warning, pointer_token};
+use crate::fault::{PlacementCode, Warning, pointer_token, quoted_list};
 use crate::mesh::ClothMesh;
 use crate::scene::{self, Avatar, PanelPlacement, Placed, SeamPoint};
 
@@ -20,7 +19,7 @@ pub(super) fn starts(
     });
     let panels: Vec<_> = panels.collect();
     let point = |vertex: usize| SeamPoint {
-        panel: mesh.panel_of(vertex),
+        panel: mesh.panel_of_vertex(vertex),
         uv: mesh.uv[vertex],
     };
     let stitches = mesh.stitches.iter();
@@ -94,7 +93,7 @@ fn lifted(panels: &[PanelPlacement<'_>], changes: &[Change]) -> Option<Warning> 
     let most = changes.iter().filter_map(height).reduce(f64::max)?;
     let ids = panels.iter().zip(changes);
     let ids = ids.filter(|(_, change)| height(change).is_some());
-    let ids = panel_list(ids.map(|(panel, _)| &*panel.panel.id));
+    let ids = quoted_list(ids.map(|(panel, _)| &panel.panel.id));
     let detail = format!(
         "{ids} start higher than they are put, by {:.0} mm at most, so that their seams close above the shoulders and their hems above the ankles",
         most * 1e3

@@ -52,10 +52,16 @@ impl ClothMesh {
         self.triangles.iter().map(area).sum()
     }
 
-    /// Index of the panel that a vertex belongs to.
-    pub fn panel_of(&self, vertex: usize) -> usize {
+    /// Returns the index of the panel that a vertex belongs to.
+    pub fn panel_of_vertex(&self, vertex: usize) -> usize {
         self.panels
             .partition_point(|range| range.vertices.end <= vertex)
+    }
+
+    /// Returns the index of the panel that a triangle belongs to.
+    pub fn panel_of_triangle(&self, triangle: usize) -> usize {
+        self.panels
+            .partition_point(|range| range.triangles.end <= triangle)
     }
 
     /// Edge length of the equilateral triangle that has the mean area of the triangles \[m\].

@@ -21,10 +21,10 @@ pub(super) fn carriers(mesh: &ClothMesh, start: &[Vector3<f64>], avatar: &Avatar
         return vec![];
     }
     let high = high_panels(mesh, start, avatar);
-    let (between, others): (Vec<&Stitch>, Vec<&Stitch>) = mesh
-        .stitches
-        .iter()
-        .partition(|stitch| high[mesh.panel_of(stitch.a)] && high[mesh.panel_of(stitch.b)]);
+    let (between, others): (Vec<&Stitch>, Vec<&Stitch>) =
+        mesh.stitches.iter().partition(|stitch| {
+            high[mesh.panel_of_vertex(stitch.a)] && high[mesh.panel_of_vertex(stitch.b)]
+        });
     let middle = avatar.landmarks.get("crotch").map_or(0.0, |p| p.z);
     let ends = between.iter().flat_map(|stitch| [stitch.a, stitch.b]);
     let sides: Vec<bool> = ends.map(|vertex| start[vertex].z > middle).collect();

@@ -5,8 +5,8 @@ use super::context::SeamCheckContext;
 use super::cycle::{FaceConstraint, contradictions_without};
 use super::faces;
 use super::parity::ParityUnionFind;
-use super::twist_fault::{TwistFault, quoted_list};
-use crate::fault::{Fault, SeamCode, pointer_token};
+use super::twist_fault::TwistFault;
+use crate::fault::{Fault, SeamCode, pointer_token, quoted_list};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Panels with stated faces in one connected part of a garment, in two groups: within each the

@@ -6,8 +6,8 @@ use super::cycle::{self, FaceConstraint, contradictions_without};
 use super::face_conflicts;
 use super::faces::{self, FaceColoring, SeamRelations};
 use super::reversal;
-use super::twist_fault::{TwistFault, quoted_list};
-use crate::fault::{Fault, SeamCode};
+use super::twist_fault::TwistFault;
+use crate::fault::{Fault, SeamCode, quoted_list};
 
 /// Contradictory cycles that are reported at once: finding each costs a search over all panels.
 const MAX_REPORTED: usize = 50;

@@ -3,15 +3,16 @@
 
 mod section;
 mod trunk;
+mod words;
 
 use self::section::{Plane, Section, Sections, level, steps};
+use self::words::section_in_words;
 use super::sides::arm_side;
 use crate::fault::{FitCode, Warning};
 use crate::scene::{Avatar, Body, Limb, Scene};
 use nalgebra::Vector3;
 
-/// Furthest that a level of the garment may start above, or thighs below, the level of the body
-/// that it is meant for \[m\].
+/// Furthest that cloth may start above or below the thigh that it is meant for \[m\].
 const OFF_LEVEL: f64 = 0.03;
 /// Distance of the places along a limb at which it is measured \[m\].
 const STEP: f64 = 0.02;
@@ -48,7 +49,7 @@ pub(super) fn too_small(scene: &Scene) -> Option<Warning> {
         let closed = place.planes.iter().map(of).filter(|s| s.is_closed);
         let widest = closed.max_by(|a, b| a.stretched_m.total_cmp(&b.stretched_m))?;
         let is_lacking = place.body_m - widest.stretched_m > NO_LACK;
-        is_lacking.then(|| widest.against(place.name, place.body_m))
+        is_lacking.then(|| section_in_words(&widest, place.name, place.body_m))
     };
     let trunk = trunk::lack(avatar, scene, &sections, &parts[0]);
     let limbs = limbs(avatar, scene, &parts).into_iter().filter_map(lack);

@@ -156,18 +156,6 @@ impl Section {
         self.shape_m += piece.shape_m;
         self.stretched_m += piece.stretched_m;
     }
-
-    /// Returns its length against the girth of the body \[m\] at a place, in words.
-    pub(super) fn against(&self, place: &str, body_m: f64) -> String {
-        let cm = |length: f64| length * 100.0;
-        let given = 100.0 * (self.stretched_m / self.rest_m - 1.0);
-        format!(
-            "round the {place} it measures {:.0} cm and the body {:.0} cm, and its cloth gives {given:.0} % ({:.0} cm)",
-            cm(self.rest_m),
-            cm(body_m),
-            cm(self.stretched_m - self.rest_m)
-        )
-    }
 }
 
 /// An edge that a plane crosses, and the share of it from its first end to the plane.

@@ -5,6 +5,7 @@
 //! girth of it is lacking at every height that it can take.
 
 use super::section::{Section, Sections, level, steps};
+use super::words::section_in_words;
 use crate::scene::{Avatar, Scene};
 use std::collections::BTreeMap;
 
@@ -22,7 +23,7 @@ const TALLEST: f64 = 1.0;
 type Ring = (f64, Section);
 
 /// Heights \[m\] and girths of a body's trunk.
-struct Trunk {
+struct TrunkGirths {
     crotch: f64,
     hip: f64,
     waist: f64,
@@ -50,14 +51,15 @@ pub(super) fn lack(
     sections: &Sections<'_>,
     panels: &[usize],
 ) -> Option<String> {
-    let trunk = Trunk::of(avatar)?;
+    let trunk = TrunkGirths::of(avatar)?;
     let parts = parts_apart(scene, sections, panels, trunk.levels()).into_values();
     let lacks = parts.filter_map(|rings| trunk.least_lack(&rings));
     let worst = most(lacks).filter(|lack| lack.share > NO_LACK_SHARE)?;
-    Some(worst.section.against(trunk.name(worst.at), worst.body_m))
+    let place = trunk.name(worst.at);
+    Some(section_in_words(&worst.section, place, worst.body_m))
 }
 
-impl Trunk {
+impl TrunkGirths {
     /// Returns the trunk of a body whose landmarks are in their order.
     fn of(avatar: &Avatar) -> Option<Self> {
         let height = |name: &str| avatar.landmarks.get(name).map(|p| p.y);
@@ -75,7 +77,7 @@ impl Trunk {
         })
     }
 
-    /// Furthest that a part rides up: a band from the hip to the waist \[m\].
+    /// Returns the furthest that a part rides up: a band from the hip to the waist \[m\].
     fn rise(&self) -> f64 {
         self.waist - self.hip
     }
@@ -86,7 +88,8 @@ impl Trunk {
     }
 
     /// Returns what is lacking of a part with these rings at the height at which it lacks least;
-    /// nothing if it can be beside no part of the trunk, where nothing is known of it.
+    /// none if it is beside no part of the trunk at one of the heights that it can take, where
+    /// nothing is known of it.
     fn least_lack(&self, rings: &[Ring]) -> Option<Lack> {
         let at_rise = |rise: f64| {
             let lacks = rings.iter();
@@ -113,14 +116,14 @@ impl Trunk {
 
     /// Returns the name of the place that is nearest to a height \[m\].
     fn name(&self, at: f64) -> &'static str {
-        let is_nearer_to = |one: f64, other: f64| (at - one).abs() < (at - other).abs();
-        if is_nearer_to(self.bust, self.waist) {
-            "bust"
-        } else if is_nearer_to(self.waist, self.hip) {
-            "waist"
-        } else {
-            "hip"
-        }
+        let places = [
+            ("bust", self.bust),
+            ("waist", self.waist),
+            ("hip", self.hip),
+        ];
+        let off = |place: &(&str, f64)| (place.1 - at).abs();
+        let nearest = places.into_iter().min_by(|a, b| off(a).total_cmp(&off(b)));
+        nearest.map_or("trunk", |place| place.0)
     }
 }
 

@@ -86,7 +86,7 @@ fn at_the_shoulders(scene: &Scene, avatar: &Avatar, neck: &Opening) -> Option<[f
     let armpit = avatar.landmarks.get("armpit_l")?.y;
     let depth = 0.5 * (left.z + right.z);
     let hangs = |vertex: usize| {
-        let panel = &scene.mesh.panels[scene.mesh.panel_of(vertex)];
+        let panel = &scene.mesh.panels[scene.mesh.panel_of_vertex(vertex)];
         let panel = &scene.start[panel.vertices.clone()];
         panel.iter().any(|p| p.y < armpit)
     };

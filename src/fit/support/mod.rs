@@ -129,7 +129,7 @@ fn crotch_seam<'a>(
     openings: &'a [WornOpening],
 ) -> impl Iterator<Item = usize> + 'a {
     let along = |leg: Encircled, vertex: usize| {
-        let panel = scene.mesh.panel_of(vertex);
+        let panel = scene.mesh.panel_of_vertex(vertex);
         let of_leg = openings.iter().filter(move |opening| opening.before == leg);
         of_leg
             .into_iter()

@@ -68,17 +68,23 @@ fn rounds(level: &Level<'_, '_, '_>) -> Vec<Round> {
     };
     let mut rounds: Vec<Round> = stages.into_iter().map(round).collect();
     let carriers = &level.scene.carriers;
-    let first = rounds.first_mut().filter(|_| is_held(level));
-    if let Some(all) = first.filter(|_| !carriers.is_empty()) {
-        let carries = |vertex: usize| carriers.binary_search(&mesh.panel_of(vertex)).is_ok();
+    if carriers.is_empty() || !is_held(level) {
+        return rounds;
+    }
+    if let Some(all) = rounds.first_mut() {
+        let carries = |vertex: usize| {
+            carriers
+                .binary_search(&mesh.panel_of_vertex(vertex))
+                .is_ok()
+        };
         let between = all.stitches.iter().copied();
-        let between = Round {
+        let first = Round {
             stage: all.stage,
             stitches: between.filter(|&(a, b)| carries(a) && carries(b)).collect(),
             held: vec![],
         };
         all.held.clone_from(carriers);
-        rounds.insert(0, between);
+        rounds.insert(0, first);
     }
     rounds
 }

@@ -39,7 +39,7 @@ impl NewtonWorkspace {
     /// Lays the matrices out anew, for couplings that have come.
     ///
     /// # Errors
-    /// [`OutOfMemory`] if there is none for the factor.
+    /// [`OutOfMemory`] if there is none for the factor; the matrices are then of no use.
     pub(crate) fn lay_out(&mut self, system: &mut System<'_>) -> Result<(), OutOfMemory> {
         self.sparsity = system.bind();
         self.hessian = BlockMatrix::zeros(&self.sparsity);

@@ -97,4 +97,15 @@ fn a_wide_skirt_hangs_from_its_band_at_the_waist() {
     // The band keeps the height that it was placed at, give or take its own width.
     assert!(0.01 * BAND_BOTTOM < top, "its top edge is at {top:.2} m");
     assert!(report.seam_gap_max_m < 1e-3);
+    // The user is told which panels carry, and how to choose another order.
+    let told = report.warnings.iter().find(|warning| {
+        let code = serde_json::to_value(warning.code.clone()).expect("a code is a string");
+        code == "placement/sewn_first"
+    });
+    let told = told.expect("the band is sewn first");
+    assert!(
+        told.detail.starts_with("`band_back` and `band_front`"),
+        "{}",
+        told.detail
+    );
 }

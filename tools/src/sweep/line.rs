@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// RMS distance to the last shape that is told of when it was reached \[m\].
+/// RMS distance to the shape at rest of which it is told when it was reached \[m\].
 pub(super) const NEAR: f64 = 1e-4;
 
 /// Outcome of sewing one garment.
@@ -37,7 +37,7 @@ pub(super) struct SweepLine {
     pub(super) newton_iterations: usize,
     pub(super) error_estimate_m: Option<f64>,
     pub(super) mesh_error_m: Option<f64>,
-    /// CPU seconds of the drape after which it stayed within [`NEAR`] of the last shape.
+    /// CPU seconds of the drape after which it stayed within [`NEAR`] of the shape at rest.
     pub(super) near_cpu_s: Option<f64>,
     pub(super) cpu_s: f64,
     pub(super) memory_bytes: u64,

@@ -97,7 +97,7 @@ fn measured(line: SweepLine, outcome: &FitOutcome) -> SweepLine {
             .error_estimate_m
             .filter(|_| report.error_estimate_valid),
         mesh_error_m: report.mesh_error_m,
-        near_cpu_s: near_cpu_s(&report.error_against_run_time),
+        near_cpu_s: near_cpu_s(&report.error_against_run_time).filter(|_| report.converged),
         why: report.why,
         cpu_s: report.cpu_s.total,
         memory_bytes: report.memory_peak_bytes,

@@ -7,8 +7,8 @@ use std::fmt::Write;
 pub(super) fn head(are_true: bool) -> String {
     let seams = if are_true { "true" } else { "suggested" };
     let columns = [
-        "garment", "vertices", "rest", "good", "r", "gap mm", "pen. mm", "cloth", "body", "inside",
-        "strain", "worn", "CPU s", "MB",
+        "garment", "edge mm", "vertices", "rest", "good", "r", "gap mm", "pen. mm", "cloth",
+        "body", "inside", "strain", "worn", "CPU s", "MB",
     ];
     format!("\n== {seams} seams\n{}", spaced(columns))
 }
@@ -16,17 +16,14 @@ pub(super) fn head(are_true: bool) -> String {
 /// Returns a line as a row, with what is wrong at its end.
 pub(super) fn row(line: &SweepLine) -> String {
     if let Some(error) = &line.error {
-        return format!("{:32} {}", line.name, error.trim().replace('\n', "; "));
+        return format!("{:32} {}", line.name, in_one_line(error));
     }
-    let good = match line.failed.is_empty() {
-        true => "good".to_owned(),
-        false => line.failed.join(","),
-    };
     let cells = [
         line.name.clone(),
+        millimeters(line.edge_length_m),
         line.vertices.to_string(),
         yes(line.converged),
-        good,
+        good(line),
         format!("{:.0e}", line.residual),
         format!("{:.2}", 1e3 * line.seam_gap_m),
         format!("{:.2}", 1e3 * line.penetration_m),
@@ -57,7 +54,7 @@ pub(super) fn summary(lines: &[SweepLine]) -> String {
         format!("{good} of {all}")
     };
     format!(
-        "at rest and good: {} by true seams, {} by suggested ones",
+        "at rest and good: {} runs by true seams, {} by suggested ones",
         of_kind(true),
         of_kind(false)
     )
@@ -69,38 +66,56 @@ pub(super) fn markdown(lines: &[SweepLine]) -> String {
         "\n| garment | edges mm | vertices | iterations | CPU s | to 0.1 mm | r | estimate mm | mesh error mm | good |\n\
          |---|---:|---:|---:|---:|---:|---:|---:|---:|---|\n",
     );
-    let millimeters = |of: Option<f64>| of.map_or("–".to_owned(), |m| format!("{:.1e}", 1e3 * m));
     for line in lines {
-        let star = if line.converged { "" } else { "*" };
-        let good = match line.failed.is_empty() {
-            true => "yes".to_owned(),
-            false => line.failed.join(", "),
-        };
-        let cells = [
-            line.name.trim_end_matches("_specification").to_owned(),
-            format!("{:.0}", 1e3 * line.edge_length_m),
-            line.vertices.to_string(),
-            line.newton_iterations.to_string(),
-            format!("{:.1}", line.cpu_s),
-            line.near_cpu_s
-                .map_or("–".to_owned(), |s| format!("{s:.1}")),
-            format!("{:.0e}{star}", line.residual),
-            millimeters(line.error_estimate_m),
-            line.mesh_error_m
-                .map_or("–".to_owned(), |m| format!("{:.1}", 1e3 * m)),
-            good,
-        ];
-        let _ = writeln!(out, "| {} |", cells.join(" | "));
+        let _ = writeln!(out, "| {} |", markdown_cells(line).join(" | "));
     }
     out.push('\n');
     out
 }
 
-fn spaced(cells: [&str; 14]) -> String {
-    let [name, vertices, rest, good, rest_of @ ..] = cells;
+fn markdown_cells(line: &SweepLine) -> Vec<String> {
+    let name = line.name.trim_end_matches("_specification").to_owned();
+    let mut cells = vec![name, millimeters(line.edge_length_m)];
+    if let Some(error) = &line.error {
+        cells.extend(["–"; 7].map(str::to_owned));
+        cells.push(in_one_line(error));
+        return cells;
+    }
+    let known = |of: Option<f64>, in_words: fn(f64) -> String| of.map_or("–".to_owned(), in_words);
+    let star = if line.converged { "" } else { "*" };
+    cells.extend([
+        line.vertices.to_string(),
+        line.newton_iterations.to_string(),
+        format!("{:.1}", line.cpu_s),
+        known(line.near_cpu_s, |s| format!("{s:.1}")),
+        format!("{:.0e}{star}", line.residual),
+        known(line.error_estimate_m, |m| format!("{:.1e}", 1e3 * m)),
+        known(line.mesh_error_m, |m| format!("{:.1}", 1e3 * m)),
+        good(line),
+    ]);
+    cells
+}
+
+fn good(line: &SweepLine) -> String {
+    match line.failed.is_empty() {
+        true => "good".to_owned(),
+        false => line.failed.join(","),
+    }
+}
+
+fn millimeters(length: f64) -> String {
+    format!("{:.0}", 1e3 * length)
+}
+
+fn in_one_line(text: &str) -> String {
+    text.trim().replace('\n', "; ")
+}
+
+fn spaced(cells: [&str; 15]) -> String {
+    let [name, edge, vertices, rest, good, rest_of @ ..] = cells;
     let figures: Vec<String> = rest_of.iter().map(|cell| format!("{cell:>7}")).collect();
     format!(
-        "{name:32} {vertices:>8} {rest:>4} {good:26} {}",
+        "{name:32} {edge:>7} {vertices:>8} {rest:>4} {good:26} {}",
         figures.join(" ")
     )
 }
