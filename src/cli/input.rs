@@ -5,7 +5,9 @@ use clap::Args;
 use seamster::config::Limits;
 use seamster::fault::{Fault, Faults, FileCode, FitCode};
 use seamster::fit::{self, AvatarRef, Garment, PatternRef};
-use seamster::pattern::{self, ImportOptions, Pattern, RotationOrder, Units};
+use seamster::pattern::{
+    self, DrawnNotches, ImportOptions, Outlines, Pattern, RotationOrder, Unfold, Units,
+};
 use seamster::scene::{self, BodyImportOptions, BodySource, BodyUnits};
 use serde::de::DeserializeOwned;
 use std::fs::File;
@@ -39,6 +41,19 @@ pub(super) struct PatternOptions {
     /// Size to read of a graded pattern; its sample size if not given
     #[arg(long)]
     size: Option<String>,
+    /// Reading of outlines that lie in others, where layers do not tell: auto (if not given),
+    /// allowance, sizes, holes, lines or pieces
+    #[arg(long, value_parser = parse_word::<Outlines>)]
+    outlines: Option<Outlines>,
+    /// Notches drawn into an outline, up to 12 mm deep: marks (if not given) or cloth
+    #[arg(long, value_parser = parse_word::<DrawnNotches>)]
+    notches: Option<DrawnNotches>,
+    /// Folds about which half pieces are unfolded: all (if not given) or none
+    #[arg(long, value_parser = parse_word::<Unfold>)]
+    unfold: Option<Unfold>,
+    /// Refuse a file with a piece that cannot be read, instead of leaving that piece out
+    #[arg(long)]
+    strict: bool,
     /// Order of the three angles of a GarmentCode panel in its rotation: xyz (Rx Ry Rz, as it
     /// writes) or zyx
     #[arg(long, value_parser = parse_word::<RotationOrder>)]
@@ -58,6 +73,10 @@ impl PatternOptions {
             name: name.map(str::to_owned),
             units: self.units,
             size: self.size.clone(),
+            outlines: self.outlines.unwrap_or_default(),
+            notches: self.notches.unwrap_or_default(),
+            unfold: self.unfold.unwrap_or_default(),
+            strict: self.strict,
             rotation_order: self.rotation_order.unwrap_or_default(),
         };
         pattern::import(&bytes, &options, limits)

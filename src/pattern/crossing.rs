@@ -3,11 +3,25 @@
 use super::point::{Point2, cross, dot, lerp, sub};
 use super::polyline::{bounds, segments};
 
+/// A place where a closed polyline crosses or touches itself.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct RingCrossing {
+    /// The point.
+    pub(crate) point: Point2,
+    /// The two segments that share it, the first by its number first.
+    pub(crate) segments: [usize; 2],
+}
+
 /// Returns a point where a closed polyline crosses or touches itself; `None` for a simple one.
+pub(crate) fn crossing(ring: &[Point2]) -> Option<Point2> {
+    first_crossing(ring).map(|crossing| crossing.point)
+}
+
+/// Returns a place where a closed polyline crosses or touches itself; `None` for a simple one.
 ///
 /// Segments are sorted along the axis on which they are shorter, and only those whose boxes overlap
 /// are compared.
-pub(crate) fn crossing(ring: &[Point2]) -> Option<Point2> {
+pub(crate) fn first_crossing(ring: &[Point2]) -> Option<RingCrossing> {
     let n = ring.len();
     let segment = |i: usize| (ring[i], ring[(i + 1) % n]);
     let [along, across] = sweep_axes(ring);
@@ -31,8 +45,9 @@ pub(crate) fn crossing(ring: &[Point2]) -> Option<Point2> {
             } else {
                 meeting(a, b, c, d)
             };
-            if place.is_some() {
-                return place;
+            if let Some(point) = place {
+                let segments = [i.min(j), i.max(j)];
+                return Some(RingCrossing { point, segments });
             }
         }
     }

@@ -27,7 +27,7 @@ mod units;
 
 pub use document::{Allowance, Pattern, PatternFormat, Source};
 pub use mirror::MIRROR;
-pub use options::{ImportOptions, RotationOrder};
+pub use options::{DrawnNotches, ImportOptions, Outlines, RotationOrder, Unfold};
 pub use panel::{Corner, Edge, Face, Grain, Hole, Notch, NotchKind, Panel, Quantity};
 pub use placement::{Placement, PlacementAnchor, Wrap};
 pub use point::Point2;

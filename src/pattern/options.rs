@@ -13,8 +13,57 @@ pub struct ImportOptions {
     pub units: Option<Units>,
     /// Size to import from a graded file; the sample size if absent.
     pub size: Option<String>,
+    /// Reading of outlines that lie in others.
+    pub outlines: Outlines,
+    /// Reading of notches that are drawn into an outline.
+    pub notches: DrawnNotches,
+    /// Folds about which half pieces are unfolded.
+    pub unfold: Unfold,
+    /// True to refuse a file with a piece that cannot be read; else that piece is left out.
+    pub strict: bool,
     /// Order in which the three angles of a `GarmentCode` panel make up its rotation.
     pub rotation_order: RotationOrder,
+}
+
+/// Reading of outlines that lie in others, where the layers of a drawing do not tell.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Outlines {
+    /// By their course: frames, sizes, sew lines, holes and drawn lines.
+    #[default]
+    Auto,
+    /// Those beside the outline are sew lines; no frames and no sizes.
+    Allowance,
+    /// Those one in the other are the sizes of a piece.
+    Sizes,
+    /// They are holes.
+    Holes,
+    /// They are lines drawn on the cloth.
+    Lines,
+    /// They are pieces, and an outline about others is the frame of the sheet.
+    Pieces,
+}
+
+/// Reading of notches that are drawn into an outline, up to 12 mm deep.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum DrawnNotches {
+    /// They are marks, and the outline runs straight on.
+    #[default]
+    Marks,
+    /// They are the course of the cloth.
+    Cloth,
+}
+
+/// Folds about which half pieces are unfolded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Unfold {
+    /// All that the file states.
+    #[default]
+    All,
+    /// None: pieces stay as they are drawn.
+    None,
 }
 
 /// Order in which three angles about x, y and z make up a rotation.

@@ -28,6 +28,9 @@ fault_codes! {
         DanglingLine = "dangling_line":
             "A group code stands at the end of the file without its value.",
             "Export the file again if something is missing.";
+        DrawnNotches = "drawn_notches":
+            "Notches are drawn into an outline; they were taken out of it, as marks.",
+            "State notches=cloth where they are the course of the cloth.";
         DuplicateId = "duplicate_id":
             "Two panels have the same id.",
             "Give every panel its own id.";
@@ -46,8 +49,11 @@ fault_codes! {
             "A field of a GarmentCode specification has a wrong value.",
             "Write it as GarmentCode does.";
         FoldIgnored = "fold_ignored":
-            "The fold line of a piece is not an edge of it; the piece was not unfolded.",
-            "Draw the fold line along an edge.";
+            "A fold line of a piece is not an edge of it, or one more than it can be unfolded about.",
+            "Draw fold lines along edges, at right angles to each other.";
+        Frame = "frame":
+            "An outline about others was taken as the frame of the sheet and left out.",
+            "State outlines=lines or holes where it is a piece.";
         GapClosed = "gap_closed":
             "An outline has a small gap, which was closed.";
         GrainIgnored = "grain_ignored":
@@ -65,6 +71,8 @@ fault_codes! {
         LineTooLong = "line_too_long":
             "A line of the file has too many bytes.",
             "Shorten the text in the CAD program.";
+        LoopCutOff = "loop_cut_off":
+            "An outline crosses itself in a small loop, which was cut off.";
         LostEntity = "lost_entity":
             "An entity could not be read whole.",
             "Export the file again.";
@@ -88,6 +96,9 @@ fault_codes! {
         NegativeRadius = "negative_radius":
             "An arc has a negative radius.",
             "Draw the arc anew.";
+        NestedSizes = "nested_sizes":
+            "Outlines that lie one in the other were taken as the sizes of a piece.",
+            "State size= to choose one, or outlines=allowance or lines where they are none.";
         Nesting = "nesting":
             "Blocks are nested too deep, or a block inserts itself.",
             "Explode the blocks before export.";
@@ -146,9 +157,15 @@ fault_codes! {
         Outline = "outline":
             "A panel does not have one edge for each corner.",
             "Give one edge from each corner to the next.";
+        OutlineInside = "outline_inside":
+            "An outline inside another was taken as a sew line, a hole or a drawn line, by its course.",
+            "State outlines= where it is something else, or draw it on the layer of its kind.";
         ParametersIgnored = "parameters_ignored":
             "The parameters of a GarmentCode specification are not applied: panels are read as \
             they are drawn.";
+        PieceLeftOut = "piece_left_out":
+            "A piece of the file cannot be read and was left out; the others are there.",
+            "Mend it in the CAD program, or state strict=true to refuse such files.";
         Quantity = "quantity":
             "A piece is to be cut more than once; it was taken once or mirrored.",
             "Name the mirrored copy `ID~mirror` in a seam to have it.";

@@ -5,7 +5,10 @@ use crate::http::extract::{ListQuery, PathId, Upload, ValidatedQuery};
 use crate::http::respond::{Problem, respond_computed};
 use crate::http::state::{App, AppState};
 use crate::job::{DocumentKind, Stored};
-use crate::pattern::{self, ImportOptions, Pattern, PatternFormat, RotationOrder, Units};
+use crate::pattern::{
+    self, DrawnNotches, ImportOptions, Outlines, Pattern, PatternFormat, RotationOrder, Unfold,
+    Units,
+};
 use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
@@ -25,6 +28,19 @@ pub(super) struct ImportQuery {
     pub units: Option<Units>,
     /// Size to import from a graded file; the sample size if absent.
     pub size: Option<String>,
+    /// Reading of outlines that lie in others, where layers do not tell: `auto` (by their course)
+    /// if absent, `allowance`, `sizes`, `holes`, `lines` or `pieces`.
+    #[param(inline)]
+    pub outlines: Option<Outlines>,
+    /// Reading of notches drawn into an outline, up to 12 mm deep: `marks` if absent, or `cloth`.
+    #[param(inline)]
+    pub notches: Option<DrawnNotches>,
+    /// Folds about which half pieces are unfolded: `all` that the file states if absent, or `none`.
+    #[param(inline)]
+    pub unfold: Option<Unfold>,
+    /// True to refuse a file with a piece that cannot be read; else that piece is left out, and a
+    /// warning says so.
+    pub strict: bool,
     /// Order of the three angles of a `GarmentCode` panel in its rotation: `xyz` (R = Rx Ry Rz, as
     /// it writes) if absent.
     #[param(inline)]
@@ -38,6 +54,10 @@ impl ImportQuery {
             name,
             units: self.units,
             size: self.size,
+            outlines: self.outlines.unwrap_or_default(),
+            notches: self.notches.unwrap_or_default(),
+            unfold: self.unfold.unwrap_or_default(),
+            strict: self.strict,
             rotation_order: self.rotation_order.unwrap_or_default(),
         }
     }

@@ -21,6 +21,8 @@ pub(super) fn excerpt(text: &str) -> String {
 pub(super) struct DxfFindings {
     /// Faults that keep the file from being read.
     pub(super) faults: Vec<Fault>,
+    /// Faults that keep single pieces from being read, each with the number of their entities.
+    refused: Vec<(Fault, usize)>,
     /// Warnings for the user.
     pub(super) warnings: Vec<Warning>,
     /// Number of warnings beyond those.
@@ -39,6 +41,32 @@ impl DxfFindings {
                 .push(Warning::new(code, at_line(line), detail));
         } else {
             self.more += 1;
+        }
+    }
+
+    /// Leaves a piece of so many entities, or a hole of it, out for a fault.
+    pub(super) fn leave_out(&mut self, fault: Fault, entities: usize) {
+        self.refused.push((fault, entities));
+    }
+
+    /// Makes warnings of the faults of pieces that were left out, or faults of the file where
+    /// `is_strict` or nothing is left.
+    pub(super) fn settle_left_out(&mut self, is_strict: bool) {
+        for (fault, entities) in std::mem::take(&mut self.refused) {
+            if is_strict {
+                self.faults.push(fault);
+            } else if self.warnings.len() < MOST {
+                let fix = fault.fix.as_deref().unwrap_or("mend it in the CAD program");
+                let detail = format!(
+                    "{entities} entities left out: {}; {fix}, or state strict=true to refuse such files",
+                    fault.detail
+                );
+                let code = PatternCode::PieceLeftOut;
+                self.warnings
+                    .push(Warning::new(code, fault.pointer, detail));
+            } else {
+                self.more += 1;
+            }
         }
     }
 
@@ -107,7 +135,11 @@ impl DxfFindings {
     /// Returns the fault of a file without pieces: an outline that is wrong, else that there is
     /// none.
     pub(super) fn no_outline(&mut self) -> Fault {
-        if let Some(last) = self.faults.pop() {
+        if let Some(last) = self
+            .faults
+            .pop()
+            .or(self.refused.pop().map(|(fault, _)| fault))
+        {
             return last;
         }
         let hint = self.skipped.keys().next().map_or_else(String::new, |kind| {

@@ -61,12 +61,13 @@ fn read_pattern(
     let sheets = blocks::place(&drawing, unit, limits, findings)?;
     let format = dialect::detect(&drawing, &labels);
     drop(drawing);
-    let pieces = classify::pieces(&sheets, limits, findings);
+    let pieces = classify::pieces(&sheets, options, limits, findings);
     let (pieces, sizes) = select::one_size(pieces, options.size.as_deref(), &labels, findings)?;
     select::check(&pieces, unit, limits, findings)?;
     let name = labels.get("style name").or(options.name.as_deref());
     let name = name.unwrap_or("pattern");
-    let mut panels = build_panels(&pieces, name, limits, findings);
+    let (pieces, mut panels) = build_panels(pieces, name, options, limits, findings);
+    findings.settle_left_out(options.strict || panels.is_empty());
     let allowance = allowance(&pieces, &panels, findings);
     let mut warnings = findings.take_warnings();
     warnings.extend(copies::add_stated(&mut panels));
@@ -88,22 +89,25 @@ fn read_pattern(
     })
 }
 
-/// Makes the panels, with ids made from the names of the pieces.
+/// Makes the panels, with ids made from the names of the pieces; returns the pieces that became one
+/// with them.
 fn build_panels(
-    pieces: &[DxfPiece],
+    pieces: Vec<DxfPiece>,
     style: &str,
+    options: &ImportOptions,
     limits: &Limits,
     findings: &mut DxfFindings,
-) -> Vec<Panel> {
-    let mut panels: Vec<Panel> = pieces
-        .iter()
-        .filter_map(|piece| panel::build(piece, limits, findings))
-        .collect();
+) -> (Vec<DxfPiece>, Vec<Panel>) {
+    let build = |piece: DxfPiece| {
+        let panel = panel::build(&piece, options, limits, findings)?;
+        Some((piece, panel))
+    };
+    let (pieces, mut panels): (Vec<_>, Vec<_>) = pieces.into_iter().filter_map(build).unzip();
     let names: Vec<String> = panels.iter().map(|panel| panel.name.clone()).collect();
     for (panel, id) in panels.iter_mut().zip(ids::from_names(&names, style)) {
         panel.id = id;
     }
-    panels
+    (pieces, panels)
 }
 
 /// Returns `SewLine` where sew lines became the outlines of all panels. Where only some panels have

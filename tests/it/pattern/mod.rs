@@ -3,8 +3,13 @@
 mod allowance;
 mod copies;
 mod corpus;
+mod courses;
+mod folds;
 mod garmentcode;
 mod import;
 mod loss;
+mod nested;
 mod properties;
+mod read;
+mod spoiled;
 mod truth;

@@ -63,6 +63,21 @@ impl DxfLabels {
         self.labels.iter().any(|label| label.key.starts_with(start))
     }
 
+    /// Sets the value of `key` (lower case) in place of what the texts say.
+    pub(crate) fn set(&mut self, key: &str, value: &str, line: usize) {
+        self.labels.retain(|label| label.key != key);
+        self.labels.push(TextLabel {
+            key: key.to_owned(),
+            value: value.to_owned(),
+            line,
+        });
+    }
+
+    /// Returns the texts that are no labels.
+    pub(crate) fn notes(&self) -> impl Iterator<Item = &str> {
+        self.notes.iter().map(String::as_str)
+    }
+
     /// Returns the number that is cut, by a label (`Quantity: 2`, `Quantity: 1,1`) or a note
     /// (`Cut 2`, `x2`, `1 pair`, `L1 R1`).
     pub(crate) fn quantity(&self) -> Option<Quantity> {

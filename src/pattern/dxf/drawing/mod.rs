@@ -8,5 +8,6 @@ pub(super) mod labels;
 pub(super) mod layers;
 pub(super) mod quantity;
 pub(super) mod sheet;
+pub(super) mod size_names;
 pub(super) mod sizes;
 pub(super) mod units;

@@ -1,29 +1,35 @@
 //! Sheets to pieces: the outlines, and the piece that every other line, mark and text lies in.
 
-use super::dxf_piece::{DxfPiece, InnerLine};
+use super::dxf_piece::DxfPiece;
 use super::lines::SheetLines;
-use super::{assign, marks, nest};
+use super::measured::MeasuredChain;
+use super::{assign, drawn_notches, frame, inner_outlines, marks, nest, size_nest};
 use crate::config::Limits;
+use crate::pattern::ImportOptions;
 use crate::pattern::dxf::drawing::sheet::DxfSheet;
 use crate::pattern::dxf::findings::DxfFindings;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Returns the pieces of all sheets; outlines that do not close become faults.
 pub(crate) fn pieces(
     sheets: &[DxfSheet],
+    options: &ImportOptions,
     limits: &Limits,
     findings: &mut DxfFindings,
 ) -> Vec<DxfPiece> {
     sheets
         .iter()
-        .flat_map(|sheet| pieces_of_sheet(sheet, limits.panels, findings))
+        .flat_map(|sheet| pieces_of_sheet(sheet, options, limits.panels, findings))
         .collect()
 }
 
 fn pieces_of_sheet(
     sheet: &DxfSheet,
+    options: &ImportOptions,
     panel_limit: usize,
     findings: &mut DxfFindings,
 ) -> Vec<DxfPiece> {
+    let reading = options.outlines;
     let lines = SheetLines::of(sheet);
     let outlines = lines.outlines(sheet, findings);
     let taken = outlines.iter().map(|outline| outline.chain.key()).collect();
@@ -33,7 +39,11 @@ fn pieces_of_sheet(
         findings.faults.push(fault);
         return Vec::new();
     }
-    let (outer, inner) = nest::nest(nest::drop_duplicates(outlines, findings));
+    let layers = LayersOfLines::of(sheet, &outlines);
+    let layer = |outline: &MeasuredChain| layers.of_line(outline.chain.line);
+    let outlines = nest::drop_duplicates(outlines, findings);
+    let outlines = frame::without_frames(outlines, reading, layer, findings);
+    let (outer, inner) = nest::nest(outlines);
     let is_alone = outer.len() == 1 && sheet.block.is_some();
     let texts = marks::texts(sheet, &outer, is_alone, findings);
     let mut pieces: Vec<DxfPiece> = outer
@@ -45,15 +55,33 @@ fn pieces_of_sheet(
         let line = piece.outline.chain.line;
         piece.is_sewn = lines.sew.iter().any(|sew| sew.line == line);
     }
-    for (owner, inner) in inner {
-        let kind = if pieces[owner].outline.is_sewn_on(&inner) {
-            InnerLine::Sew
-        } else {
-            InnerLine::Drawn
-        };
-        pieces[owner].add_line(inner.chain, kind);
+    let mut pairs = pieces.iter().zip(&inner);
+    let is_sewn = pairs.any(|(piece, inner)| size_nest::has_allowance(&piece.outline, inner));
+    for (piece, mut inner) in pieces.iter_mut().zip(inner) {
+        piece.nest = size_nest::take_sizes(piece, &mut inner, reading, is_sewn, layer, findings);
+        inner_outlines::give(piece, inner, reading, layer, findings);
     }
-    assign::lines(&lines, &taken, &mut pieces, is_alone, findings);
     marks::assign(sheet, &lines.mirror, &mut pieces, is_alone, findings);
+    assign::lines(&lines, &taken, &mut pieces, is_alone, findings);
+    let mut pieces: Vec<DxfPiece> = pieces.into_iter().flat_map(size_nest::split).collect();
+    for piece in &mut pieces {
+        drawn_notches::take(piece, options.notches, findings);
+    }
     pieces
+}
+
+/// The layers of the lines that outlines begin at.
+struct LayersOfLines<'a>(BTreeMap<usize, &'a str>);
+
+impl<'a> LayersOfLines<'a> {
+    fn of(sheet: &'a DxfSheet, outlines: &[MeasuredChain]) -> Self {
+        let wanted: BTreeSet<usize> = outlines.iter().map(|o| o.chain.line).collect();
+        let entities = sheet.entities.iter();
+        let found = entities.filter(|entity| wanted.contains(&entity.line));
+        Self(found.map(|entity| (entity.line, &*entity.layer)).collect())
+    }
+
+    fn of_line(&self, line: usize) -> &'a str {
+        self.0.get(&line).copied().unwrap_or("")
+    }
 }

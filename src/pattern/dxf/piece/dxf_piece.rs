@@ -1,6 +1,7 @@
 //! A piece as drawn: its outline, and the lines and marks that lie in it.
 
 use super::chain::PathChain;
+use super::fold::FoldLine;
 use super::measured::MeasuredChain;
 use crate::pattern::dxf::drawing::labels::{self, DxfLabels};
 use crate::pattern::dxf::drawing::sheet::DxfSheet;
@@ -18,7 +19,17 @@ pub(crate) enum InnerLine {
     Drawn,
 }
 
+/// One size of a piece of which all sizes are drawn one in the other.
+#[derive(Clone, Debug)]
+pub(super) struct NestedSize {
+    /// Its name.
+    pub(super) name: String,
+    /// Its outline.
+    pub(super) outline: MeasuredChain,
+}
+
 /// A piece as drawn, in meters.
+#[derive(Clone)]
 pub(crate) struct DxfPiece {
     /// Its name.
     pub(crate) name: String,
@@ -28,6 +39,8 @@ pub(crate) struct DxfPiece {
     pub(crate) labels: DxfLabels,
     /// The outline as drawn.
     pub(crate) outline: MeasuredChain,
+    /// All sizes of the outline, growing, where they are drawn one in the other; else empty.
+    pub(super) nest: Vec<NestedSize>,
     /// True if that outline is a sew line, by itself or too.
     pub(crate) is_sewn: bool,
     /// The sew line inside it, closed, or open along the fold.
@@ -43,7 +56,7 @@ pub(crate) struct DxfPiece {
 }
 
 /// Points and straight lines with a meaning.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct PieceMarks {
     /// Turn points: corners of the outline.
     pub(crate) turns: Vec<Point2>,
@@ -98,6 +111,7 @@ impl DxfPiece {
             line,
             labels,
             outline,
+            nest: Vec::new(),
             is_sewn: false,
             sew: None,
             cut: None,
@@ -107,14 +121,40 @@ impl DxfPiece {
         }
     }
 
-    /// Adds a line that lies in it. A sew line drawn over the outline says that this is one.
+    /// Returns the number of entities that it was made of.
+    pub(super) fn entity_count(&self) -> usize {
+        let lines = [&self.sew, &self.cut].into_iter().flatten();
+        let lines = lines.chain(&self.cutouts).chain(&self.internal);
+        let lines = lines.chain([&self.outline.chain]);
+        let marks = &self.marks;
+        let points = marks.notches.len() + marks.drills.len() + marks.turns.len();
+        let straight = marks.folds.len() + marks.grains.len();
+        lines.map(|chain| chain.path_count).sum::<usize>() + points + straight
+    }
+
+    /// Adds a line that lies in it. A sew line drawn over the outline says that this is one; the
+    /// outline of a hole may be open at a fold.
     pub(super) fn add_line(&mut self, chain: PathChain, kind: InnerLine) {
         match kind {
             InnerLine::Sew if self.is_outline(&chain) => self.is_sewn = true,
             InnerLine::Sew if self.sew.is_none() => self.sew = Some(chain),
-            InnerLine::Hole if chain.closed => self.cutouts.push(chain),
+            InnerLine::Hole if chain.closed || self.ends_on_fold(&chain) => {
+                self.cutouts.push(chain);
+            }
             _ => self.internal.push(chain),
         }
+    }
+
+    /// Returns true if both ends of a line lie on one of its fold lines, apart from each other.
+    fn ends_on_fold(&self, chain: &PathChain) -> bool {
+        let lines = self
+            .marks
+            .folds
+            .iter()
+            .filter_map(|line| FoldLine::new(*line));
+        let ends = [chain.points.first(), chain.points.last()];
+        let lies = |fold: &FoldLine| ends.iter().flatten().all(|end| fold.contains(**end));
+        chain.points.len() > 2 && lines.into_iter().any(|fold| lies(&fold))
     }
 
     /// Returns true if a line is the outline drawn once more.

@@ -2,9 +2,18 @@
 
 use super::corners::CorneredRing;
 use crate::pattern::point::{Point2, distance, dot, sub};
+use crate::pattern::polyline::signed_area;
 
 /// Points this near to the mirror line lie on it \[m\].
 const ON: f64 = 2e-4;
+
+/// A half outline unfolded.
+pub(super) struct Unfolded {
+    /// The whole outline.
+    pub(super) outline: CorneredRing,
+    /// Holes that were drawn as bays of the half at its fold.
+    pub(super) holes: Vec<CorneredRing>,
+}
 
 /// A fold line.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +54,8 @@ impl FoldLine {
         ]
     }
 
-    fn contains(&self, p: Point2) -> bool {
+    /// Returns true if a point lies on it.
+    pub(super) fn contains(&self, p: Point2) -> bool {
         self.side(p).abs() <= ON
     }
 
@@ -65,24 +75,39 @@ impl FoldLine {
         points.extend(images);
     }
 
-    /// Returns the whole outline of which `half` is drawn: without its stretch on the fold, joined
-    /// to its mirror image. Where both halves go on straight over the fold there is no corner.
+    /// Returns the whole outline of which `half` is drawn: without its stretches on the fold,
+    /// joined to its mirror image. Where both halves go on straight over the fold there is no
+    /// corner. What is drawn between two stretches becomes a hole.
+    ///
     /// `None` where no stretch of `half` lies on the fold, or `half` lies on both sides of it.
-    pub(super) fn unfold(&self, half: &CorneredRing) -> Option<CorneredRing> {
-        let n = half.points.len();
-        let (start, count) = self.stretch(half)?;
-        let drawn: Vec<usize> = (0..=n - count + 1)
-            .map(|k| (start + count - 1 + k) % n)
-            .collect();
-        let sides: Vec<f64> = drawn.iter().map(|i| self.side(half.points[*i])).collect();
-        if sides.iter().any(|s| *s > ON) && sides.iter().any(|s| *s < -ON) {
+    pub(super) fn unfold(&self, half: &CorneredRing) -> Option<Unfolded> {
+        if self.is_across(half) {
             return None;
         }
-        let inner = &drawn[1..drawn.len() - 1];
-        let ends = [
-            self.foot(half.points[drawn[0]]),
-            self.foot(half.points[drawn[drawn.len() - 1]]),
-        ];
+        let n = half.points.len();
+        let stretches = self.stretches(half);
+        let arc = |(k, (start, count)): (usize, &(usize, usize))| {
+            let (next, _) = stretches[(k + 1) % stretches.len()];
+            let from = start + count - 1;
+            let steps = (next + n - from % n) % n;
+            let arc: Vec<usize> = (from..=from + steps).map(|i| i % n).collect();
+            self.closed(half, &arc)
+        };
+        let mut rings: Vec<CorneredRing> = stretches.iter().enumerate().map(arc).collect();
+        let area = |ring: &CorneredRing| signed_area(&ring.points).abs();
+        let by_area = |a: &usize, b: &usize| area(&rings[*a]).total_cmp(&area(&rings[*b]));
+        let outer = (0..rings.len()).max_by(by_area)?;
+        let outline = rings.swap_remove(outer);
+        Some(Unfolded {
+            outline,
+            holes: rings,
+        })
+    }
+
+    /// Returns the ring that an arc of `half` from fold to fold makes up with its mirror image.
+    fn closed(&self, half: &CorneredRing, arc: &[usize]) -> CorneredRing {
+        let inner = &arc[1..arc.len() - 1];
+        let ends = [arc[0], arc[arc.len() - 1]].map(|i| self.foot(half.points[i]));
         let mut points = vec![ends[0]];
         points.extend(inner.iter().map(|i| half.points[*i]));
         points.push(ends[1]);
@@ -95,7 +120,24 @@ impl FoldLine {
         for end in [0, inner.len() + 1] {
             whole.is_corner[end] = whole.is_sharp(end);
         }
-        Some(whole)
+        whole
+    }
+
+    /// Returns true if a ring lies on both sides of it.
+    pub(super) fn is_across(&self, ring: &CorneredRing) -> bool {
+        let lies = |way: f64| ring.points.iter().any(|p| way * self.side(*p) > ON);
+        lies(1.0) && lies(-1.0)
+    }
+
+    /// Returns true if another fold runs along the same line.
+    pub(super) fn is_along(&self, other: &Self) -> bool {
+        let far = [other.at[0] + other.along[0], other.at[1] + other.along[1]];
+        self.contains(other.at) && self.contains(far)
+    }
+
+    /// Returns the angle at which another fold meets it, at most a right one \[rad\].
+    pub(super) fn angle_to(&self, other: &Self) -> f64 {
+        dot(self.along, other.along).abs().min(1.0).acos()
     }
 
     /// Returns an open line with its mirror image, as a closed one: of what runs along the fold at
@@ -122,34 +164,21 @@ impl FoldLine {
         line
     }
 
-    /// Returns the longest stretch of consecutive points on the fold: the first and the number, at
-    /// least two.
-    fn stretch(&self, half: &CorneredRing) -> Option<(usize, usize)> {
+    /// Returns the stretches of at least two consecutive points on the fold, round the ring: the
+    /// first point and the number of each.
+    fn stretches(&self, half: &CorneredRing) -> Vec<(usize, usize)> {
         let n = half.points.len();
         let on: Vec<bool> = half.points.iter().map(|p| self.contains(*p)).collect();
         let starts = (0..n).filter(|i| on[*i] && !on[(*i + n - 1) % n]);
         let stretches =
             starts.map(|start| (start, (0..n).take_while(|k| on[(start + k) % n]).count()));
-        stretches
-            .filter(|(_, count)| (2..n - 1).contains(count))
-            .max_by(|a, b| {
-                self.stretch_length(half, *a)
-                    .total_cmp(&self.stretch_length(half, *b))
-            })
-    }
-
-    fn stretch_length(&self, half: &CorneredRing, (start, count): (usize, usize)) -> f64 {
-        distance(
-            half.points[start],
-            half.points[(start + count - 1) % half.points.len()],
-        )
+        stretches.filter(|(_, count)| *count > 1).collect()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pattern::polyline::signed_area;
 
     #[test]
     fn half_piece_is_unfolded_about_its_edge() {
@@ -158,7 +187,7 @@ mod tests {
             is_corner: vec![true, true, true, true, false],
         };
         let fold = FoldLine::new([[0.0, 0.2], [0.0, 1.0]]).expect("two points");
-        let whole = fold.unfold(&half).expect("on the fold");
+        let whole = fold.unfold(&half).expect("on the fold").outline;
         assert_eq!(signed_area(&whole.points), 2.0 * signed_area(&half.points));
         let corners: Vec<Point2> = whole
             .points
@@ -172,6 +201,31 @@ mod tests {
             [[1.0, 0.0], [1.0, 2.0], [0.0, 1.5], [-1.0, 2.0], [-1.0, 0.0]],
             "straight at the hem, a V at the neck"
         );
+    }
+
+    #[test]
+    fn bay_at_the_fold_becomes_a_hole() {
+        let half = [
+            [0.0, 0.0],
+            [3.0, 0.0],
+            [3.0, 3.0],
+            [0.0, 3.0],
+            [0.0, 2.0],
+            [1.0, 2.0],
+            [1.0, 1.0],
+            [0.0, 1.0],
+        ];
+        for first in 0..half.len() {
+            let mut points = half.to_vec();
+            points.rotate_left(first);
+            let is_corner = vec![true; points.len()];
+            let half = CorneredRing { points, is_corner };
+            let fold = FoldLine::new([[0.0, 0.0], [0.0, 1.0]]).expect("two points");
+            let whole = fold.unfold(&half).expect("on the fold");
+            assert_eq!(signed_area(&whole.outline.points).abs(), 18.0);
+            assert_eq!(whole.holes.len(), 1);
+            assert_eq!(signed_area(&whole.holes[0].points).abs(), 2.0);
+        }
     }
 
     #[test]

@@ -2,36 +2,30 @@
 
 use super::corners::CorneredRing;
 use super::dxf_piece::DxfPiece;
-use super::fold::FoldLine;
+use super::folds::Folds;
 use super::rings;
 use crate::config::Limits;
 use crate::pattern::Hole;
 use crate::pattern::dxf::findings::DxfFindings;
 use crate::pattern::outline::Outline;
 
-/// Returns the holes, counter-clockwise; on a half piece the mirror image of each as well.
+/// Returns the holes, counter-clockwise: the cutouts of a piece, with `bays` that unfolding closed;
+/// of a piece on the fold, those of the whole.
 pub(super) fn holes(
     piece: &DxfPiece,
-    fold: Option<FoldLine>,
+    folds: &Folds,
+    bays: Vec<CorneredRing>,
     limits: &Limits,
     findings: &mut DxfFindings,
 ) -> Vec<Hole> {
-    let mut holes = Vec::new();
+    let mut rings = bays;
     for chain in &piece.cutouts {
-        let Some(ring) = rings::checked(piece, chain, limits, findings) else {
-            continue;
-        };
-        let image = fold.map(|fold| CorneredRing {
-            points: ring.points.iter().map(|p| fold.mirror(*p)).collect(),
-            is_corner: ring.is_corner.clone(),
-        });
-        for ring in [Some(ring), image].into_iter().flatten() {
-            if rings::is_simple(piece, &ring, findings) {
-                holes.push(hole(ring));
-            }
+        if let Some(ring) = rings::checked(piece, chain, limits, findings) {
+            rings.extend(folds.unfolded_holes(ring));
         }
     }
-    holes
+    let simple = |ring| rings::simple(piece, ring, findings);
+    rings.into_iter().filter_map(simple).map(hole).collect()
 }
 
 fn hole(ring: CorneredRing) -> Hole {

@@ -10,6 +10,11 @@ use crate::pattern::dxf::drawing::layers::{LayerRole, role};
 use crate::pattern::dxf::drawing::sheet::DxfSheet;
 use crate::pattern::dxf::entity::geometry::{DxfEntity, EntityPath, EntityShape};
 use crate::pattern::dxf::findings::DxfFindings;
+use crate::pattern::point::{distance, lerp};
+use crate::pattern::polyline::nearest;
+
+/// Points this near to a line lie on it \[m\].
+const ON: f64 = 2e-4;
 
 /// Returns the texts of each outline: all of a sheet with one piece alone; else those in it, and
 /// those in its box that are in no outline. Other texts are counted as left out, unless they are
@@ -48,7 +53,7 @@ pub(super) fn assign(
         findings,
     };
     for chain in mirror {
-        assigner.give_fold_line(chain);
+        assigner.give_fold_lines(chain);
     }
     for mark in notch_marks(sheet) {
         assigner.give_notch(mark);
@@ -71,17 +76,28 @@ impl MarkAssigner<'_> {
         owner(outlines(self.pieces), place, self.is_alone)
     }
 
-    fn give_fold_line(&mut self, chain: &PathChain) {
-        let Some(line) = ends(&chain.points) else {
-            return;
-        };
-        match self.owner(line[0]) {
-            Some(piece) => self.pieces[piece].marks.folds.push(line),
-            None => {
-                let kind = "fold line outside the pieces";
-                self.findings.skip_many(kind, chain.line, chain.path_count);
+    /// Gives a line on the layer of folds to its piece: the fold from its one end to the other, if
+    /// that runs along the outline (brackets that stand beside it), else each straight stretch.
+    fn give_fold_lines(&mut self, chain: &PathChain) {
+        let ends = ends(&chain.points);
+        let bracket = ends.filter(|ends| self.runs_along_outline(*ends));
+        let lines = bracket.map_or_else(|| straight_stretches(&chain.points), |ends| vec![ends]);
+        for line in lines {
+            match self.owner(line[0]) {
+                Some(piece) => self.pieces[piece].marks.folds.push(line),
+                None => {
+                    let kind = "fold line outside the pieces";
+                    self.findings.skip_many(kind, chain.line, chain.path_count);
+                }
             }
         }
+    }
+
+    /// Returns true if a straight line lies on the outline of its piece: its ends and its middle.
+    fn runs_along_outline(&self, [a, b]: [Point2; 2]) -> bool {
+        let outline = self.owner(a).map(|piece| &self.pieces[piece].outline);
+        let on = |p: Point2| outline.is_some_and(|outline| outline.is_beside(p, ON));
+        distance(a, b) > ON && [a, lerp(a, b, 0.5), b].into_iter().all(on)
     }
 
     fn give_notch(&mut self, mark: NotchMark) {
@@ -159,6 +175,31 @@ fn notch_marks(sheet: &DxfSheet) -> Vec<NotchMark> {
 
 fn ends(points: &[Point2]) -> Option<[Point2; 2]> {
     Some([*points.first()?, *points.last()?])
+}
+
+/// Returns the stretches of a line that are straight, from end to end.
+fn straight_stretches(points: &[Point2]) -> Vec<[Point2; 2]> {
+    /// Points of a stretch that are looked at: a line of thousands costs no more than that.
+    const SAMPLES: usize = 16;
+    let is_straight = |from: usize, to: usize| {
+        let chord = (points[from], points[to]);
+        let is_near = |p: &Point2| {
+            let foot = nearest(std::iter::once(chord), *p);
+            foot.is_some_and(|foot| foot.distance <= ON)
+        };
+        let between = &points[from + 1..to];
+        let step = (between.len() / SAMPLES).max(1);
+        between.iter().rev().step_by(step).all(is_near)
+    };
+    let mut stretches = vec![];
+    let mut from = 0;
+    while from + 1 < points.len() {
+        let mut ends = (from + 1..points.len()).take_while(|to| is_straight(from, *to));
+        let to = ends.by_ref().last().unwrap_or(from + 1);
+        stretches.push([points[from], points[to]]);
+        from = to;
+    }
+    stretches
 }
 
 /// Returns the place of a mark: a point, or the middle of what is drawn.

@@ -78,7 +78,7 @@ impl MeasuredChain {
     }
 
     /// Returns true if all of it runs beside `other`, at the distance of a seam allowance.
-    fn follows(&self, other: &Self) -> bool {
+    pub(super) fn follows(&self, other: &Self) -> bool {
         sample(&self.chain.points, 200).all(|p| other.is_beside(*p, ALLOWANCE))
     }
 

@@ -24,11 +24,9 @@ pub(super) fn drop_duplicates(
     kept
 }
 
-/// Splits outlines into those that lie in no other, and those inside with the index of the largest
-/// that holds them.
-pub(super) fn nest(
-    outlines: Vec<MeasuredChain>,
-) -> (Vec<MeasuredChain>, Vec<(usize, MeasuredChain)>) {
+/// Splits outlines into those that lie in no other, and those inside of each, the largest that
+/// holds them.
+pub(super) fn nest(outlines: Vec<MeasuredChain>) -> (Vec<MeasuredChain>, Vec<Vec<MeasuredChain>>) {
     let mut order: Vec<usize> = (0..outlines.len()).collect();
     order.sort_by(|a, b| outlines[*b].area.total_cmp(&outlines[*a].area));
     let mut outer: Vec<usize> = Vec::new();
@@ -43,11 +41,11 @@ pub(super) fn nest(
         }
     }
     outer.sort_unstable();
-    let mut inner = Vec::new();
+    let mut inner = vec![vec![]; outer.len()];
     let mut kept = Vec::new();
     for (outline, owner) in outlines.into_iter().zip(owner) {
         match owner.and_then(|o| outer.binary_search(&o).ok()) {
-            Some(at) => inner.push((at, outline)),
+            Some(at) => inner[at].push(outline),
             None => kept.push(outline),
         }
     }
@@ -94,9 +92,6 @@ mod tests {
             outer.iter().map(|l| l.bounds[0]).collect::<Vec<_>>(),
             [[0.0, 0.0], [1.0, 0.0]]
         );
-        assert_eq!(
-            inner.iter().map(|(owner, _)| *owner).collect::<Vec<_>>(),
-            [0, 0]
-        );
+        assert_eq!(inner.iter().map(Vec::len).collect::<Vec<_>>(), [2, 0]);
     }
 }

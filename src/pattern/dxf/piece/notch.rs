@@ -2,7 +2,7 @@
 //! inside it; drawn on both, it is one.
 
 use super::dxf_piece::{DxfPiece, NotchMark};
-use super::fold::FoldLine;
+use super::folds::Folds;
 use crate::fault::PatternCode;
 use crate::pattern::Notch;
 use crate::pattern::dxf::findings::DxfFindings;
@@ -46,7 +46,7 @@ struct PlacedNotch {
 pub(super) fn notches(
     piece: &DxfPiece,
     outline: &Outline,
-    fold: Option<FoldLine>,
+    folds: &Folds,
     findings: &mut DxfFindings,
 ) -> Vec<Notch> {
     let ring = ring_of(&outline.edges);
@@ -65,15 +65,18 @@ pub(super) fn notches(
             findings.warn(PatternCode::NotchIgnored, mark.line, detail);
             continue;
         };
-        let image = fold.and_then(|fold| fold.image(&mark.points));
-        let image = image.and_then(|points| foot_of_tip(&ring, &points));
-        let image = image.map(|foot| PlacedNotch {
+        let images = folds.images(&mark.points);
+        let images = images[1..]
+            .iter()
+            .filter_map(|points| foot_of_tip(&ring, points));
+        let images = images.map(|foot| PlacedNotch {
             foot,
             point: point_at(&ring, foot),
             ..found
         });
+        let images: Vec<PlacedNotch> = images.collect();
         add(&mut placed, found, marks);
-        if let Some(image) = image {
+        for image in images {
             add(&mut placed, image, marks);
         }
     }

@@ -1,8 +1,7 @@
 //! Pieces to panels: the outline chosen, unfolded, checked, cut into edges, with its marks put on.
 
-use super::corners::CorneredRing;
 use super::dxf_piece::DxfPiece;
-use super::fold::FoldLine;
+use super::folds::Folds;
 use super::{holes, notch, rings};
 use crate::config::Limits;
 use crate::fault::PatternCode;
@@ -10,7 +9,7 @@ use crate::pattern::dxf::findings::DxfFindings;
 use crate::pattern::outline::{Outline, ring_of};
 use crate::pattern::point::{Point2, cross, distance, sub};
 use crate::pattern::polyline::signed_area;
-use crate::pattern::{Grain, Panel};
+use crate::pattern::{Grain, ImportOptions, Panel};
 
 /// A grain line at least this share of the longest as long is one of its own, no arrow head.
 const SECOND_GRAIN: f64 = 0.5;
@@ -24,23 +23,23 @@ const OTHER_WAY: f64 = 0.02;
 /// The outline is the sew line where there is one, else the line as drawn.
 pub(crate) fn build(
     piece: &DxfPiece,
+    options: &ImportOptions,
     limits: &Limits,
     findings: &mut DxfFindings,
 ) -> Option<Panel> {
     let drawn = rings::checked(piece, &piece.outline.chain, limits, findings)?;
     let sew = piece.sew.as_ref();
     let sew = sew.and_then(|sew| rings::of_sew_line(piece, sew, limits, findings));
-    let fold = fold(piece, &drawn, findings);
-    let cut = unfolded(&drawn, fold);
-    let ring = sew
-        .as_ref()
-        .map_or_else(|| cut.clone(), |sew| unfolded(sew, fold));
-    let ring = ring.into_clockwise();
-    if !rings::is_simple(piece, &ring, findings) {
-        return None;
-    }
+    let folds = Folds::of(piece, &drawn, options.unfold, findings);
+    let mut cut = folds.unfolded(&drawn);
+    let whole = sew.as_ref().map(|sew| folds.unfolded(sew));
+    let (ring, bays) = match whole {
+        Some(sewn) => (sewn.outline, sewn.holes),
+        None => (cut.outline.clone(), std::mem::take(&mut cut.holes)),
+    };
+    let ring = rings::simple(piece, ring, findings)?.into_clockwise();
     let outline = Outline::cut(&ring.points, &ring.is_corner);
-    let holes = holes::holes(piece, fold, limits, findings);
+    let holes = holes::holes(piece, &folds, bays, limits, findings);
     let hole_area: f64 = holes
         .iter()
         .map(|hole| signed_area(&ring_of(&hole.edges)))
@@ -53,63 +52,36 @@ pub(crate) fn build(
         area_m2: signed_area(&ring.points).abs() - hole_area.abs(),
         perimeter_m: outline.edges.iter().map(|edge| edge.length_m).sum(),
         drawn_area_m2: signed_area(&drawn.points).abs(),
-        unfolded: fold.is_some(),
+        unfolded: !folds.is_empty(),
         copy_of: None,
         quantity: piece.labels.quantity(),
-        notches: notch::notches(piece, &outline, fold, findings),
+        notches: notch::notches(piece, &outline, &folds, findings),
         corners: outline.corners,
         edges: outline.edges,
         holes,
         cut_line: if sew.is_some() {
-            cut.points
+            cut.outline.points
         } else {
-            drawn_cut_line(piece, fold)
+            drawn_cut_line(piece, &folds)
         },
-        drill_holes: drill_holes(piece, fold),
+        drill_holes: drill_holes(piece, &folds),
         grain: grain(piece, findings),
-        internal_lines: internal_lines(piece, sew.is_some(), fold),
+        internal_lines: internal_lines(piece, sew.is_some(), &folds),
     })
 }
 
-/// Returns the fold line about which the outline is to be unfolded, if it has one.
-fn fold(piece: &DxfPiece, drawn: &CorneredRing, findings: &mut DxfFindings) -> Option<FoldLine> {
-    let lines = &piece.marks.folds;
-    let found = lines
-        .iter()
-        .filter_map(|line| FoldLine::new(*line))
-        .find(|fold| fold.unfold(drawn).is_some());
-    if found.is_none() && !lines.is_empty() {
-        let detail = format!(
-            "the fold line of {:?} is not an edge of it; the piece was not unfolded",
-            piece.name
-        );
-        findings.warn(PatternCode::FoldIgnored, piece.line, detail);
-    }
-    found
-}
-
-/// Returns a ring unfolded, or as it is where it does not lie on the fold.
-fn unfolded(ring: &CorneredRing, fold: Option<FoldLine>) -> CorneredRing {
-    fold.and_then(|fold| fold.unfold(ring))
-        .unwrap_or_else(|| ring.clone())
-}
-
-fn drill_holes(piece: &DxfPiece, fold: Option<FoldLine>) -> Vec<Point2> {
+fn drill_holes(piece: &DxfPiece, folds: &Folds) -> Vec<Point2> {
     let mut points = piece.marks.drills.clone();
-    if let Some(fold) = fold {
-        fold.add_images(&mut points);
-    }
+    folds.add_images(&mut points);
     points
 }
 
 /// Returns the cut line drawn about a sewn outline; an open one is unfolded like the piece.
-fn drawn_cut_line(piece: &DxfPiece, fold: Option<FoldLine>) -> Vec<Point2> {
-    let Some(cut) = &piece.cut else {
-        return Vec::new();
-    };
-    match fold {
-        Some(fold) if !cut.closed => fold.unfold_line(&cut.points),
-        _ => cut.points.clone(),
+fn drawn_cut_line(piece: &DxfPiece, folds: &Folds) -> Vec<Point2> {
+    match &piece.cut {
+        Some(cut) if !cut.closed => folds.unfolded_line(&cut.points),
+        Some(cut) => cut.points.clone(),
+        None => Vec::new(),
     }
 }
 
@@ -143,7 +115,7 @@ fn grain(piece: &DxfPiece, findings: &mut DxfFindings) -> Option<Grain> {
 
 /// Returns the lines that are not cut: those drawn on the cloth, and a sew or cut line that is not
 /// used otherwise. A closed one ends at its first point.
-fn internal_lines(piece: &DxfPiece, is_sewn: bool, fold: Option<FoldLine>) -> Vec<Vec<Point2>> {
+fn internal_lines(piece: &DxfPiece, is_sewn: bool, folds: &Folds) -> Vec<Vec<Point2>> {
     let unused_sew = piece.sew.iter().filter(|_| !is_sewn);
     let second_cut = piece.cut.iter().filter(|_| is_sewn);
     let mut lines: Vec<Vec<Point2>> = Vec::new();
@@ -154,10 +126,6 @@ fn internal_lines(piece: &DxfPiece, is_sewn: bool, fold: Option<FoldLine>) -> Ve
             lines.push(line);
         }
     }
-    if let Some(fold) = fold {
-        let image = |line: &Vec<Point2>| line.iter().map(|p| fold.mirror(*p)).collect();
-        let images: Vec<Vec<Point2>> = lines.iter().map(image).collect();
-        lines.extend(images);
-    }
+    folds.add_line_images(&mut lines);
     lines
 }

@@ -3,7 +3,8 @@
 use super::chain::PathChain;
 use super::corners::CorneredRing;
 use super::dxf_piece::DxfPiece;
-use super::fold::FoldLine;
+use super::folds;
+use super::loops::{self, CutLoop};
 use crate::config::Limits;
 use crate::fault::{Fault, PatternCode};
 use crate::pattern::crossing::crossing;
@@ -35,7 +36,7 @@ pub(super) fn checked(
     match ring(piece, chain, limits) {
         Ok(ring) => Some(ring),
         Err(fault) => {
-            findings.faults.push(fault);
+            findings.leave_out(fault, piece.entity_count());
             None
         }
     }
@@ -51,9 +52,9 @@ pub(super) fn of_sew_line(
 ) -> Option<CorneredRing> {
     let ends = [*sew.points.first()?, *sew.points.last()?];
     let is_on_fold = |p: Point2| {
-        let folds = piece.marks.folds.iter();
-        let mut folds = folds.filter_map(|line| FoldLine::new(*line));
-        folds.any(|fold| fold.side(p).abs() < ON_FOLD)
+        folds::lines(piece)
+            .iter()
+            .any(|fold| fold.side(p).abs() < ON_FOLD)
     };
     if sew.closed || ends.into_iter().all(is_on_fold) && distance(ends[0], ends[1]) > 0.0 {
         return checked(piece, sew, limits, findings);
@@ -66,17 +67,32 @@ pub(super) fn of_sew_line(
     None
 }
 
-/// Returns true if a ring is simple; else adds a fault.
-pub(super) fn is_simple(piece: &DxfPiece, ring: &CorneredRing, findings: &mut DxfFindings) -> bool {
-    let Some([x, y]) = crossing(&ring.points) else {
-        return true;
-    };
-    let detail = format!("has an outline that crosses or touches itself at ({x:.4}, {y:.4}) m");
-    let fix = "mend the outline in the CAD program";
-    findings
-        .faults
-        .push(refuse(piece, PatternCode::SelfIntersecting, &detail, fix));
-    false
+/// Returns a ring without the small loops in which it crosses itself, each of which is warned
+/// about; one that crosses itself otherwise is left out with its piece.
+pub(super) fn simple(
+    piece: &DxfPiece,
+    ring: CorneredRing,
+    findings: &mut DxfFindings,
+) -> Option<CorneredRing> {
+    let (ring, cut) = loops::cut_off(ring);
+    if let Some([x, y]) = crossing(&ring.points) {
+        let detail = format!("has an outline that crosses or touches itself at ({x:.4}, {y:.4}) m");
+        let fix = "mend the outline in the CAD program";
+        let fault = refuse(piece, PatternCode::SelfIntersecting, &detail, fix);
+        findings.leave_out(fault, piece.entity_count());
+        return None;
+    }
+    for CutLoop { point, length } in cut {
+        let detail = format!(
+            "the outline of {:?} crosses itself at ({:.4}, {:.4}) m; the loop of {:.1} mm there was cut off",
+            piece.name,
+            point[0],
+            point[1],
+            1000.0 * length
+        );
+        findings.warn(PatternCode::LoopCutOff, piece.line, detail);
+    }
+    Some(ring)
 }
 
 fn ring(piece: &DxfPiece, chain: &PathChain, limits: &Limits) -> Result<CorneredRing, Fault> {

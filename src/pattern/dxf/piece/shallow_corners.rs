@@ -4,6 +4,7 @@
 //! Assumption: each curve was sampled in even or slowly changing steps. A place where two curves
 //! run smoothly into each other, sampled alike, shows in nothing and is not found.
 
+use super::course::Course;
 use crate::pattern::point::{Point2, distance, turn};
 
 /// Steps of one curve grow or shrink by less than this from one to the next; where curves join they
@@ -40,19 +41,22 @@ struct TurnProfile {
 /// Returns point by point true if it is a shallow corner of a closed polyline. `sampled` points are
 /// not the file's and tell nothing; turns of `sharp` or more are corners of their own.
 pub(super) fn shallow_corners(points: &[Point2], sampled: &[bool], sharp: f64) -> Vec<bool> {
-    let n = points.len();
+    let mut found = vec![false; points.len()];
+    let course = Course::of(points, sharp);
+    let kept = &course.kept;
+    let n = kept.len();
     if n < 8 {
-        return vec![false; n];
+        return found;
     }
-    let profile = TurnProfile::of(points, sharp);
-    let is_known = |i: usize| (0..5).all(|k| !sampled[(i + n + k - 2) % n]);
-    (0..n)
-        .map(|i| {
-            profile.turns[i] < sharp
-                && is_known(i)
-                && (profile.is_resampled(i) || profile.is_tangent(i) || profile.is_kink(i))
-        })
-        .collect()
+    let points: Vec<Point2> = kept.iter().map(|i| points[*i]).collect();
+    let profile = TurnProfile::of(&points, sharp);
+    let is_known = |i: usize| (0..5).all(|k| !sampled[kept[(i + n + k - 2) % n]]);
+    let joins = |i: usize| course.has_steps && (profile.is_resampled(i) || profile.is_tangent(i));
+    for i in 0..n {
+        let is_shallow = profile.turns[i] < sharp && is_known(i);
+        found[kept[i]] = is_shallow && (joins(i) || profile.is_kink(i));
+    }
+    found
 }
 
 impl TurnProfile {

@@ -1,0 +1,206 @@
+//! The course of a closed polyline without the points that tell nothing of it: those on straight
+//! lines between others, and the trembling of digitized lines.
+//!
+//! A curve that was drawn as chords and sampled anew turns at the ends of its old chords alone, so
+//! that each of them looks like a corner between two straight lines.
+
+use crate::pattern::point::{Point2, cross, distance, sub, turn};
+
+/// A line on which at least this share of neighboring points bend to different sides, or not at
+/// all, was sampled from straight lines or trembles.
+const ALTERNATING: f64 = 0.4;
+
+/// Bounds of the distance from a straight line at which a point lies on it: coordinates are rounded
+/// to a micrometer, and hands tremble by hundredths of a millimeter \[m\].
+const ON_LINE: [f64; 2] = [1e-6, 5e-5];
+
+/// Points lie on a straight line if they do to within this many times the median tremor.
+const TREMORS: f64 = 3.0;
+
+/// A tremor above this hides the steps in which curves were sampled \[m\].
+const STEPS_HIDDEN: f64 = 5e-6;
+
+/// The points that tell of the course of a closed polyline.
+pub(super) struct Course {
+    /// Their indices.
+    pub(super) kept: Vec<usize>,
+    /// False if the distances between them tell nothing.
+    pub(super) has_steps: bool,
+}
+
+impl Course {
+    /// Returns the course of a ring; turns of `sharp` or more are kept as they are.
+    pub(super) fn of(points: &[Point2], sharp: f64) -> Self {
+        let n = points.len();
+        let all = Self {
+            kept: (0..n).collect(),
+            has_steps: true,
+        };
+        if n < 8 {
+            return all;
+        }
+        let at = |i: usize| points[i % n];
+        let turns = (0..n).map(|i| turn(at(i + n - 1), at(i), at(i + 1)).abs());
+        let is_sharp: Vec<bool> = turns.map(|turn| turn >= sharp).collect();
+        let offsets: Vec<f64> = (0..n)
+            .map(|i| offset(at(i), at(i + n - 1), at(i + 1)))
+            .collect();
+        let Some(tremor) = tremor(&offsets, &is_sharp) else {
+            return all;
+        };
+        let on_line = (TREMORS * tremor).clamp(ON_LINE[0], ON_LINE[1]);
+        Self {
+            kept: reduced(points, &is_sharp, on_line),
+            has_steps: on_line <= STEPS_HIDDEN,
+        }
+    }
+}
+
+/// Returns the median distance by which points leave the course of their neighbors; `None` where
+/// these bend to the same side, as those of smooth curves do.
+fn tremor(offsets: &[f64], is_sharp: &[bool]) -> Option<f64> {
+    let n = offsets.len();
+    let smooth: Vec<usize> = (0..n)
+        .filter(|i| (0..3).all(|k| !is_sharp[(i + k) % n]))
+        .collect();
+    let alternates = |i: &&usize| offsets[**i] * offsets[(**i + 1) % n] <= 0.0;
+    let alternating = smooth.iter().filter(alternates).count();
+    if smooth.is_empty() || (alternating as f64) < ALTERNATING * smooth.len() as f64 {
+        return None;
+    }
+    let jump = |i: &usize| {
+        let [a, b, c] = [0, 1, 2].map(|k| offsets[(i + k) % n]);
+        (b - 0.5 * (a + c)).abs()
+    };
+    let mut jumps: Vec<f64> = smooth.iter().map(jump).collect();
+    let middle = jumps.len() / 2;
+    Some(*jumps.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// Returns the signed distance of a point from the line through two others \[m\].
+fn offset(p: Point2, a: Point2, b: Point2) -> f64 {
+    cross(sub(b, a), sub(p, a)) / distance(a, b).max(f64::MIN_POSITIVE)
+}
+
+/// Returns the points of a ring that are left where those on the lines between others are taken
+/// out. Each line is drawn as far as all points on its way lie within `on_line` of it.
+fn reduced(points: &[Point2], is_sharp: &[bool], on_line: f64) -> Vec<usize> {
+    let n = points.len();
+    let start = is_sharp.iter().position(|sharp| *sharp).unwrap_or(0);
+    let mut kept = vec![start];
+    let mut from = start;
+    let mut cone = Cone::new();
+    for k in 1..n {
+        let i = (start + k) % n;
+        let d = sub(points[i], points[from]);
+        if !cone.holds(d) {
+            from = (start + k - 1) % n;
+            kept.push(from);
+            cone = Cone::new();
+        }
+        if is_sharp[i] {
+            kept.push(i);
+            from = i;
+            cone = Cone::new();
+        } else {
+            cone.narrow(sub(points[i], points[from]), on_line);
+        }
+    }
+    kept.dedup();
+    kept.sort_unstable();
+    kept
+}
+
+/// The directions of lines from a point that pass all points on their way nearby.
+struct Cone {
+    /// The rightmost and the leftmost direction, once there are any.
+    sides: Option<[Point2; 2]>,
+}
+
+impl Cone {
+    fn new() -> Self {
+        Self { sides: None }
+    }
+
+    fn holds(&self, d: Point2) -> bool {
+        self.sides
+            .is_none_or(|[right, left]| cross(right, d) >= 0.0 && cross(d, left) >= 0.0)
+    }
+
+    /// Leaves the directions that pass within `reach` of a point `d` away.
+    fn narrow(&mut self, d: Point2, reach: f64) {
+        let length = distance([0.0; 2], d);
+        if length <= reach {
+            return;
+        }
+        let across = reach / length;
+        let own = [
+            [d[0] + across * d[1], d[1] - across * d[0]],
+            [d[0] - across * d[1], d[1] + across * d[0]],
+        ];
+        let [mut right, mut left] = self.sides.unwrap_or(own);
+        if cross(right, own[0]) > 0.0 {
+            right = own[0];
+        }
+        if cross(left, own[1]) < 0.0 {
+            left = own[1];
+        }
+        self.sides = Some([right, left]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SHARP: f64 = 0.349;
+
+    /// A half disc of radius 0.2 m, its round side as 12 chords, with points every `step` meters.
+    fn half_disc(step: f64, tremor: f64) -> (Vec<Point2>, Vec<usize>) {
+        let angles = (0..=12).map(|i| std::f64::consts::PI * f64::from(i) / 12.0);
+        let corners: Vec<Point2> = angles.map(|a| [0.2 * a.cos(), 0.2 * a.sin()]).collect();
+        let (mut points, mut ends) = (vec![], vec![]);
+        let mut sign = 1.0;
+        for (i, a) in corners.iter().enumerate() {
+            let b = corners[(i + 1) % corners.len()];
+            let count = (distance(*a, b) / step).ceil();
+            ends.push(points.len());
+            let mut at = 0.0;
+            while at < count {
+                sign = -sign;
+                let t = at / count;
+                let shift = if at > 0.0 { sign * tremor } else { 0.0 };
+                let along = [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
+                points.push([along[0] + shift * along[0], along[1] + shift * along[1]]);
+                at += 1.0;
+            }
+        }
+        (points, ends)
+    }
+
+    #[test]
+    fn chords_sampled_anew_are_the_chords() {
+        for step in [0.001, 0.003, 0.01] {
+            let (points, ends) = half_disc(step, 0.0);
+            let course = Course::of(&points, SHARP);
+            assert_eq!(course.kept, ends, "every {step} m");
+            assert!(course.has_steps);
+        }
+    }
+
+    #[test]
+    fn trembling_lines_are_straight() {
+        // 0.0001 of 0.2 m: 0.02 mm to either side.
+        let (points, ends) = half_disc(0.003, 1e-4);
+        let course = Course::of(&points, SHARP);
+        assert!(course.kept.len() <= 2 * ends.len(), "{:?}", course.kept);
+        assert!(!course.has_steps);
+    }
+
+    #[test]
+    fn smooth_curves_stay_whole() {
+        let angles = (0..90).map(|i| f64::from(i) * 4.0_f64.to_radians());
+        let points: Vec<Point2> = angles.map(|a| [0.2 * a.cos(), 0.3 * a.sin()]).collect();
+        assert_eq!(Course::of(&points, SHARP).kept.len(), 90);
+    }
+}

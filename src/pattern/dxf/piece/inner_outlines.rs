@@ -1,0 +1,51 @@
+//! Closed outlines inside the outline of a piece, on a layer of outlines: a sew line, a hole, or a
+//! line drawn on the cloth.
+
+use super::dxf_piece::{DxfPiece, InnerLine};
+use super::measured::MeasuredChain;
+use crate::fault::PatternCode;
+use crate::pattern::Outlines;
+use crate::pattern::dxf::drawing::layers::{LayerRole, role};
+use crate::pattern::dxf::findings::DxfFindings;
+
+/// Gives the outlines that lie in that of a piece to it. What the layers do not tell is warned
+/// about.
+///
+/// One that runs beside the outline is the sew line. Another one is a hole on a layer of what is
+/// cut and a drawn line elsewhere. `layer`: that of the line that an outline begins at.
+pub(super) fn give<'a>(
+    piece: &mut DxfPiece,
+    inner: Vec<MeasuredChain>,
+    reading: Outlines,
+    layer: impl Fn(&MeasuredChain) -> &'a str,
+    findings: &mut DxfFindings,
+) {
+    for outline in inner {
+        let is_cut = role(layer(&outline)) == LayerRole::Boundary;
+        let kind = match reading {
+            Outlines::Holes => InnerLine::Hole,
+            Outlines::Lines => InnerLine::Drawn,
+            _ if piece.outline.is_sewn_on(&outline) => InnerLine::Sew,
+            _ if is_cut => InnerLine::Hole,
+            _ => InnerLine::Drawn,
+        };
+        if reading == Outlines::Auto && role(layer(&outline)) != LayerRole::Sew {
+            tell(piece, &outline, kind, findings);
+        }
+        piece.add_line(outline.chain, kind);
+    }
+}
+
+/// Warns of an outline in another by what it was taken for.
+fn tell(piece: &DxfPiece, outline: &MeasuredChain, kind: InnerLine, findings: &mut DxfFindings) {
+    let (taken, others) = match kind {
+        InnerLine::Sew => ("its sew line", "sizes, holes or lines"),
+        InnerLine::Hole => ("a hole", "lines"),
+        InnerLine::Drawn => ("a line drawn on it", "holes"),
+    };
+    let detail = format!(
+        "an outline inside that of {:?} was taken as {taken} (outlines={others} takes it otherwise)",
+        piece.name
+    );
+    findings.warn(PatternCode::OutlineInside, outline.chain.line, detail);
+}
