@@ -6,7 +6,7 @@ use seamster::config::Limits;
 use seamster::fault::{Fault, Faults, FileCode, FitCode};
 use seamster::fit::{self, AvatarRef, Garment, PatternRef};
 use seamster::pattern::{
-    self, DrawnNotches, ImportOptions, Outlines, Pattern, RotationOrder, Unfold, Units,
+    self, DrawnNotches, GradeTable, ImportOptions, Outlines, Pattern, RotationOrder, Unfold, Units,
 };
 use seamster::scene::{self, BodyImportOptions, BodySource, BodyUnits};
 use serde::de::DeserializeOwned;
@@ -41,6 +41,9 @@ pub(super) struct PatternOptions {
     /// Size to read of a graded pattern; its sample size if not given
     #[arg(long)]
     size: Option<String>,
+    /// Grade rule table beside the DXF: the size may then be any of its sizes
+    #[arg(long, value_name = "TABLE.rul")]
+    grading: Option<PathBuf>,
     /// Reading of outlines that lie in others, where layers do not tell: auto (if not given),
     /// allowance, sizes, holes, lines or pieces
     #[arg(long, value_parser = parse_word::<Outlines>)]
@@ -68,6 +71,10 @@ impl PatternOptions {
     pub(super) fn read(&self, file: &Path, limits: &Limits) -> Result<Pattern, Faults> {
         // The import knows what it is, and bounds each kind.
         let bytes = read_file(file, limits.dxf_bytes.max(limits.json_bytes))?;
+        let grading = self.grading.as_ref().map(|table| {
+            let bytes = read_file(table, limits.dxf_bytes)?;
+            GradeTable::read(&bytes, limits)
+        });
         let name = file.file_stem().and_then(|name| name.to_str());
         let options = ImportOptions {
             name: name.map(str::to_owned),
@@ -77,6 +84,7 @@ impl PatternOptions {
             notches: self.notches.unwrap_or_default(),
             unfold: self.unfold.unwrap_or_default(),
             strict: self.strict,
+            grading: grading.transpose()?,
             rotation_order: self.rotation_order.unwrap_or_default(),
         };
         pattern::import(&bytes, &options, limits)

@@ -14,6 +14,7 @@ mod curve;
 mod document;
 mod dxf;
 mod garmentcode;
+mod grading;
 mod ids;
 mod mirror;
 mod options;
@@ -26,6 +27,7 @@ mod seam_pair;
 mod units;
 
 pub use document::{Allowance, Pattern, PatternFormat, Source};
+pub use grading::GradeTable;
 pub use mirror::MIRROR;
 pub use options::{DrawnNotches, ImportOptions, Outlines, RotationOrder, Unfold};
 pub use panel::{Corner, Edge, Face, Grain, Hole, Notch, NotchKind, Panel, Quantity};
@@ -37,7 +39,7 @@ pub use units::Units;
 pub(crate) use garmentcode::{is_gathered, rotation_matrix, seam_id};
 
 use crate::config::Limits;
-use crate::fault::Faults;
+use crate::fault::{Fault, Faults, PatternCode};
 
 /// Reads a pattern from the bytes of a DXF file or of a `GarmentCode` specification (JSON).
 ///
@@ -45,6 +47,11 @@ use crate::fault::Faults;
 /// Every fault that keeps the file from being read, each with the line or JSON Pointer it is about.
 pub fn import(bytes: &[u8], options: &ImportOptions, limits: &Limits) -> Result<Pattern, Faults> {
     if garmentcode::is_json(bytes) {
+        if options.grading.is_some() {
+            let detail = "a grade rule table belongs to a DXF, and the file is JSON";
+            let fault = Fault::new(PatternCode::GradeTable, "line 1", detail);
+            return Err(fault.fix("leave the table out").into());
+        }
         garmentcode::import(bytes, options, limits)
     } else {
         dxf::import(bytes, options, limits)

@@ -1,5 +1,6 @@
 //! Options of an import.
 
+use super::grading::GradeTable;
 use super::units::Units;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
@@ -13,6 +14,8 @@ pub struct ImportOptions {
     pub units: Option<Units>,
     /// Size to import from a graded file; the sample size if absent.
     pub size: Option<String>,
+    /// Grade rules of the file's points, by which other sizes than its own are made.
+    pub grading: Option<GradeTable>,
     /// Reading of outlines that lie in others.
     pub outlines: Outlines,
     /// Reading of notches that are drawn into an outline.

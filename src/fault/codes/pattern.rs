@@ -56,6 +56,12 @@ fault_codes! {
             "State outlines=lines or holes where it is a piece.";
         GapClosed = "gap_closed":
             "An outline has a small gap, which was closed.";
+        GradeRule = "grade_rule":
+            "A point of a piece names a grade rule that the table does not have.",
+            "Give the table that was exported with the file.";
+        GradeTable = "grade_table":
+            "A grade rule table cannot be read, or is not that of the file.",
+            "Export it again, or leave it out to read the sample size.";
         GrainIgnored = "grain_ignored":
             "A piece has grain lines in several directions; the longest was taken.",
             "Draw one grain line.";
@@ -193,6 +199,8 @@ fault_codes! {
         Truncated = "truncated":
             "The file ends inside a section: it was cut off.",
             "Export or upload it again.";
+        Ungraded = "ungraded":
+            "No point of a piece has a grade rule; it is the same in all sizes.";
         UnitsAssumed = "units_assumed":
             "The file does not say its units; millimeters or centimeters were taken.",
             "State them with `units`.";

@@ -22,4 +22,4 @@ pub(super) use last_event_id::last_event_id;
 pub(super) use path::PathId;
 pub(super) use prefer::{preference_applied, preferred_wait};
 pub(super) use query::{JobListQuery, ListQuery, PictureQuery, ValidatedQuery};
-pub(super) use upload::Upload;
+pub(super) use upload::PatternUpload;

@@ -18,7 +18,15 @@ pub(in crate::http) struct Upload {
     pub(in crate::http) name: Option<String>,
 }
 
-impl FromRequest<AppState> for Upload {
+/// A pattern file, and the grade rule table beside it.
+pub(in crate::http) struct PatternUpload {
+    /// The pattern.
+    pub(in crate::http) file: Upload,
+    /// The table, if one was sent.
+    pub(in crate::http) grading: Option<Upload>,
+}
+
+impl FromRequest<AppState> for PatternUpload {
     type Rejection = Problem;
 
     async fn from_request(request: Request, state: &AppState) -> Result<Self, Problem> {
@@ -29,16 +37,17 @@ impl FromRequest<AppState> for Upload {
         } else {
             limits.dxf_bytes
         };
-        let upload = if essence == "multipart/form-data" {
-            let [file] = read_form(request, max_bytes, ["file"]).await?;
-            file.ok_or_else(|| missing_part("file"))?
+        let [file, grading] = if essence == "multipart/form-data" {
+            read_form(request, 2 * max_bytes, ["file", "grading"]).await?
         } else {
-            Self {
-                bytes: read_body(request, max_bytes).await?,
-                name: None,
-            }
+            let bytes = read_body(request, max_bytes).await?;
+            [Some(Upload { bytes, name: None }), None]
         };
-        upload.within(max_bytes)
+        let file = file.ok_or_else(|| missing_part("file"))?;
+        Ok(Self {
+            file: file.within(max_bytes)?,
+            grading: grading.map(|part| part.within(max_bytes)).transpose()?,
+        })
     }
 }
 

@@ -1,13 +1,13 @@
 //! `/v1/patterns`: DXF files and `GarmentCode` specifications in, patterns and drawings out.
 
 use crate::export::drawing_svg;
-use crate::http::extract::{ListQuery, PathId, Upload, ValidatedQuery};
+use crate::http::extract::{ListQuery, PathId, PatternUpload, ValidatedQuery};
 use crate::http::respond::{Problem, respond_computed};
 use crate::http::state::{App, AppState};
 use crate::job::{DocumentKind, Stored};
 use crate::pattern::{
-    self, DrawnNotches, ImportOptions, Outlines, Pattern, PatternFormat, RotationOrder, Unfold,
-    Units,
+    self, DrawnNotches, GradeTable, ImportOptions, Outlines, Pattern, PatternFormat, RotationOrder,
+    Unfold, Units,
 };
 use axum::Json;
 use axum::extract::State;
@@ -58,6 +58,7 @@ impl ImportQuery {
             notches: self.notches.unwrap_or_default(),
             unfold: self.unfold.unwrap_or_default(),
             strict: self.strict,
+            grading: None,
             rotation_order: self.rotation_order.unwrap_or_default(),
         }
     }
@@ -107,11 +108,14 @@ pub(super) struct PatternForm {
     /// The DXF or the `GarmentCode` specification.
     #[schema(value_type = String, format = Binary)]
     file: Vec<u8>,
+    /// A grade rule table (`.rul`) beside the DXF: `size` may then be any of its sizes.
+    #[schema(value_type = Option<String>, format = Binary)]
+    grading: Option<Vec<u8>>,
 }
 
 /// Read a DXF file or a `GarmentCode` specification and keep its pattern
 #[utoipa::path(post, path = "/v1/patterns", tag = "patterns", params(ImportQuery),
-    request_body(description = "The bytes of a DXF file, a GarmentCode specification, or a form with one of them as the part `file`", content(
+    request_body(description = "The bytes of a DXF file, a GarmentCode specification, or a form with one of them as the part `file`, and a grade rule table as `grading`", content(
         (Vec<u8> = "image/vnd.dxf"), (serde_json::Value = "application/json"), (PatternForm = "multipart/form-data"))),
     responses(
         (status = 201, description = "It was read and kept", body = Pattern, headers(("Location", description = "The pattern"))),
@@ -120,11 +124,16 @@ pub(super) struct PatternForm {
 pub(super) async fn create(
     State(state): State<AppState>,
     ValidatedQuery(query): ValidatedQuery<ImportQuery>,
-    file: Upload,
+    upload: PatternUpload,
 ) -> Result<impl IntoResponse, Problem> {
+    let PatternUpload { file, grading } = upload;
     let stored = state
         .run_compute(move |app| {
-            let options = query.import_options(file.name);
+            let table = grading.map(|part| GradeTable::read(&part.bytes, app.limits()));
+            let options = ImportOptions {
+                grading: table.transpose()?,
+                ..query.import_options(file.name)
+            };
             let pattern = pattern::import(&file.bytes, &options, app.limits())?;
             Ok::<_, Problem>(app.catalogue().add_pattern(pattern)?)
         })

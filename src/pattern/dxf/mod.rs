@@ -23,7 +23,7 @@ use self::drawing::labels::DxfLabels;
 use self::drawing::{blocks, dialect, units};
 use self::findings::DxfFindings;
 use self::piece::dxf_piece::DxfPiece;
-use self::piece::{classify, panel, select};
+use self::piece::{classify, panel, select, size_plan};
 use super::{Allowance, ImportOptions, Panel, Pattern, Source, copies, ids};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, PatternCode};
@@ -62,7 +62,12 @@ fn read_pattern(
     let format = dialect::detect(&drawing, &labels);
     drop(drawing);
     let pieces = classify::pieces(&sheets, options, limits, findings);
-    let (pieces, sizes) = select::one_size(pieces, options.size.as_deref(), &labels, findings)?;
+    let plan = size_plan::plan(&pieces, options)?;
+    let wanted = plan.as_ref().map_or(options.size.as_deref(), |_| None);
+    let (mut pieces, mut sizes) = select::one_size(pieces, wanted, &labels, findings)?;
+    if let Some(plan) = plan {
+        plan.grade(&mut pieces, &mut sizes, findings)?;
+    }
     select::check(&pieces, unit, limits, findings)?;
     let name = labels.get("style name").or(options.name.as_deref());
     let name = name.unwrap_or("pattern");

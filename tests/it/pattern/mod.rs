@@ -6,6 +6,7 @@ mod corpus;
 mod courses;
 mod folds;
 mod garmentcode;
+mod grading;
 mod import;
 mod loss;
 mod nested;

@@ -34,6 +34,9 @@ const BESIDE: f64 = 0.004;
 /// A turn point this near to one of a notch is one of it \[m\].
 const TURN_POINT: f64 = 1e-5;
 
+/// A notch as a mark, and the points of the outline that drew it.
+type TakenNotch = (NotchMark, Vec<Point2>);
+
 /// A notch as it lies in an outline.
 struct DrawnNotch {
     /// Index of its first point, on the outline.
@@ -72,7 +75,7 @@ pub(super) fn take(piece: &mut DxfPiece, reading: DrawnNotches, findings: &mut D
 }
 
 /// Gives the notches of a line to a piece, without the turn points at them.
-fn add(piece: &mut DxfPiece, marks: Vec<(NotchMark, Vec<Point2>)>) {
+fn add(piece: &mut DxfPiece, marks: Vec<TakenNotch>) {
     for (mark, points) in marks {
         let is_apart = |turn: &Point2| points.iter().all(|p| distance(*p, *turn) > TURN_POINT);
         piece.marks.turns.retain(is_apart);
@@ -81,7 +84,7 @@ fn add(piece: &mut DxfPiece, marks: Vec<(NotchMark, Vec<Point2>)>) {
 }
 
 /// Returns a closed line without its notches, and these with their points; `None` if it has none.
-fn without_notches(chain: &PathChain) -> Option<(PathChain, Vec<(NotchMark, Vec<Point2>)>)> {
+fn without_notches(chain: &PathChain) -> Option<(PathChain, Vec<TakenNotch>)> {
     if !chain.closed {
         return None;
     }

@@ -60,6 +60,8 @@ pub(crate) struct DxfPiece {
 pub(crate) struct PieceMarks {
     /// Turn points: corners of the outline.
     pub(crate) turns: Vec<Point2>,
+    /// Places with the number of a grade rule.
+    pub(super) rules: Vec<(Point2, u32)>,
     /// Notches.
     pub(crate) notches: Vec<NotchMark>,
     /// Drill holes.

@@ -107,8 +107,15 @@ impl MarkAssigner<'_> {
         }
     }
 
-    /// Gives a turn point, drill hole or grain line to its piece.
+    /// Gives a turn point, drill hole, grain line or grade rule to its piece.
     fn give_mark(&mut self, entity: &DxfEntity) {
+        if let EntityShape::Text(place, text) = &entity.shape {
+            let piece = grade_rule(text).zip(self.owner(*place));
+            if let Some((rule, piece)) = piece {
+                self.pieces[piece].marks.rules.push((*place, rule));
+            }
+            return;
+        }
         let role = role(&entity.layer);
         let name = match role {
             LayerRole::Turn => "turn point",
@@ -171,6 +178,11 @@ fn notch_marks(sheet: &DxfSheet) -> Vec<NotchMark> {
         }));
     }
     marks
+}
+
+/// Returns the number of a grade rule, `# 12`.
+fn grade_rule(text: &str) -> Option<u32> {
+    text.trim().strip_prefix('#')?.trim().parse().ok()
 }
 
 fn ends(points: &[Point2]) -> Option<[Point2; 2]> {
