@@ -5,7 +5,7 @@ use clap::Args;
 use seamster::config::Limits;
 use seamster::fault::{Fault, Faults, FileCode, FitCode};
 use seamster::fit::{self, AvatarRef, Garment, PatternRef};
-use seamster::pattern::{self, ImportOptions, Pattern, RotationOrder, Units};
+use seamster::pattern::{self, ImportOptions, Pattern, RotationOrder, TextEncoding, Units};
 use seamster::scene::{self, BodyImportOptions, BodySource, BodyUnits};
 use serde::de::DeserializeOwned;
 use std::fs::File;
@@ -36,6 +36,10 @@ pub(super) struct PatternOptions {
     /// Unit of the pattern's coordinates, overriding what it says: mm, cm, m or inch
     #[arg(long, value_parser = parse_word::<Units>)]
     units: Option<Units>,
+    /// Encoding of the texts of a DXF, overriding what it says: a label of the Encoding Standard
+    /// (windows-1251, gbk) or a code page (cp1251, cp866)
+    #[arg(long, value_name = "LABEL", value_parser = parse_word::<TextEncoding>)]
+    encoding: Option<TextEncoding>,
     /// Size to read of a graded pattern; its sample size if not given
     #[arg(long)]
     size: Option<String>,
@@ -57,6 +61,7 @@ impl PatternOptions {
         let options = ImportOptions {
             name: name.map(str::to_owned),
             units: self.units,
+            encoding: self.encoding,
             size: self.size.clone(),
             rotation_order: self.rotation_order.unwrap_or_default(),
         };

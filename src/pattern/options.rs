@@ -1,5 +1,6 @@
 //! Options of an import.
 
+use super::text_encoding::TextEncoding;
 use super::units::Units;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
@@ -11,6 +12,8 @@ pub struct ImportOptions {
     pub name: Option<String>,
     /// Unit of the coordinates, overriding what the file says.
     pub units: Option<Units>,
+    /// Encoding of the texts of a DXF, overriding what the file says.
+    pub encoding: Option<TextEncoding>,
     /// Size to import from a graded file; the sample size if absent.
     pub size: Option<String>,
     /// Order in which the three angles of a `GarmentCode` panel make up its rotation.

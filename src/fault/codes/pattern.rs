@@ -39,6 +39,15 @@ fault_codes! {
         Edge = "edge":
             "An edge is misnumbered, or does not exist.",
             "Number edges like the corners that they leave.";
+        EncodingAssumed = "encoding_assumed":
+            "The file does not say the code page of its names; one was taken by their bytes.",
+            "State it with `encoding`.";
+        EncodingConflict = "encoding_conflict":
+            "The names of the file are not written in the encoding that its header says.",
+            "State the right one with `encoding`.";
+        EncodingUnknown = "encoding_unknown":
+            "The names of the file are written in a code page that is not read.",
+            "State another with `encoding`, or write the file as UTF-8.";
         EntityIgnored = "entity_ignored":
             "Entities of a kind that patterns do not use were left out.",
             "Export what belongs to the pattern as lines, polylines, arcs or splines.";

@@ -5,7 +5,9 @@ use crate::http::extract::{ListQuery, PathId, Upload, ValidatedQuery};
 use crate::http::respond::{Problem, respond_computed};
 use crate::http::state::{App, AppState};
 use crate::job::{DocumentKind, Stored};
-use crate::pattern::{self, ImportOptions, Pattern, PatternFormat, RotationOrder, Units};
+use crate::pattern::{
+    self, ImportOptions, Pattern, PatternFormat, RotationOrder, TextEncoding, Units,
+};
 use axum::Json;
 use axum::extract::State;
 use axum::http::{HeaderMap, StatusCode, header};
@@ -23,6 +25,10 @@ pub(super) struct ImportQuery {
     /// Unit of the coordinates, overriding what the file says.
     #[param(inline)]
     pub units: Option<Units>,
+    /// Encoding of the texts of a DXF, overriding what the file says: a label of the Encoding
+    /// Standard (`windows-1251`, `shift_jis`) or a code page (`ANSI_1251`, `cp866`).
+    #[param(value_type = Option<String>)]
+    pub encoding: Option<TextEncoding>,
     /// Size to import from a graded file; the sample size if absent.
     pub size: Option<String>,
     /// Order of the three angles of a `GarmentCode` panel in its rotation: `xyz` (R = Rx Ry Rz, as
@@ -37,6 +43,7 @@ impl ImportQuery {
         ImportOptions {
             name,
             units: self.units,
+            encoding: self.encoding,
             size: self.size,
             rotation_order: self.rotation_order.unwrap_or_default(),
         }

@@ -54,7 +54,7 @@ fn read_pattern(
     limits: &Limits,
     findings: &mut DxfFindings,
 ) -> Result<Pattern, Fault> {
-    let text = read::text(bytes, limits)?;
+    let text = read::text(bytes, options.encoding, limits, findings)?;
     let drawing = DxfDrawing::parse(&text, limits, findings)?;
     let labels = DxfLabels::of(drawing.model.iter());
     let unit = units::determine(options.units, &labels, drawing.insunits, findings);

@@ -3,6 +3,7 @@
 mod allowance;
 mod copies;
 mod corpus;
+mod encoding;
 mod garmentcode;
 mod import;
 mod loss;
