@@ -19,7 +19,6 @@ mod piece;
 mod read;
 
 use self::drawing::contents::DxfDrawing;
-use self::drawing::labels::DxfLabels;
 use self::drawing::{blocks, dialect, units};
 use self::findings::DxfFindings;
 use self::piece::dxf_piece::DxfPiece;
@@ -56,7 +55,7 @@ fn read_pattern(
 ) -> Result<Pattern, Fault> {
     let text = read::text(bytes, options.encoding, limits, findings)?;
     let drawing = DxfDrawing::parse(&text, limits, findings)?;
-    let labels = DxfLabels::of(drawing.model.iter());
+    let labels = blocks::file_labels(&drawing, limits);
     let unit = units::determine(options.units, &labels, drawing.insunits, findings);
     let sheets = blocks::place(&drawing, unit, limits, findings)?;
     let format = dialect::detect(&drawing, &labels);

@@ -7,5 +7,6 @@ mod encoding;
 mod garmentcode;
 mod import;
 mod loss;
+mod nested_blocks;
 mod properties;
 mod truth;
