@@ -9,4 +9,5 @@ mod import;
 mod loss;
 mod nested_blocks;
 mod properties;
+mod statements;
 mod truth;
