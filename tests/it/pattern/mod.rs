@@ -4,6 +4,7 @@ mod allowance;
 mod copies;
 mod corpus;
 mod encoding;
+mod gaps;
 mod garmentcode;
 mod import;
 mod loss;

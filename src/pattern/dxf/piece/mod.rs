@@ -4,10 +4,13 @@
 mod assign;
 mod chain;
 pub(super) mod classify;
+pub(super) mod closed_gaps;
 mod corners;
 pub(super) mod dxf_piece;
+mod end_pairs;
 mod fold;
 mod free_ends;
+mod gap;
 mod holes;
 mod join;
 mod lines;
