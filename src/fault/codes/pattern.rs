@@ -162,7 +162,8 @@ fault_codes! {
             "A piece is to be cut more than once; it was taken once or mirrored.",
             "Name the mirrored copy `ID~mirror` in a seam to have it.";
         SampleSize = "sample_size":
-            "The file does not say which of its sizes is the sample; the first was taken.",
+            "The file does not say which of its sizes is the sample, or has not that size; the first was \
+            taken.",
             "Choose one with `size`.";
         SelfIntersecting = "self_intersecting":
             "An outline crosses or touches itself.",

@@ -48,3 +48,33 @@ fn every_unit_that_gives_a_garment_is_named_inches_first() {
         );
     }
 }
+
+#[test]
+fn sample_size_that_is_no_size_of_the_file_is_told_as_that() {
+    let corners = [[0.0, 0.0], [300.0, 0.0], [300.0, 400.0], [0.0, 400.0]];
+    let sized = |sample: Option<&str>| {
+        let mut file = DxfBuilder::metric();
+        if let Some(sample) = sample {
+            file = file.text("1", &format!("Sample Size: {sample}"));
+        }
+        for size in ["38", "40", "42"] {
+            file = file
+                .block(&format!("F{size}"))
+                .text("1", "Piece Name: FRONT")
+                .text("1", &format!("Size: {size}"))
+                .run("1", true, &corners);
+        }
+        read(file)
+    };
+    let absent = sized(Some("44"));
+    let told = &warning(&absent, "pattern/sample_size").detail;
+    assert_eq!(
+        told,
+        "the sample size of the file is \"44\", which is not among its sizes (38, 40, 42); 38 was taken (size= chooses)"
+    );
+    assert_eq!(absent.source.sample_size.as_deref(), Some("38"));
+    let unstated = sized(None);
+    let told = &warning(&unstated, "pattern/sample_size").detail;
+    assert!(told.starts_with("the file does not say"), "{told}");
+    assert_eq!(sized(Some("40")).warnings, []);
+}
