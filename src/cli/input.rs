@@ -6,7 +6,8 @@ use seamster::config::Limits;
 use seamster::fault::{Fault, Faults, FileCode, FitCode};
 use seamster::fit::{self, AvatarRef, Garment, PatternRef};
 use seamster::pattern::{
-    self, DrawnNotches, GradeTable, ImportOptions, Outlines, Pattern, RotationOrder, Unfold, Units,
+    self, DrawnNotches, GradeTable, ImportOptions, Outlines, Pattern, RotationOrder, TextEncoding,
+    Unfold, Units,
 };
 use seamster::scene::{self, BodyImportOptions, BodySource, BodyUnits};
 use serde::de::DeserializeOwned;
@@ -38,6 +39,10 @@ pub(super) struct PatternOptions {
     /// Unit of the pattern's coordinates, overriding what it says: mm, cm, m or inch
     #[arg(long, value_parser = parse_word::<Units>)]
     units: Option<Units>,
+    /// Encoding of the texts of a DXF, overriding what it says: a label of the Encoding Standard
+    /// (windows-1251, gbk) or a code page (cp1251, cp866)
+    #[arg(long, value_name = "LABEL", value_parser = parse_word::<TextEncoding>)]
+    encoding: Option<TextEncoding>,
     /// Size to read of a graded pattern; its sample size if not given
     #[arg(long)]
     size: Option<String>,
@@ -79,6 +84,7 @@ impl PatternOptions {
         let options = ImportOptions {
             name: name.map(str::to_owned),
             units: self.units,
+            encoding: self.encoding,
             size: self.size.clone(),
             outlines: self.outlines.unwrap_or_default(),
             notches: self.notches.unwrap_or_default(),

@@ -20,7 +20,8 @@ const HEADS: [&str; 9] = [
 ];
 
 /// Parameters of the service that warnings name, and what they are called on the command line.
-const OPTIONS: [(&str, &str); 3] = [
+const OPTIONS: [(&str, &str); 4] = [
+    ("encoding=", "--encoding "),
     ("units=", "--units "),
     ("size=", "--size "),
     ("rotation_order=", "--rotation-order "),

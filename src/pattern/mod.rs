@@ -24,6 +24,7 @@ mod placement;
 pub(crate) mod point;
 pub(crate) mod polyline;
 mod seam_pair;
+mod text_encoding;
 mod units;
 
 pub use document::{Allowance, Pattern, PatternFormat, Source};
@@ -34,6 +35,7 @@ pub use panel::{Corner, Edge, Face, Grain, Hole, Notch, NotchKind, Panel, Quanti
 pub use placement::{Placement, PlacementAnchor, Wrap};
 pub use point::Point2;
 pub use seam_pair::{Direction, Match, OutlineRun, Place, SeamPair, Side};
+pub use text_encoding::{TextEncoding, UnknownEncoding};
 pub use units::Units;
 
 pub(crate) use garmentcode::{is_gathered, rotation_matrix, seam_id};

@@ -1,6 +1,7 @@
 //! Options of an import.
 
 use super::grading::GradeTable;
+use super::text_encoding::TextEncoding;
 use super::units::Units;
 use serde::{Deserialize, Serialize};
 use utoipa::ToSchema;
@@ -12,6 +13,8 @@ pub struct ImportOptions {
     pub name: Option<String>,
     /// Unit of the coordinates, overriding what the file says.
     pub units: Option<Units>,
+    /// Encoding of the texts of a DXF, overriding what the file says.
+    pub encoding: Option<TextEncoding>,
     /// Size to import from a graded file; the sample size if absent.
     pub size: Option<String>,
     /// Grade rules of the file's points, by which other sizes than its own are made.

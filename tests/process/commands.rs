@@ -268,7 +268,8 @@ fn import_takes_the_options_of_the_service_and_tells_faults() {
     let output = run(&["import", &dxf, "--json", "--units", "cm"]);
     let pattern: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(pattern["source"]["scale_to_m"], 0.01);
-    let wrong: [(&[&str], &str); 5] = [
+    let wrong: [(&[&str], &str); 6] = [
+        (&["--encoding", "ell"], "--encoding"),
         (&["--size", "XXL"], "pattern/unknown_size"),
         (&["--units", "m"], "--units mm would make it"),
         (&["--units", "ell"], "--units"),

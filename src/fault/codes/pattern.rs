@@ -42,6 +42,15 @@ fault_codes! {
         Edge = "edge":
             "An edge is misnumbered, or does not exist.",
             "Number edges like the corners that they leave.";
+        EncodingAssumed = "encoding_assumed":
+            "The file does not say the code page of its names; one was taken by their bytes.",
+            "State it with `encoding`.";
+        EncodingConflict = "encoding_conflict":
+            "The names of the file are not written in the encoding that its header says.",
+            "State the right one with `encoding`.";
+        EncodingUnknown = "encoding_unknown":
+            "The names of the file are written in a code page that is not read.",
+            "State another with `encoding`, or write the file as UTF-8.";
         EntityIgnored = "entity_ignored":
             "Entities of a kind that patterns do not use were left out.",
             "Export what belongs to the pattern as lines, polylines, arcs or splines.";
@@ -176,7 +185,8 @@ fault_codes! {
             "A piece is to be cut more than once; it was taken once or mirrored.",
             "Name the mirrored copy `ID~mirror` in a seam to have it.";
         SampleSize = "sample_size":
-            "The file does not say which of its sizes is the sample; the first was taken.",
+            "The file does not say which of its sizes is the sample, or has not that size; the first was \
+            taken.",
             "Choose one with `size`.";
         SelfIntersecting = "self_intersecting":
             "An outline crosses or touches itself.",

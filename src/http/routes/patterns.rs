@@ -7,7 +7,7 @@ use crate::http::state::{App, AppState};
 use crate::job::{DocumentKind, Stored};
 use crate::pattern::{
     self, DrawnNotches, GradeTable, ImportOptions, Outlines, Pattern, PatternFormat, RotationOrder,
-    Unfold, Units,
+    TextEncoding, Unfold, Units,
 };
 use axum::Json;
 use axum::extract::State;
@@ -26,6 +26,10 @@ pub(super) struct ImportQuery {
     /// Unit of the coordinates, overriding what the file says.
     #[param(inline)]
     pub units: Option<Units>,
+    /// Encoding of the texts of a DXF, overriding what the file says: a label of the Encoding
+    /// Standard (`windows-1251`, `shift_jis`) or a code page (`ANSI_1251`, `cp866`).
+    #[param(value_type = Option<String>)]
+    pub encoding: Option<TextEncoding>,
     /// Size to import from a graded file; the sample size if absent.
     pub size: Option<String>,
     /// Reading of outlines that lie in others, where layers do not tell: `auto` (by their course)
@@ -53,6 +57,7 @@ impl ImportQuery {
         ImportOptions {
             name,
             units: self.units,
+            encoding: self.encoding,
             size: self.size,
             outlines: self.outlines.unwrap_or_default(),
             notches: self.notches.unwrap_or_default(),

@@ -19,11 +19,10 @@ mod piece;
 mod read;
 
 use self::drawing::contents::DxfDrawing;
-use self::drawing::labels::DxfLabels;
 use self::drawing::{blocks, dialect, units};
 use self::findings::DxfFindings;
 use self::piece::dxf_piece::DxfPiece;
-use self::piece::{classify, panel, select, size_plan};
+use self::piece::{classify, closed_gaps, panel, select, size_plan};
 use super::{Allowance, ImportOptions, Panel, Pattern, Source, copies, ids};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, PatternCode};
@@ -54,9 +53,9 @@ fn read_pattern(
     limits: &Limits,
     findings: &mut DxfFindings,
 ) -> Result<Pattern, Fault> {
-    let text = read::text(bytes, limits)?;
+    let text = read::text(bytes, options.encoding, limits, findings)?;
     let drawing = DxfDrawing::parse(&text, limits, findings)?;
-    let labels = DxfLabels::of(drawing.model.iter());
+    let labels = blocks::file_labels(&drawing, limits);
     let unit = units::determine(options.units, &labels, drawing.insunits, findings);
     let sheets = blocks::place(&drawing, unit, limits, findings)?;
     let format = dialect::detect(&drawing, &labels);
@@ -69,6 +68,7 @@ fn read_pattern(
         plan.grade(&mut pieces, &mut sizes, findings)?;
     }
     select::check(&pieces, unit, limits, findings)?;
+    closed_gaps::warn(&mut pieces, findings);
     let name = labels.get("style name").or(options.name.as_deref());
     let name = name.unwrap_or("pattern");
     let (pieces, mut panels) = build_panels(pieces, name, options, limits, findings);

@@ -2,6 +2,7 @@
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+use seamster_fixtures::dxf::DxfBuilder;
 use seamster_fixtures::server::{Answer, Server, config};
 use serde_json::{Value, json};
 use std::io::{Read, Write};
@@ -435,9 +436,10 @@ fn a_misspelt_query_is_refused() {
     ] {
         server.get(path).problem(422);
     }
-    server
-        .send("POST", "/v1/patterns?units=furlong", &[], b"0")
-        .problem(422);
+    for query in ["units=furlong", "encoding=furlong"] {
+        let path = format!("/v1/patterns?{query}");
+        server.send("POST", &path, &[], b"0").problem(422);
+    }
 }
 
 #[test]
@@ -619,6 +621,24 @@ fn seams_are_checked_on_what_is_left_of_panels_given_as_cut() {
         server.post_json(&path, &asked).faults(422),
         [format!("garment/number {pointer}")]
     );
+}
+
+#[test]
+fn stated_encoding_overrides_that_of_the_file() {
+    let server = Server::with(config(), 0);
+    let corners = [[0.0, 0.0], [300.0, 0.0], [300.0, 400.0]];
+    let file = DxfBuilder::metric()
+        .header("$DWGCODEPAGE", 3, "ANSI_1251")
+        .block("ПЕРЕД")
+        .run("1", true, &corners)
+        .text_of_file();
+    let (file, ..) = encoding_rs::WINDOWS_1251.encode(&file);
+    let name = |query: &str| {
+        let answer = server.send("POST", &format!("/v1/patterns{query}"), &[], &file);
+        answer.json()["panels"][0]["name"].clone()
+    };
+    assert_eq!(name(""), "ПЕРЕД");
+    assert_eq!(name("?encoding=windows-1252"), "ÏÅÐÅÄ");
 }
 
 #[test]

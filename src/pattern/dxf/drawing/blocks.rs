@@ -3,10 +3,14 @@
 //! Blocks keep their own coordinates: an INSERT turns, scales and mirrors them but does not move
 //! them, so that a layout on a marker has no effect. Blocks with an outline that nothing inserts
 //! are taken too (AAMA pieces live in blocks). Nothing is expanded beyond the limits, so that a
-//! block that inserts itself, deep nesting and huge arrays end early.
+//! block that inserts itself, deep nesting and huge arrays end early. Pieces that a wrapper puts
+//! together, at any depth, are taken as if the model space inserted each of them.
 
+use super::block_index::{BlockIndex, OutlineRank};
 use super::contents::{DxfBlock, DxfDrawing};
+use super::labels::DxfLabels;
 use super::layers::{LayerRole, role};
+use super::placed_sheet::{PlacedSheet, give, join_parts};
 use super::sheet::DxfSheet;
 use crate::config::Limits;
 use crate::fault::{Fault, PatternCode};
@@ -38,6 +42,13 @@ pub(crate) fn place(
     Ok(sheets)
 }
 
+/// Returns the labels of a whole file: the texts of the model space, and those of wrappers.
+pub(crate) fn file_labels(drawing: &DxfDrawing, limits: &Limits) -> DxfLabels {
+    let index = BlockIndex::new(&drawing.blocks, limits.dxf_nesting);
+    let wrappers = index.wrappers().flat_map(|block| &block.entities);
+    DxfLabels::of(drawing.model.iter().chain(wrappers))
+}
+
 /// Returns the sheet of what lies loose in the model space, if there is a line in it.
 fn loose_entities(model: &[DxfEntity], to_meters: &AffineMap) -> Option<DxfSheet> {
     let entities: Vec<DxfEntity> = model
@@ -59,11 +70,10 @@ fn loose_entities(model: &[DxfEntity], to_meters: &AffineMap) -> Option<DxfSheet
 struct BlockPlacer<'a> {
     blocks: &'a [DxfBlock],
     to_meters: AffineMap,
-    /// Indices of the blocks with a name (lower case), in the order of the file.
-    by_name: BTreeMap<String, Vec<usize>>,
-    /// Number of INSERTs of the model space with a name so far.
+    index: BlockIndex<'a>,
+    /// Number of INSERTs of the model space and of wrappers with a name so far.
     insert_counts: BTreeMap<String, usize>,
-    /// The blocks that the model space inserts.
+    /// The blocks that the model space or a wrapper inserts.
     used: BTreeSet<usize>,
     /// Number of points and entities that may still be put in.
     budget: usize,
@@ -78,17 +88,10 @@ impl<'a> BlockPlacer<'a> {
         limits: &'a Limits,
         findings: &'a mut DxfFindings,
     ) -> Self {
-        let mut by_name: BTreeMap<String, Vec<usize>> = BTreeMap::new();
-        for (i, block) in blocks.iter().enumerate() {
-            by_name
-                .entry(block.name.to_lowercase())
-                .or_default()
-                .push(i);
-        }
         Self {
             blocks,
             to_meters,
-            by_name,
+            index: BlockIndex::new(blocks, limits.dxf_nesting),
             insert_counts: BTreeMap::new(),
             used: BTreeSet::new(),
             budget: limits.dxf_entities + limits.dxf_vertices,
@@ -104,14 +107,9 @@ impl<'a> BlockPlacer<'a> {
             let EntityShape::Insert(insert) = &entity.shape else {
                 continue;
             };
-            let name = insert.name.to_lowercase();
-            let nth = self.insert_counts.get(&name).copied().unwrap_or(0);
-            let Some(index) = self.find(insert, nth, entity.line) else {
-                continue;
-            };
-            self.insert_counts.insert(name, nth + 1);
-            self.used.insert(index);
-            sheets.extend(self.place_insert(index, insert, entity.line)?);
+            let to_meters = self.to_meters;
+            let placed = self.place_insert(insert, &to_meters, entity.line, 0)?;
+            sheets.extend(placed.into_iter().map(|placed| placed.sheet));
         }
         Ok(sheets)
     }
@@ -126,15 +124,23 @@ impl<'a> BlockPlacer<'a> {
             if self.used.contains(&index) || nested.contains(&name) {
                 continue;
             }
-            if is_piece(block) {
+            let is_piece = is_piece(block);
+            let wrapped = self.index.wrapped_rank(index);
+            if is_piece || wrapped == Some(OutlineRank::Boundary) {
+                let is = if is_piece {
+                    "is a piece"
+                } else {
+                    "holds pieces"
+                };
                 let detail = format!(
-                    "block {:?} is a piece but is not inserted; it was taken all the same",
+                    "block {:?} {is} but is not inserted; it was taken all the same",
                     block.name
                 );
                 let code = PatternCode::BlockNotInserted;
                 self.findings.warn(code, block.line, detail);
                 let map = self.to_meters;
-                sheets.push(self.sheet(index, &map)?);
+                let placed = self.place_block(index, &map, 0)?;
+                sheets.extend(placed.into_iter().map(|placed| placed.sheet));
             } else if self.insert_counts.contains_key(&name) {
                 let kind = "entity of a block that has the name of another";
                 self.findings
@@ -146,8 +152,7 @@ impl<'a> BlockPlacer<'a> {
 
     /// Returns the block of the `nth` INSERT of a name: the `nth` block of that name, or the last.
     fn find(&mut self, insert: &BlockInsert, nth: usize, line: usize) -> Option<usize> {
-        let same = self.by_name.get(&insert.name.to_lowercase());
-        let found = same.and_then(|list| list.get(nth).or(list.last())).copied();
+        let found = self.index.find(&insert.name, nth);
         if found.is_none() {
             let name = &insert.name;
             let detail = format!("the block {name:?} that is inserted here is not in the file");
@@ -156,34 +161,81 @@ impl<'a> BlockPlacer<'a> {
         found
     }
 
-    /// Returns the sheets of one INSERT of the model space, one to a cell of its array.
+    /// Returns the sheets of one INSERT of the model space or of a wrapper put through `map`, one
+    /// to a piece and a cell of its array.
     fn place_insert(
         &mut self,
-        index: usize,
         insert: &BlockInsert,
+        map: &AffineMap,
         line: usize,
-    ) -> Result<Vec<DxfSheet>, Fault> {
+        depth: usize,
+    ) -> Result<Vec<PlacedSheet>, Fault> {
+        let name = insert.name.to_lowercase();
+        let nth = self.insert_counts.get(&name).copied().unwrap_or(0);
+        let Some(index) = self.find(insert, nth, line) else {
+            return Ok(Vec::new());
+        };
+        self.insert_counts.insert(name, nth + 1);
+        self.used.insert(index);
         self.spend(insert.cell_count(), line)?;
         let base = self.blocks[index].base;
-        insert
-            .cells()
-            .map(|cell| {
-                let map = AffineMap::of_insert(insert, base, cell);
-                let map = self.to_meters.after(&map).without_shift();
-                self.sheet(index, &map)
-            })
-            .collect()
+        let mut placed = Vec::new();
+        for cell in insert.cells() {
+            let map = map.after(&AffineMap::of_insert(insert, base, cell));
+            placed.extend(self.place_block(index, &map, depth)?);
+        }
+        Ok(placed)
     }
 
-    /// Returns the sheet of a block put through `map`.
-    fn sheet(&mut self, index: usize, map: &AffineMap) -> Result<DxfSheet, Fault> {
+    /// Returns the sheet of a block put through `map`, or those that a wrapper holds.
+    fn place_block(
+        &mut self,
+        index: usize,
+        map: &AffineMap,
+        depth: usize,
+    ) -> Result<Vec<PlacedSheet>, Fault> {
+        if let Some(rank) = self.index.wrapped_rank(index) {
+            return self.unwrap(index, rank, map, depth);
+        }
         let mut entities = Vec::new();
-        self.expand(index, map, 0, &mut entities)?;
-        Ok(DxfSheet {
+        self.expand(index, &map.without_shift(), depth, &mut entities)?;
+        let sheet = DxfSheet {
             block: Some(self.blocks[index].name.clone()),
             line: self.blocks[index].line,
             entities,
-        })
+        };
+        Ok(vec![PlacedSheet::new(sheet, map.apply([0.0, 0.0]))])
+    }
+
+    /// Returns the sheets of the pieces of a rank that a wrapper puts together. What else it holds
+    /// goes to the pieces that it lies in.
+    fn unwrap(
+        &mut self,
+        index: usize,
+        rank: OutlineRank,
+        map: &AffineMap,
+        depth: usize,
+    ) -> Result<Vec<PlacedSheet>, Fault> {
+        let block = &self.blocks[index];
+        self.check_depth(depth, block.line)?;
+        let (mut sheets, mut rest) = (Vec::new(), Vec::new());
+        for entity in &block.entities {
+            let is_piece = |insert: &BlockInsert| {
+                let inner = self.index.find(&insert.name, 0);
+                inner.and_then(|inner| self.index.rank(inner)) == Some(rank)
+            };
+            match &entity.shape {
+                EntityShape::Insert(insert) if is_piece(insert) => {
+                    sheets.extend(self.place_insert(insert, map, entity.line, depth + 1)?);
+                }
+                _ => self.expand_entity(entity, map, depth, &mut rest)?,
+            }
+        }
+        if rank == OutlineRank::General {
+            sheets = join_parts(sheets);
+        }
+        give(&rest, &mut sheets, self.findings);
+        Ok(sheets)
     }
 
     /// Adds a block's entities put through `map` to `out`, those of blocks inside it too.
@@ -195,35 +247,49 @@ impl<'a> BlockPlacer<'a> {
         out: &mut Vec<DxfEntity>,
     ) -> Result<(), Fault> {
         let block = &self.blocks[index];
-        if depth > self.limits.dxf_nesting {
-            return Err(self.nested_too_deep(block.line));
-        }
+        self.check_depth(depth, block.line)?;
         for entity in &block.entities {
-            let EntityShape::Insert(insert) = &entity.shape else {
-                self.spend(entity.shape.point_count(), entity.line)?;
-                out.push(map.apply_to(entity));
-                continue;
-            };
-            let Some(inner) = self.find(insert, 0, entity.line) else {
-                continue;
-            };
-            self.spend(insert.cell_count(), entity.line)?;
-            for cell in insert.cells() {
-                let base = self.blocks[inner].base;
-                let map = map.after(&AffineMap::of_insert(insert, base, cell));
-                self.expand(inner, &map, depth + 1, out)?;
-            }
+            self.expand_entity(entity, map, depth, out)?;
         }
         Ok(())
     }
 
-    fn nested_too_deep(&self, line: usize) -> Fault {
+    /// Adds an entity of a block put through `map` to `out`; for an INSERT, what it puts in.
+    fn expand_entity(
+        &mut self,
+        entity: &DxfEntity,
+        map: &AffineMap,
+        depth: usize,
+        out: &mut Vec<DxfEntity>,
+    ) -> Result<(), Fault> {
+        let EntityShape::Insert(insert) = &entity.shape else {
+            self.spend(entity.shape.point_count(), entity.line)?;
+            out.push(map.apply_to(entity));
+            return Ok(());
+        };
+        let Some(inner) = self.find(insert, 0, entity.line) else {
+            return Ok(());
+        };
+        self.spend(insert.cell_count(), entity.line)?;
+        for cell in insert.cells() {
+            let base = self.blocks[inner].base;
+            let map = map.after(&AffineMap::of_insert(insert, base, cell));
+            self.expand(inner, &map, depth + 1, out)?;
+        }
+        Ok(())
+    }
+
+    /// Checks that a block is not nested too deep.
+    fn check_depth(&self, depth: usize, line: usize) -> Result<(), Fault> {
+        if depth <= self.limits.dxf_nesting {
+            return Ok(());
+        }
         let detail = format!(
             "blocks are nested more than {} deep, or a block inserts itself",
             self.limits.dxf_nesting
         );
-        Fault::new(PatternCode::Nesting, at_line(line), detail)
-            .fix("explode the blocks in the CAD program")
+        Err(Fault::new(PatternCode::Nesting, at_line(line), detail)
+            .fix("explode the blocks in the CAD program"))
     }
 
     /// Takes `count` points and entities from the budget.

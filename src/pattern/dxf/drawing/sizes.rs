@@ -2,7 +2,7 @@
 
 use super::labels::DxfLabels;
 use crate::fault::{Fault, PatternCode};
-use crate::pattern::dxf::findings::DxfFindings;
+use crate::pattern::dxf::findings::{DxfFindings, excerpt};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The sizes of a file and the one that is imported.
@@ -45,18 +45,33 @@ pub(crate) fn choose(
     let sample = file.with_line("sample size");
     let chosen = sample.and_then(|(name, _)| find(name));
     if chosen.is_none() && all.len() > 1 {
-        let line = sample.map_or(1, |(_, line)| line);
-        let detail = format!(
-            "the file does not say which of its sizes ({}) is the sample; {} was taken (size= chooses)",
-            all.join(", "),
-            all[0]
-        );
-        findings.warn(PatternCode::SampleSize, line, detail);
+        warn_of_sample(sample, &all, findings);
     }
     let chosen = chosen
         .or_else(|| all.first().cloned())
         .or_else(|| sample.map(|(name, _)| name.to_owned()));
     Ok(SizeChoice { all, chosen })
+}
+
+/// Warns of a sample size that the file does not state, or that none of its pieces has.
+fn warn_of_sample(sample: Option<(&str, usize)>, all: &[String], findings: &mut DxfFindings) {
+    let (sizes, taken) = (all.join(", "), &all[0]);
+    let (line, detail) = match sample {
+        Some((name, line)) => (
+            line,
+            format!(
+                "the sample size of the file is {:?}, which is not among its sizes ({sizes}); {taken} was taken (size= chooses)",
+                excerpt(name)
+            ),
+        ),
+        None => (
+            1,
+            format!(
+                "the file does not say which of its sizes ({sizes}) is the sample; {taken} was taken (size= chooses)"
+            ),
+        ),
+    };
+    findings.warn(PatternCode::SampleSize, line, detail);
 }
 
 fn unknown_size(wanted: &str, all: &[String]) -> Fault {

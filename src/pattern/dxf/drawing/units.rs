@@ -117,21 +117,21 @@ fn is_plausible(size_m: f64) -> bool {
     (PLAUSIBLE[0]..=PLAUSIBLE[1]).contains(&size_m)
 }
 
-/// Returns the advice for a largest panel of a length in drawing units.
+/// Returns the advice for a largest panel of a length in drawing units: every unit that makes it
+/// the size of a garment. Inches come first: of the units that AAMA and ASTM have, they are the
+/// other one.
 fn fix(drawn: f64) -> String {
-    let fitting = [Units::Mm, Units::Cm, Units::Inch, Units::M]
-        .into_iter()
-        .find(|unit| is_plausible(drawn * unit.in_meters()));
-    match fitting {
-        Some(unit) => format!(
-            "say the units of the file: units={} would make it {}",
-            unit.name(),
-            formatted(drawn * unit.in_meters())
-        ),
-        None => {
-            "say the units of the file with units=mm|cm|m|inch, or check the drawing".to_owned()
-        }
+    let units = [Units::Inch, Units::Cm, Units::Mm, Units::M];
+    let fitting = units.map(|unit| (unit.name(), drawn * unit.in_meters()));
+    let fitting = fitting.iter().filter(|(_, size)| is_plausible(*size));
+    let offers: Vec<String> = fitting
+        .map(|(name, size)| format!("units={name} would make it {}", formatted(*size)))
+        .collect();
+    if offers.is_empty() {
+        return "say the units of the file with units=mm|cm|m|inch, or check the drawing"
+            .to_owned();
     }
+    format!("say the units of the file: {}", offers.join(", "))
 }
 
 fn formatted(length_m: f64) -> String {

@@ -65,14 +65,6 @@ impl PathChain {
         (self.line, first.map(|p| p.map(f64::to_bits)))
     }
 
-    /// Returns the distance from its last point to its first \[m\].
-    pub(super) fn gap(&self) -> f64 {
-        match (self.points.first(), self.points.last()) {
-            (Some(a), Some(b)) => distance(*a, *b),
-            _ => 0.0,
-        }
-    }
-
     /// Turns it round.
     pub(super) fn reverse(&mut self) {
         self.points.reverse();

@@ -85,8 +85,17 @@ impl FreeEnds {
     /// Returns the free end nearest to `p` within the tolerance; of several equally near ones, the
     /// first in file order.
     pub(super) fn nearest(&mut self, p: Point2, parts: &[PathChain]) -> Option<NearEnd> {
+        let near = self.near(p, parts).into_iter();
+        near.reduce(|best, found| match found.order(&best) {
+            Some(Ordering::Less) => found,
+            _ => best,
+        })
+    }
+
+    /// Returns the free ends within the tolerance of `p`, as many as are compared.
+    pub(super) fn near(&mut self, p: Point2, parts: &[PathChain]) -> Vec<NearEnd> {
         let (x, y) = cell_of(p, self.cell_size);
-        let mut best: Option<NearEnd> = None;
+        let mut near = Vec::new();
         for dx in -1..=1 {
             for (part, is_head) in self.in_column(x.saturating_add(dx), y) {
                 let points = &parts[part].points;
@@ -95,17 +104,13 @@ impl FreeEnds {
                 } else {
                     points.last()
                 };
-                let Some(gap) = end.map(|end| distance(p, *end)) else {
-                    continue;
-                };
-                let found = NearEnd { part, is_head, gap };
-                let is_nearer = best.is_none_or(|b| found.order(&b) == Some(Ordering::Less));
-                if gap <= self.cell_size && is_nearer {
-                    best = Some(found);
+                let gap = end.map_or(f64::INFINITY, |end| distance(p, *end));
+                if gap <= self.cell_size {
+                    near.push(NearEnd { part, is_head, gap });
                 }
             }
         }
-        best
+        near
     }
 
     /// Returns the first free ends of a cell and of those below and above it, which lie together.

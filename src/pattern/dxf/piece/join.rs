@@ -1,51 +1,59 @@
 //! Paths joined head to tail: outlines come as several open paths, in file order or in none.
 //!
-//! From each free path on, the free path whose end lies nearest is added, as long as it lies within
-//! the tolerance; where several lie equally near, the first in the file.
+//! Paths whose ends meet are joined first: from each free path on, the one whose end lies nearest,
+//! of several the first in the file. Ends that a small gap parts are then joined in pairs, the
+//! nearest first.
 
 use super::chain::{JOINED, PathChain};
+use super::end_pairs::{EndPairs, JoinedChain};
 use super::free_ends::FreeEnds;
+use super::gap::REPAIRED;
 use crate::pattern::dxf::entity::geometry::EntityPath;
 use crate::pattern::point::distance;
 
-/// Ends closer than this are joined with a warning: a slip of the drawing hand that no cutter would
-/// notice \[m\].
-const REPAIRED: f64 = 5e-4;
+/// Joins paths, each with its line, as [`join_with_gaps`] does, to chains alone.
+pub(super) fn join_paths(paths: &[(&EntityPath, usize)], repair: bool) -> Vec<PathChain> {
+    let joined = join_with_gaps(paths, repair).into_iter();
+    joined.map(|joined| joined.chain).collect()
+}
 
 /// Joins paths, each with its line, to as few chains as their ends allow, in the order of the file
 /// where several would fit. `repair`: small gaps are closed too, as outlines need it.
-pub(super) fn join_paths(paths: &[(&EntityPath, usize)], repair: bool) -> Vec<PathChain> {
+pub(super) fn join_with_gaps(paths: &[(&EntityPath, usize)], repair: bool) -> Vec<JoinedChain> {
     let are_exploded = paths.iter().all(|(path, _)| path.straight);
     let single: Vec<PathChain> = paths
         .iter()
         .filter(|(path, _)| !path.points.is_empty())
         .map(|(path, line)| PathChain::of_path(path, *line))
         .collect();
-    let mut joined = join(single, JOINED);
-    if repair && joined.iter().any(|chain| !chain.closed) {
-        joined = join(joined, REPAIRED);
-    }
+    let joined = join(&single);
+    let pairs = if repair && joined.iter().any(|chain| !chain.closed) {
+        EndPairs::within(REPAIRED, &joined)
+    } else {
+        EndPairs::none(joined.len())
+    };
+    let mut joined = pairs.join(joined);
     if are_exploded {
-        for chain in &mut joined {
-            chain.path_end.fill(false);
+        for joined in &mut joined {
+            joined.chain.path_end.fill(false);
         }
     }
     joined
 }
 
-/// Joins chains whose ends lie within `tolerance` \[m\].
-fn join(parts: Vec<PathChain>, tolerance: f64) -> Vec<PathChain> {
-    let mut ends = FreeEnds::new(&parts, tolerance);
+/// Joins chains whose ends meet.
+fn join(parts: &[PathChain]) -> Vec<PathChain> {
+    let mut ends = FreeEnds::new(parts, JOINED);
     let mut joined = Vec::new();
     for (i, part) in parts.iter().enumerate() {
         if part.closed {
             joined.push(part.clone());
         } else if ends.take(i) {
             let mut chain = part.clone();
-            grow(&mut chain, &parts, &mut ends, tolerance);
+            grow(&mut chain, parts, &mut ends);
             if !chain.closed {
                 chain.reverse();
-                grow(&mut chain, &parts, &mut ends, tolerance);
+                grow(&mut chain, parts, &mut ends);
                 chain.reverse();
             }
             joined.push(chain);
@@ -55,14 +63,14 @@ fn join(parts: Vec<PathChain>, tolerance: f64) -> Vec<PathChain> {
 }
 
 /// Adds parts to the end of `chain` until it closes or nothing fits.
-fn grow(chain: &mut PathChain, parts: &[PathChain], ends: &mut FreeEnds, tolerance: f64) {
+fn grow(chain: &mut PathChain, parts: &[PathChain], ends: &mut FreeEnds) {
     loop {
         let (Some(&first), Some(&last)) = (chain.points.first(), chain.points.last()) else {
             return;
         };
         let next = ends.nearest(last, parts);
         let gap = distance(first, last);
-        let closes = chain.points.len() > 2 && gap <= tolerance;
+        let closes = chain.points.len() > 2 && gap <= JOINED;
         if closes && next.is_none_or(|end| gap <= end.gap) {
             chain.close(gap);
             return;
@@ -81,6 +89,7 @@ fn grow(chain: &mut PathChain, parts: &[PathChain], ends: &mut FreeEnds, toleran
 
 #[cfg(test)]
 mod tests {
+    use super::super::gap::Gap;
     use super::*;
     use crate::pattern::Point2;
 
@@ -93,8 +102,8 @@ mod tests {
         }
     }
 
-    fn joined(paths: &[EntityPath]) -> Vec<PathChain> {
-        join_paths(&paths.iter().map(|p| (p, 1)).collect::<Vec<_>>(), true)
+    fn joined(paths: &[EntityPath]) -> Vec<JoinedChain> {
+        join_with_gaps(&paths.iter().map(|p| (p, 1)).collect::<Vec<_>>(), true)
     }
 
     #[test]
@@ -106,28 +115,44 @@ mod tests {
             path(&[[1.0, 0.0], [1.0, 1.0]]),
         ]);
         assert_eq!(found.len(), 1);
-        assert!(found[0].closed && found[0].closed_gap.is_none());
+        let chain = &found[0].chain;
+        assert!(chain.closed && chain.closed_gap.is_none() && found[0].gaps.is_empty());
         assert_eq!(
-            found[0].points,
+            chain.points,
             [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, 1.5], [0.0, 1.0]]
         );
-        assert_eq!(found[0].path_end, [true, true, true, false, true]);
+        assert_eq!(chain.path_end, [true, true, true, false, true]);
     }
 
     #[test]
-    fn small_gap_is_closed_and_said() {
+    fn small_gaps_are_closed_and_said() {
         let found = joined(&[
             path(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]),
-            path(&[[1.0, 1.0002], [0.0, 0.0]]),
+            path(&[[1.0, 1.0002], [0.0, 0.0001]]),
         ]);
-        assert!(found[0].closed);
-        assert!((found[0].closed_gap.expect("a gap") - 2e-4).abs() < 1e-12);
+        assert!(found[0].chain.closed);
+        let sizes: Vec<f64> = found[0].gaps.iter().map(Gap::size).collect();
+        assert_eq!(sizes.len(), 2);
+        assert!((sizes[0] - 2e-4).abs() < 1e-12 && (sizes[1] - 1e-4).abs() < 1e-12);
+        let largest = found[0].chain.closed_gap.expect("a gap");
+        assert!((largest - 2e-4).abs() < 1e-12);
+    }
+
+    #[test]
+    fn nearest_ends_are_joined_whatever_their_order() {
+        // The second line begins near both ends of the first gap; the third closes it.
+        let found = joined(&[
+            path(&[[0.0, 0.0], [1.0, 0.0]]),
+            path(&[[1.0004, 0.0], [2.0, 0.0]]),
+            path(&[[1.0, 0.0001], [0.5, 1.0], [0.0, 0.0]]),
+        ]);
+        assert_eq!(found.len(), 2);
+        assert!(found[0].chain.closed && !found[1].chain.closed);
     }
 
     #[test]
     fn large_gap_stays_open() {
         let found = joined(&[path(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.05, 0.0]])]);
-        assert!(!found[0].closed);
-        assert!((found[0].gap() - 0.05).abs() < 1e-12);
+        assert!(!found[0].chain.closed && found[0].gaps.is_empty());
     }
 }

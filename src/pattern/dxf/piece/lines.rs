@@ -1,7 +1,9 @@
 //! The lines of a sheet, joined to chains layer by layer, and the outlines among them.
 
-use super::chain::PathChain;
-use super::join::join_paths;
+use super::chain::{ChainKey, PathChain};
+use super::end_pairs::{EndPairs, JoinedChain};
+use super::gap::{Gap, listed};
+use super::join::join_with_gaps;
 use super::measured::MeasuredChain;
 use crate::fault::{Fault, PatternCode};
 use crate::pattern::dxf::drawing::labels::DxfLabels;
@@ -9,6 +11,7 @@ use crate::pattern::dxf::drawing::layers::{LayerRole, is_named, role};
 use crate::pattern::dxf::drawing::sheet::DxfSheet;
 use crate::pattern::dxf::entity::geometry::EntityPath;
 use crate::pattern::dxf::findings::{DxfFindings, at_line};
+use std::collections::BTreeMap;
 
 /// The chains of a sheet by the role of their layer.
 pub(super) struct SheetLines {
@@ -21,20 +24,34 @@ pub(super) struct SheetLines {
     /// True if sew lines lie on a layer with a name: general CAD, where the seam is the outline
     /// that was drawn and the cut line was added to it. In AAMA and ASTM it is the other way round.
     pub(super) seam_first: bool,
+    /// The gaps of the chains with closed ones.
+    gaps: BTreeMap<ChainKey, Vec<Gap>>,
 }
 
 impl SheetLines {
     /// Joins the lines of a sheet.
     pub(super) fn of(sheet: &DxfSheet) -> Self {
         let has_named_sew = |layer: &str| role(layer) == LayerRole::Sew && is_named(layer);
+        let mut gaps = BTreeMap::new();
+        let mut chains_of = |role| {
+            let joined = joined_of(sheet, role).into_iter();
+            let with_gaps = |JoinedChain { chain, gaps: own }| {
+                if !own.is_empty() {
+                    gaps.insert(chain.key(), own);
+                }
+                chain
+            };
+            joined.map(with_gaps).collect()
+        };
         Self {
-            boundary: chains_of(sheet, LayerRole::Boundary),
-            sew: chains_of(sheet, LayerRole::Sew),
-            internal: chains_of(sheet, LayerRole::Internal),
-            cutout: chains_of(sheet, LayerRole::Cutout),
-            mirror: chains_of(sheet, LayerRole::Mirror),
-            general: chains_of(sheet, LayerRole::General),
+            boundary: chains_of(LayerRole::Boundary),
+            sew: chains_of(LayerRole::Sew),
+            internal: chains_of(LayerRole::Internal),
+            cutout: chains_of(LayerRole::Cutout),
+            mirror: chains_of(LayerRole::Mirror),
+            general: chains_of(LayerRole::General),
             seam_first: sheet.entities.iter().any(|e| has_named_sew(&e.layer)),
+            gaps,
         }
     }
 
@@ -48,24 +65,26 @@ impl SheetLines {
     ) -> Vec<MeasuredChain> {
         let mut found = self.closed_outlines(sheet);
         if found.is_empty() {
-            found = closed(&self.general);
+            found = self.closed(&self.general);
         }
         let is_lost = sheet.block.is_some()
             && !self.seam_first
             && !self.boundary.is_empty()
             && self.boundary.iter().all(|chain| !chain.closed);
         if found.is_empty() || is_lost {
-            let drawn = self.boundary.iter().chain(&self.sew).chain(&self.general);
-            let open = drawn.filter(|chain| !chain.closed);
-            findings
-                .faults
-                .extend(open.map(|chain| open_outline(sheet, chain)));
+            for drawn in [&self.boundary, &self.sew, &self.general] {
+                let outlines = open_outlines(drawn);
+                let faults = outlines.iter().map(|outline| open_outline(sheet, outline));
+                findings.faults.extend(faults);
+            }
+        } else {
+            self.warn_of_left_out(sheet, &found, findings);
         }
         found
     }
 
     fn closed_outlines(&self, sheet: &DxfSheet) -> Vec<MeasuredChain> {
-        let (boundary, sew) = (closed(&self.boundary), closed(&self.sew));
+        let (boundary, sew) = (self.closed(&self.boundary), self.closed(&self.sew));
         if self.seam_first {
             let alone = outside(boundary, |cut| sew.iter().any(|s| s.lies_in(cut)));
             return alone.chain(sew.clone()).collect();
@@ -76,6 +95,40 @@ impl SheetLines {
         let alone = outside(sew, |s| boundary.iter().any(|cut| s.lies_in(cut)));
         let alone: Vec<MeasuredChain> = alone.collect();
         boundary.into_iter().chain(alone).collect()
+    }
+
+    /// Warns of outlines beside those that were found that all but close: pieces that are left out.
+    fn warn_of_left_out(
+        &self,
+        sheet: &DxfSheet,
+        found: &[MeasuredChain],
+        findings: &mut DxfFindings,
+    ) {
+        let is_inside = |chain: &PathChain| {
+            let p = chain.points.first();
+            p.is_none_or(|p| found.iter().any(|outline| outline.contains(*p)))
+        };
+        let drawn = if self.boundary.is_empty() {
+            &self.general
+        } else {
+            &self.boundary
+        };
+        for outline in open_outlines(drawn) {
+            if outline.all_but_closes() && !is_inside(&outline.chain) {
+                let detail = format!("{}; it was left out", openness(sheet, &outline));
+                findings.warn(PatternCode::OpenOutline, outline.chain.line, detail);
+            }
+        }
+    }
+
+    /// Measures the closed ones among chains.
+    fn closed(&self, chains: &[PathChain]) -> Vec<MeasuredChain> {
+        let closed = chains.iter().filter(|chain| chain.closed);
+        let measured = closed.map(|chain| MeasuredChain {
+            gaps: self.gaps.get(&chain.key()).cloned().unwrap_or_default(),
+            ..MeasuredChain::new(chain.clone())
+        });
+        measured.collect()
     }
 }
 
@@ -88,35 +141,45 @@ fn outside(
 }
 
 /// Joins the paths on layers of one role.
-fn chains_of(sheet: &DxfSheet, wanted: LayerRole) -> Vec<PathChain> {
+fn joined_of(sheet: &DxfSheet, wanted: LayerRole) -> Vec<JoinedChain> {
     let paths: Vec<(&EntityPath, usize)> = sheet
         .entities
         .iter()
         .filter(|e| role(&e.layer) == wanted)
         .filter_map(|e| Some((e.shape.path()?, e.line)))
         .collect();
-    join_paths(&paths, wanted != LayerRole::Internal)
+    join_with_gaps(&paths, wanted != LayerRole::Internal)
 }
 
-/// Measures the closed ones among chains.
-fn closed(chains: &[PathChain]) -> Vec<MeasuredChain> {
-    let closed = chains.iter().filter(|chain| chain.closed);
-    closed.cloned().map(MeasuredChain::new).collect()
+/// Returns the open chains, those joined whose ends lie near each other as one.
+fn open_outlines(chains: &[PathChain]) -> Vec<JoinedChain> {
+    let open: Vec<PathChain> = chains.iter().filter(|c| !c.closed).cloned().collect();
+    EndPairs::of_outlines(&open).join(open)
 }
 
-fn open_outline(sheet: &DxfSheet, chain: &PathChain) -> Fault {
+fn open_outline(sheet: &DxfSheet, outline: &JoinedChain) -> Fault {
+    let detail = openness(sheet, outline);
+    Fault::new(
+        PatternCode::OpenOutline,
+        at_line(outline.chain.line),
+        detail,
+    )
+    .fix("close the outline in the CAD program; gaps up to 0.5 mm are closed for you")
+}
+
+/// Returns a sentence on the gaps of an outline.
+fn openness(sheet: &DxfSheet, outline: &JoinedChain) -> String {
+    let chain = &outline.chain;
     let labels = DxfLabels::of(sheet.entities.iter());
     let name = labels.get("piece name").or(sheet.block.as_deref());
     let of = name.map_or_else(String::new, |name| format!(" of {name:?}"));
-    let ends = match (chain.points.first(), chain.points.last()) {
-        (Some(a), Some(b)) => format!(
-            " between ({:.4}, {:.4}) m and ({:.4}, {:.4}) m",
-            a[0], a[1], b[0], b[1]
-        ),
-        _ => String::new(),
+    let mut gaps = outline.gaps.clone();
+    if let (false, Some(a), Some(b)) = (chain.closed, chain.points.first(), chain.points.last()) {
+        gaps.push(Gap { ends: [*a, *b] });
+    }
+    let places = match gaps.len() {
+        0 | 1 => "by".to_owned(),
+        count => format!("at {count} places:"),
     };
-    let gap_mm = 1000.0 * chain.gap();
-    let detail = format!("an outline{of} is open by {gap_mm:.2} mm{ends}");
-    Fault::new(PatternCode::OpenOutline, at_line(chain.line), detail)
-        .fix("close the outline in the CAD program; gaps up to 0.5 mm are closed for you")
+    format!("an outline{of} is open {places} {}", listed(&gaps))
 }

@@ -4,14 +4,17 @@
 mod assign;
 mod chain;
 pub(super) mod classify;
+pub(super) mod closed_gaps;
 mod corners;
 mod course;
 mod drawn_notches;
 pub(super) mod dxf_piece;
+mod end_pairs;
 mod fold;
 mod folds;
 mod frame;
 mod free_ends;
+mod gap;
 pub(super) mod grade;
 mod holes;
 mod inner_outlines;
