@@ -22,7 +22,7 @@ use self::drawing::contents::DxfDrawing;
 use self::drawing::{blocks, dialect, units};
 use self::findings::DxfFindings;
 use self::piece::dxf_piece::DxfPiece;
-use self::piece::{classify, closed_gaps, panel, select, size_plan};
+use self::piece::{classify, closed_gaps, drawn_notches, panel, select, size_plan};
 use super::{Allowance, ImportOptions, Panel, Pattern, Source, copies, ids};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, PatternCode};
@@ -69,6 +69,9 @@ fn read_pattern(
     }
     select::check(&pieces, unit, limits, findings)?;
     closed_gaps::warn(&mut pieces, findings);
+    for piece in &mut pieces {
+        drawn_notches::take(piece, options.notches, findings);
+    }
     let name = labels.get("style name").or(options.name.as_deref());
     let name = name.unwrap_or("pattern");
     let (pieces, mut panels) = build_panels(pieces, name, options, limits, findings);

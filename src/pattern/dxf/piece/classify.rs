@@ -3,7 +3,7 @@
 use super::dxf_piece::DxfPiece;
 use super::lines::SheetLines;
 use super::measured::MeasuredChain;
-use super::{assign, drawn_notches, frame, inner_outlines, marks, nest, size_nest};
+use super::{assign, frame, inner_outlines, marks, nest, size_nest};
 use crate::config::Limits;
 use crate::pattern::ImportOptions;
 use crate::pattern::dxf::drawing::sheet::DxfSheet;
@@ -63,11 +63,7 @@ fn pieces_of_sheet(
     }
     marks::assign(sheet, &lines.mirror, &mut pieces, is_alone, findings);
     assign::lines(&lines, &taken, &mut pieces, is_alone, findings);
-    let mut pieces: Vec<DxfPiece> = pieces.into_iter().flat_map(size_nest::split).collect();
-    for piece in &mut pieces {
-        drawn_notches::take(piece, options.notches, findings);
-    }
-    pieces
+    pieces.into_iter().flat_map(size_nest::split).collect()
 }
 
 /// The layers of the lines that outlines begin at.

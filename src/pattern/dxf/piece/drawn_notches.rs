@@ -15,6 +15,9 @@ const DEPTH: RangeInclusive<f64> = 0.0015..=0.012;
 /// The widest notch \[m\].
 const WIDEST: f64 = 0.015;
 
+/// An opening is at most this many times as wide as it is deep: flatter ones are curves.
+const FLATTEST: f64 = 2.5;
+
 /// Openings narrower than this are slits \[m\].
 const SLIT: f64 = 0.0005;
 
@@ -49,7 +52,7 @@ struct DrawnNotch {
 
 /// Takes the notches out of the outline and the sew line of a piece; they are warned about. A piece
 /// with marks on the layers of notches has its notches there.
-pub(super) fn take(piece: &mut DxfPiece, reading: DrawnNotches, findings: &mut DxfFindings) {
+pub(crate) fn take(piece: &mut DxfPiece, reading: DrawnNotches, findings: &mut DxfFindings) {
     if reading == DrawnNotches::Cloth || !piece.marks.notches.is_empty() {
         return;
     }
@@ -165,7 +168,8 @@ fn notch_at(points: &[Point2], first: usize) -> Option<DrawnNotch> {
                 dot(along, side).abs() <= LEAN * distance(at(a), at(b))
             };
             let is_upright = count == 3 || stands(0, 1) && stands(3, 2);
-            let is_notch = runs_on && is_even && is_upright && DEPTH.contains(&depth);
+            let is_steep = distance(start, end) <= FLATTEST * depth;
+            let is_notch = runs_on && is_even && is_upright && is_steep && DEPTH.contains(&depth);
             is_notch.then_some(DrawnNotch {
                 first,
                 count,
@@ -225,7 +229,8 @@ mod tests {
 
     #[test]
     fn darts_curves_and_steps_stay() {
-        let shapes: [&[Point2]; 5] = [
+        let shapes: [&[Point2]; 6] = [
+            &[[0.1, 0.0], [0.106, 0.0027], [0.112, 0.0]],
             &[[0.1, 0.0], [0.1037, 0.0074], [0.1038, 0.0]],
             &[[0.09, 0.0], [0.1, 0.08], [0.11, 0.0]],
             &[[0.08, 0.0], [0.1, 0.003], [0.12, 0.0]],

@@ -76,13 +76,13 @@ impl MarkAssigner<'_> {
         owner(outlines(self.pieces), place, self.is_alone)
     }
 
-    /// Gives a line on the layer of folds to its piece: the fold from its one end to the other, if
-    /// that runs along the outline (brackets that stand beside it), else each straight stretch.
+    /// Gives a line on the layer of folds to its piece: each straight stretch of it. Of a bracket
+    /// that stands beside the outline, the way from its one end to the other.
     fn give_fold_lines(&mut self, chain: &PathChain) {
-        let ends = ends(&chain.points);
-        let bracket = ends.filter(|ends| self.runs_along_outline(*ends));
-        let lines = bracket.map_or_else(|| straight_stretches(&chain.points), |ends| vec![ends]);
-        for line in lines {
+        let stretches = straight_stretches(&chain.points);
+        let is_bracket = !stretches.iter().all(|s| self.runs_along_outline(*s));
+        let bracket = ends(&chain.points).filter(|e| is_bracket && self.runs_along_outline(*e));
+        for line in bracket.map_or(stretches, |ends| vec![ends]) {
             match self.owner(line[0]) {
                 Some(piece) => self.pieces[piece].marks.folds.push(line),
                 None => {

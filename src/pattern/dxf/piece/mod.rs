@@ -7,7 +7,7 @@ pub(super) mod classify;
 pub(super) mod closed_gaps;
 mod corners;
 mod course;
-mod drawn_notches;
+pub(super) mod drawn_notches;
 pub(super) mod dxf_piece;
 mod end_pairs;
 mod fold;
