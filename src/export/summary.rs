@@ -20,10 +20,14 @@ const HEADS: [&str; 9] = [
 ];
 
 /// Parameters of the service that warnings name, and what they are called on the command line.
-const OPTIONS: [(&str, &str); 4] = [
+const OPTIONS: [(&str, &str); 8] = [
     ("encoding=", "--encoding "),
     ("units=", "--units "),
     ("size=", "--size "),
+    ("outlines=", "--outlines "),
+    ("notches=", "--notches "),
+    ("unfold=", "--unfold "),
+    ("strict=true", "--strict"),
     ("rotation_order=", "--rotation-order "),
 ];
 
