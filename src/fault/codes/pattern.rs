@@ -57,6 +57,9 @@ fault_codes! {
         Field = "field":
             "A field of a GarmentCode specification has a wrong value.",
             "Write it as GarmentCode does.";
+        FoldAssumed = "fold_assumed":
+            "A sew line is open along a straight edge of its cut line, which was taken as the fold.",
+            "State unfold=none where it is none, or draw the fold on layer 6.";
         FoldIgnored = "fold_ignored":
             "A fold line of a piece is not an edge of it, or one more than it can be unfolded about.",
             "Draw fold lines along edges, at right angles to each other.";
@@ -191,6 +194,9 @@ fault_codes! {
         SelfIntersecting = "self_intersecting":
             "An outline crosses or touches itself.",
             "Mend the outline.";
+        SharedEdge = "shared_edge":
+            "An outline was closed along the edge that it shares with another.",
+            "Draw each piece as a closed outline of its own.";
         Spline = "spline":
             "A spline cannot be read.",
             "Export curves as polylines, or draw this one anew.";

@@ -1,7 +1,7 @@
 //! Import of files with pieces that cannot be read: the others come in, and it is said.
 
 use super::read::{imported, imported_with, refused_with, warnings};
-use seamster::pattern::ImportOptions;
+use seamster::pattern::{ImportOptions, Unfold};
 use seamster_fixtures::dxf::DxfBuilder;
 
 fn piece(file: DxfBuilder, name: &str, outline: &[[f64; 2]]) -> DxfBuilder {
@@ -57,4 +57,51 @@ fn small_loop_is_cut_off() {
         assert_eq!(warnings(&pattern, "pattern/loop_cut_off"), 1);
         assert!((pattern.panels[0].area_m2 - 0.12).abs() < 1e-9);
     }
+}
+
+#[test]
+fn pieces_that_share_an_edge_are_two() {
+    // The second piece has three sides of its own; its first is the first piece's last.
+    let left = [[0.0, 0.0], [300.0, 0.0], [300.0, 400.0], [0.0, 400.0]];
+    let right = [[300.0, 0.0], [500.0, -50.0], [500.0, 400.0], [300.0, 400.0]];
+    for turned in [false, true] {
+        let mut right = right.to_vec();
+        if turned {
+            right.reverse();
+        }
+        for layer in ["0", "1"] {
+            let file = DxfBuilder::metric()
+                .run(layer, true, &left)
+                .run(layer, false, &right);
+            let pattern = imported(file);
+            let areas: Vec<f64> = pattern.panels.iter().map(|p| p.area_m2).collect();
+            assert!((areas[0] - 0.12).abs() < 1e-9, "{areas:?}");
+            assert!((areas[1] - 0.085).abs() < 1e-9, "{areas:?}");
+            assert_eq!(warnings(&pattern, "pattern/shared_edge"), 1);
+        }
+    }
+    // A line across a piece is no piece.
+    let file = DxfBuilder::metric().run("0", true, &left);
+    let across = file.run("0", false, &[[0.0, 100.0], [150.0, 150.0], [300.0, 100.0]]);
+    assert_eq!(imported(across).panels.len(), 1);
+}
+
+#[test]
+fn sew_line_that_is_open_at_a_straight_edge_is_half_a_piece() {
+    let cut = [[0.0, -10.0], [310.0, -10.0], [310.0, 410.0], [0.0, 410.0]];
+    let sew = [[0.0, 0.0], [300.0, 0.0], [300.0, 400.0], [0.0, 400.0]];
+    let file = || {
+        let file = piece(DxfBuilder::metric(), "FRONT", &cut);
+        file.run("14", false, &sew)
+    };
+    let pattern = imported(file());
+    assert_eq!(warnings(&pattern, "pattern/fold_assumed"), 1);
+    assert!((pattern.panels[0].area_m2 - 0.24).abs() < 1e-9);
+    assert!(pattern.panels[0].unfolded);
+    let options = ImportOptions {
+        unfold: Unfold::None,
+        ..ImportOptions::default()
+    };
+    let pattern = imported_with(file(), &options);
+    assert!((pattern.panels[0].area_m2 - 0.12).abs() < 1e-9);
 }

@@ -3,7 +3,7 @@
 use super::dxf_piece::DxfPiece;
 use super::lines::SheetLines;
 use super::measured::MeasuredChain;
-use super::{assign, frame, inner_outlines, marks, nest, size_nest};
+use super::{assign, frame, inner_outlines, marks, nest, shared_edges, size_nest};
 use crate::config::Limits;
 use crate::pattern::ImportOptions;
 use crate::pattern::dxf::drawing::sheet::DxfSheet;
@@ -30,7 +30,8 @@ fn pieces_of_sheet(
     findings: &mut DxfFindings,
 ) -> Vec<DxfPiece> {
     let reading = options.outlines;
-    let lines = SheetLines::of(sheet);
+    let mut lines = SheetLines::of(sheet);
+    shared_edges::close(&mut lines, findings);
     let outlines = lines.outlines(sheet, findings);
     let taken = outlines.iter().map(|outline| outline.chain.key()).collect();
     // Sizes and letters drawn as outlines make more outlines than panels, but not without end.

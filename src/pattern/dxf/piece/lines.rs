@@ -74,8 +74,10 @@ impl SheetLines {
         if found.is_empty() || is_lost {
             for drawn in [&self.boundary, &self.sew, &self.general] {
                 let outlines = open_outlines(drawn);
-                let faults = outlines.iter().map(|outline| open_outline(sheet, outline));
-                findings.faults.extend(faults);
+                for outline in &outlines {
+                    let fault = open_outline(sheet, outline);
+                    findings.leave_out(fault, outline.chain.path_count);
+                }
             }
         } else {
             self.warn_of_left_out(sheet, &found, findings);

@@ -29,5 +29,6 @@ pub(super) mod panel;
 mod rings;
 pub(super) mod select;
 mod shallow_corners;
+mod shared_edges;
 mod size_nest;
 pub(super) mod size_plan;

@@ -2,6 +2,7 @@
 //! the tags make up.
 
 pub(super) mod binary;
+mod byte_signs;
 pub(super) mod encoding;
 mod escapes;
 pub(super) mod file_type;
