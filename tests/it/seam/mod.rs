@@ -3,6 +3,7 @@
 mod check;
 mod drafts;
 mod drawn;
+mod folds;
 mod likely_reversed;
 mod notches;
 mod outside;
