@@ -9,6 +9,7 @@ mod notches;
 mod outside;
 mod suggest;
 mod suggest_kinds;
+mod suggest_rings;
 mod suggest_unnamed;
 mod suggest_unseen;
 mod tracks;
