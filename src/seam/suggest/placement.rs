@@ -15,15 +15,19 @@ use crate::pattern::{Placement, Wrap};
 pub(super) fn placements(garment: &GarmentModel) -> Vec<(usize, Placement)> {
     let parts = garment.parts.iter();
     let parts = parts.filter_map(|part| Some((part.panel, placement(garment, part)?)));
-    let rings = garment.rings.iter().map(|ring| (ring.panel, level(ring)));
+    let rings = garment
+        .rings
+        .iter()
+        .map(|ring| (ring.panel, level(garment, ring)));
     parts.chain(rings).collect()
 }
 
 /// Returns the placement of a ring: level round the body.
-fn level(ring: &RingPanel) -> Placement {
+fn level(garment: &GarmentModel, ring: &RingPanel) -> Placement {
     let (at, down) = match ring.place {
         RingPlace::Neck => (Neck, 0.0),
         RingPlace::Waist(down) => (Waist, down),
+        RingPlace::BodiceHem => (TorsoFront, tallest(garment, PanelKind::Bodice)),
     };
     Placement {
         at: Some(at),

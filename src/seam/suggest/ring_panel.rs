@@ -33,6 +33,8 @@ pub(super) enum RingPlace {
     Neck,
     /// So far below the waist \[m\].
     Waist(f64),
+    /// At the hem of the bodice.
+    BodiceHem,
 }
 
 /// A panel that goes round the body by its largest hole.
@@ -113,8 +115,11 @@ pub(super) fn label_strips(
     parts: &mut Vec<LabeledPanel>,
 ) {
     for (index, panel) in pattern.panels.iter().enumerate() {
-        let is_told = hints[index].kind.is_some() || hints[index].front_back.is_some();
-        if is_told || panel.copy_of.is_some() || rings.iter().any(|ring| ring.panel == index) {
+        // A code of a letter may say front or back.
+        if hints[index].kind.is_some()
+            || panel.copy_of.is_some()
+            || rings.iter().any(|ring| ring.panel == index)
+        {
             continue;
         }
         let Some((strip, long)) = strip(index, panel) else {

@@ -71,7 +71,12 @@ fn assert_level(found: &Suggestion, panel: &str, at: PlacementAnchor) {
 
 #[test]
 fn ring_skirt_is_sewn_to_its_band_by_the_hole() {
-    for (skirt, waistband) in [("skirt", "waistband"), ("SKIRT", "band"), ("1", "2")] {
+    for (skirt, waistband) in [
+        ("skirt", "waistband"),
+        ("SKIRT", "band"),
+        ("1", "2"),
+        ("A1", "B2"),
+    ] {
         let hole = format!("{skirt} hole 740");
         let [long, end] = [740, 40].map(|length| format!("{waistband} {length}"));
         let panels = vec![ring(skirt, 0.74, 3.25), band(waistband, 0.74)];
@@ -209,6 +214,9 @@ fn ring_skirt_hangs_from_the_hem_of_a_bodice() {
         .map(|(a, _)| a.split(['~', ' ']).next().unwrap())
         .collect();
     assert_eq!(to, BTreeSet::from(["back", "front"]), "{told:?}");
+    let placement = &found.panels["skirt"].placement;
+    assert_eq!(placement.at, Some(PlacementAnchor::TorsoFront));
+    assert!((placement.offset_m[1] + 0.64).abs() < 1e-3, "{placement:?}");
     let own = told
         .iter()
         .any(|(a, b)| a.starts_with("skirt") && b.starts_with("skirt"));

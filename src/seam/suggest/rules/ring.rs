@@ -191,7 +191,7 @@ fn hems(garment: &GarmentModel, own: usize) -> Vec<Loop> {
         id: "waist",
         because: "the ring hangs from the hem of the bodice by its hole",
         chain,
-        place: RingPlace::Waist(0.0),
+        place: RingPlace::BodiceHem,
         ring: None,
     });
     let skirt = around(PanelKind::Skirt).map(|chain| Loop {
