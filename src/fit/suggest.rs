@@ -27,7 +27,7 @@ pub(super) struct ListedSeams {
 /// would only fall down.
 ///
 /// # Errors
-/// If no seam could be suggested, or offers only.
+/// If no seam could be suggested, or offers only, for panels that need one.
 pub(super) fn list_seams(
     garment: &mut Garment,
     pattern: &mut Pattern,
@@ -45,13 +45,14 @@ pub(super) fn list_seams(
         warnings,
     } = suggest::suggest(pattern, limits);
     let (offers, seams): (Vec<_>, Vec<_>) = seams.into_iter().partition(SuggestedSeam::is_offer);
-    if seams.is_empty() {
+    let needs_none = offers.is_empty() && !panels.is_empty();
+    if seams.is_empty() && !needs_none {
         return Err(none_suggested(&offers, &warnings));
     }
     let sewn: BTreeSet<&str> = seams.iter().flat_map(SuggestedSeam::panels).collect();
     let placed = panels
         .into_iter()
-        .filter(|(id, _)| sewn.contains(id.as_str()));
+        .filter(|(id, _)| sewn.is_empty() || sewn.contains(id.as_str()));
     place(garment, pattern, placed);
     pattern
         .warnings

@@ -21,7 +21,7 @@ pub struct Placement {
     /// Rotation about the panel's center, R = Rx Ry Rz \[degrees\].
     #[serde(default)]
     pub rotate_deg: [f64; 3],
-    /// Flat, or rolled about the body; chosen from the key point if absent.
+    /// Flat, rolled about the body, or level round it; chosen from the key point if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub wrap: Option<Wrap>,
 }
@@ -78,4 +78,7 @@ pub enum Wrap {
     /// panel run about a point of its plane and are sewn to each other, as of a circle skirt in one
     /// piece.
     Cylinder,
+    /// Level, the outer side up and the drawn +y to the back: the middle of its largest hole lies
+    /// on the body's vertical axis, at the height of the key point.
+    Level,
 }

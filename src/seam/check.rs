@@ -8,7 +8,7 @@ use super::reversal::{self, ReversalDetector};
 use super::run_resolver::RunResolver;
 use super::{
     Face, FaceRequest, RoutedSeam, Seam, SeamCheck, SeamCheckInput, SeamFinding, SeamSet,
-    StartPositions, Stretch, division_count, ease, overlap, twist,
+    StartPositions, Stretch, division_count, ease, folds, overlap, twist, welds,
 };
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, SeamCode, Warning};
@@ -84,9 +84,14 @@ pub fn check_placed(
     for (seam, fault) in overlap::find_faults(pattern, pairs, &seams) {
         findings[seam].errors.push(fault);
     }
+    let folded = folds::find(pattern, pairs, &seams);
+    let folded_reversed = folds::find_reversed(pattern, pairs, &seams, &folded);
     let relations: Vec<_> = seams
         .iter()
-        .map(|seam| SeamRelations::new(pattern, &pairs[seam.index], seam))
+        .map(|seam| {
+            let folded = [&folded, &folded_reversed];
+            SeamRelations::new(pattern, &pairs[seam.index], seam, folded)
+        })
         .collect();
     let context = SeamCheckContext {
         pattern,
@@ -107,6 +112,9 @@ pub fn check_placed(
         corrected.extend(twist.corrected);
     }
     corrected.extend(detector.warn(&coloring, &mut findings));
+    let ordered = seams.iter().map(|seam| coloring.ordered(seam));
+    let mended = welds::warn(pattern, pairs, ordered, &folded_reversed, &mut findings);
+    corrected.extend(mended);
     record_coloring(&coloring, &relations, &mut findings);
     let edge_length = edge_length
         .max(limits.edge_length_m[0])
@@ -246,6 +254,7 @@ fn record_coloring(
                 ReversalReason::UpsideDown => {
                     "as picked the upper end of one side would meet the lower end of the other"
                 }
+                ReversalReason::Folds => "only so it folds the cloth over",
                 ReversalReason::Notches => "as picked fewer notches would meet",
                 ReversalReason::FarApart => {
                     "as picked its two sides would start far from each other"

@@ -71,8 +71,8 @@ impl FaceColorer<'_> {
     }
 
     /// Returns why an `auto` seam is to be reversed, if it is: parity decides; where it cannot,
-    /// where panels start; where that is not known or does not tell, heights as drawn, and then
-    /// which order more notches fit.
+    /// which order folds the cloth over; where neither does, where panels start; where that is not
+    /// known or does not tell, heights as drawn, and then which order more notches fit.
     fn reversal_reason(
         &self,
         implied: &SeamRelations<'_>,
@@ -82,6 +82,11 @@ impl FaceColorer<'_> {
             (true, true) => {}
             (false, true) => return Some(ReversalReason::Twisted),
             (true | false, false) => return None,
+        }
+        match implied.folds {
+            [false, true] => return Some(ReversalReason::Folds),
+            [true, _] => return None,
+            [false, false] => {}
         }
         if let Some(shorter) = self.shorter_order(implied, parity) {
             return (shorter.order == SeamOrder::Reversed).then_some(ReversalReason::FarApart);

@@ -1,5 +1,6 @@
 //! Faces of panels, and the relations between them that seams imply.
 
+use super::folds::{self, FoldedPlies};
 use super::parity::{FaceRelation, ParityUnionFind};
 use super::{Face, FaceRequest, RoutedSeam, routed_seam};
 use crate::pattern::{Match, Pattern, SeamPair};
@@ -24,16 +25,35 @@ pub(super) struct SeamRelations<'a> {
     pub heights_agree: Option<bool>,
     /// Number of notches that meet as picked, and with side B reversed.
     pub notches: [usize; 2],
+    /// True if cloth is folded over on its base as picked, and with side B reversed.
+    pub folds: [bool; 2],
 }
 
 impl<'a> SeamRelations<'a> {
-    pub(super) fn new(pattern: &Pattern, pair: &'a SeamPair, seam: &RoutedSeam) -> Self {
+    /// Returns the relations of a seam. Plies that lie wrong side up in a fold, as picked and with
+    /// side B reversed, say nothing.
+    pub(super) fn new(
+        pattern: &Pattern,
+        pair: &'a SeamPair,
+        seam: &RoutedSeam,
+        folded: [&FoldedPlies; 2],
+    ) -> Self {
         let reversed = seam.reversed();
+        let relations = |seam: &RoutedSeam, folded: &FoldedPlies| {
+            let mut matched = seam.matched(pattern);
+            let mut number = 0..;
+            matched.retain(|_| {
+                let pair = number.next().unwrap_or_default();
+                !folded.contains(&(seam.index, pair))
+            });
+            routed_seam::face_relations(pattern, &matched)
+        };
         Self {
             seam: seam.index,
             pair,
-            picked: routed_seam::face_relations(pattern, &seam.matched(pattern)),
-            reversed: routed_seam::face_relations(pattern, &reversed.matched(pattern)),
+            picked: relations(seam, folded[0]),
+            reversed: relations(&reversed, folded[1]),
+            folds: folded.map(|folded| folds::has_ply(folded, seam.index)),
             notches: [seam, &reversed].map(|seam| seam.marks(pattern).len()),
             heights_agree: seam.heights_agree(pattern),
         }
@@ -64,6 +84,8 @@ pub(super) enum ReversalReason {
     FarApart,
     /// As picked fewer notches would meet.
     Notches,
+    /// Only reversed it folds the cloth over.
+    Folds,
 }
 
 /// Face of each panel, and the seams that were reversed for it.

@@ -36,7 +36,8 @@ impl ReversalDetector<'_> {
         let mut corrected = vec![];
         let relations = self.context.relations.iter();
         let as_picked = relations.filter(|implied| {
-            implied.pair.matching == Match::AsPicked && !implied.pair.allow_twist
+            let is_judged = !implied.pair.allow_twist && !implied.folds[0];
+            implied.pair.matching == Match::AsPicked && is_judged
         });
         for reversal in as_picked.filter_map(|implied| self.likely_reversal(implied, coloring)) {
             let pair = &self.context.pairs[reversal.seam];

@@ -14,7 +14,7 @@ pub(super) fn written(
 ) -> Option<Map<String, Value>> {
     let is_in_space = placement.at == Some(PlacementAnchor::Origin)
         && placement.up_deg.is_none()
-        && placement.wrap != Some(Wrap::Cylinder);
+        && !matches!(placement.wrap, Some(Wrap::Cylinder | Wrap::Level));
     if !is_in_space {
         return None;
     }

@@ -57,6 +57,9 @@ fault_codes! {
         PlacesApart = "places_apart":
             "The two ends of a run are not on the same outline, hole or line.",
             "Pick both on the outline, on the same hole or on the same internal line.";
+        PointsWelded = "points_welded":
+            "Two points of one edge that lie apart are sewn to the same point, where two seams meet.",
+            "Pick the ends of one side in the other order, so that the cloth folds over there.";
         Reversed = "reversed":
             "A side of a seam is sewn in the other order than picked.";
         SewnToItself = "sewn_to_itself":

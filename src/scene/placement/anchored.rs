@@ -5,7 +5,7 @@ use super::name_hint::guess;
 use super::placed::Placed;
 use super::spot::Spot;
 use crate::fault::{Fault, Faults, PlacementCode, pointer_token};
-use crate::pattern::{Panel, Placement, PlacementAnchor, Wrap};
+use crate::pattern::{Hole, Panel, Placement, PlacementAnchor, Wrap, polyline};
 use crate::scene::Avatar;
 use crate::seam::Face;
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
@@ -129,6 +129,10 @@ impl AnchoredPlacement {
             placed.sense = 1.0;
             return placed;
         }
+        if wrap == Wrap::Level {
+            placed.key = middle_of_hole(panel, &up).unwrap_or([placed.key[0], center_y]);
+            return placed;
+        }
         let height = spot.axis.y;
         let span = [
             height + bottom - placed.key[1],
@@ -202,6 +206,26 @@ fn radius(avatar: Option<&Avatar>, center: f64, span: [f64; 2], wrap: Wrap) -> f
         y += HEIGHT_STEP;
     }
     reach
+}
+
+/// Returns the middle of the bounding box of a panel's largest hole, turned by `up` \[m\].
+fn middle_of_hole(panel: &Panel, up: &Rotation2<f64>) -> Option<[f64; 2]> {
+    let around = |hole: &&Hole| -> f64 { hole.edges.iter().map(|edge| edge.length_m).sum() };
+    let mut holes = panel.holes.iter();
+    let first = holes.next()?;
+    let largest = holes.fold(first, |most, hole| {
+        if around(&hole) > around(&most) {
+            hole
+        } else {
+            most
+        }
+    });
+    let points = largest.edges.iter().flat_map(|edge| &edge.points);
+    let turned: Vec<[f64; 2]> = points
+        .map(|point| (up * Vector2::from(*point)).into())
+        .collect();
+    let [low, high] = polyline::bounds(&turned);
+    Some([0, 1].map(|k| f64::midpoint(low[k], high[k])))
 }
 
 /// The points of a panel's outline in pattern coordinates \[m\].

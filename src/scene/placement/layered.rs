@@ -62,7 +62,7 @@ impl Placed {
         let [x, z] = [p.x - self.axis.x, p.z - self.axis.z];
         match self.wrap {
             Wrap::Flat => z * self.outward.cos(),
-            Wrap::Cylinder => x.hypot(z),
+            Wrap::Cylinder | Wrap::Level => x.hypot(z),
         }
     }
 }

@@ -85,9 +85,12 @@ impl Placed {
 
     /// The point `along` the panel's width from its key point and `up` from it \[m\].
     fn rolled(&self, along: f64, up: f64) -> Vector3<f64> {
+        if self.wrap == Wrap::Level {
+            return self.axis + Vector3::new(along, 0.0, -up);
+        }
         let (angle, flat) = match self.wrap {
             Wrap::Flat => (self.outward, along),
-            Wrap::Cylinder => (self.outward + along / self.radius, 0.0),
+            Wrap::Cylinder | Wrap::Level => (self.outward + along / self.radius, 0.0),
         };
         let (sin, cos) = angle.sin_cos();
         // Outward is (sin, 0, cos); (cos, 0, -sin) runs along increasing angle.

@@ -7,6 +7,7 @@ use super::lexicon::Lexicon;
 use super::orientation::OtherForm;
 use super::outline_features::OutlineFeatures;
 use super::penalties::{Drawn, drawing_penalty, half_penalty, upright};
+use super::ring_panel::{self, RingPanel};
 use super::{align, assignment, bands, names, orientation, side_panels, strays};
 use crate::pattern::{Panel, Pattern};
 use std::collections::BTreeSet;
@@ -40,6 +41,8 @@ pub(super) struct Classification {
     pub(super) parts: Vec<LabeledPanel>,
     /// Spare panels that are other forms of recognized ones.
     pub(super) forms: Vec<OtherForm>,
+    /// Panels that go round the body by a hole; they are no parts.
+    pub(super) rings: Vec<RingPanel>,
     /// Hints of the names, in the order of the panels.
     pub(super) hints: Vec<names::NameHints>,
 }
@@ -80,7 +83,10 @@ pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classificat
         named: hints.iter().filter_map(|s| s.kind).collect(),
         rare,
     };
+    let rings = ring_panel::ring_panels(pattern, &hints);
+    let is_ring = |index: &usize| rings.iter().any(|ring| ring.panel == *index);
     let candidates: Vec<Vec<LabeledPanel>> = (0..names.len())
+        .filter(|index| !is_ring(index))
         .map(|index| {
             let panel = &pattern.panels[index];
             let hints = &hints[index];
@@ -104,10 +110,12 @@ pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classificat
         part.drawn_from_inside = turned;
     }
     bands::assign_openings(&mut parts);
+    ring_panel::label_strips(pattern, &hints, &rings, &mut parts);
     let forms = orientation::assign_left_right(pattern, &mut parts);
     Classification {
         parts,
         forms,
+        rings,
         hints,
     }
 }

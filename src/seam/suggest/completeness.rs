@@ -4,6 +4,7 @@
 //! A wrong reading of a garment seldom uses all of its panels. Seams of a set that leaves out what
 //! the names say is needed are offers, however well their lengths agree.
 
+use super::edge_chain::EdgeStep;
 use super::garment_model::GarmentModel;
 use super::labeled_panel::LabeledPanel;
 use super::labels::{EdgeRole, PanelKind};
@@ -37,6 +38,8 @@ enum Loose {
     Body,
     /// A band, a collar, a cuff or a hood.
     Trim,
+    /// A ring that is worn by its hole and needs no seam.
+    Worn,
     /// A pocket, a facing, or a panel that nothing tells of.
     Unneeded,
 }
@@ -70,12 +73,12 @@ impl Completeness {
             .iter()
             .filter(|s| kept.contains(s.id.as_str()));
         let steps = steps.flat_map(|s| s.sides.iter().flatten());
-        let edges: BTreeSet<(usize, usize)> = steps.map(|step| (step.panel, step.edge)).collect();
+        let steps: Vec<&EdgeStep> = steps.collect();
+        let outlines = steps.iter().filter(|step| step.hole.is_none());
+        let edges: BTreeSet<(usize, usize)> =
+            outlines.map(|step| (step.panel, step.edge)).collect();
         let count = pattern.panels.len();
-        let sewn: BTreeSet<usize> = edges
-            .iter()
-            .map(|(panel, _)| panel % count.max(1))
-            .collect();
+        let sewn: BTreeSet<usize> = steps.iter().map(|step| step.panel % count.max(1)).collect();
         let mut loose: Vec<(usize, Loose)> = (0..count)
             .filter(|i| !sewn.contains(i))
             .map(|i| {
@@ -88,6 +91,11 @@ impl Completeness {
             })
             .collect();
         doubt_forms(pattern, hints, &sewn, &mut loose);
+        if seams.is_empty() && garment.rings.len() == count {
+            loose
+                .iter_mut()
+                .for_each(|(_, reason)| *reason = Loose::Worn);
+        }
         let mut open: Vec<(usize, EdgeRole)> = vec![];
         for part in garment
             .parts
@@ -115,6 +123,12 @@ impl Completeness {
                 .collect(),
             empty: seams.is_empty(),
         }
+    }
+
+    /// Returns true if all panels are rings that are worn by their holes, without a seam.
+    pub(super) fn is_worn_alone(&self) -> bool {
+        let mut loose = self.loose.iter();
+        !self.loose.is_empty() && loose.all(|(_, reason)| *reason == Loose::Worn)
     }
 
     /// Returns the share of their confidence that the seams keep.
@@ -189,6 +203,7 @@ fn told<'a>(panel: &str, reason: &Loose, id: impl Fn(&usize) -> &'a str) -> Stri
         Loose::Body | Loose::Trim => format!(
             "no seam is suggested for panel `{panel}`, though its name or its size says that the garment needs it"
         ),
+        Loose::Worn => format!("panel `{panel}` is worn by its hole and needs no seam"),
         Loose::Unneeded => format!(
             "no seam is suggested for panel `{panel}`: what it is was not recognised, or it is not needed"
         ),

@@ -4,6 +4,8 @@
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct EdgeStep {
     pub(super) panel: usize,
+    /// The hole that the edge is of; absent on the outline.
+    pub(super) hole: Option<usize>,
     pub(super) edge: usize,
     pub(super) forward: bool,
     /// Arc length of the part that is gone \[m\].
@@ -104,6 +106,7 @@ mod tests {
     fn step(edge: usize, length: f64, forward: bool) -> EdgeStep {
         EdgeStep {
             panel: 0,
+            hole: None,
             edge,
             forward,
             length,

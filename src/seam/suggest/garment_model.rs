@@ -5,6 +5,7 @@ use super::join;
 use super::labeled_panel::{LabeledPanel, RoleSegment};
 use super::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 use super::orientation::OtherForm;
+use super::ring_panel::RingPanel;
 use std::collections::BTreeSet;
 
 /// Ease above which two edges are no seam, unless one of them may be gathered; and then.
@@ -110,6 +111,8 @@ pub(super) struct GarmentModel {
     pub(super) parts: Vec<LabeledPanel>,
     /// Spare panels that are other forms of these.
     pub(super) forms: Vec<OtherForm>,
+    /// Panels that go round the body by a hole; they are no parts.
+    pub(super) rings: Vec<RingPanel>,
     pub(super) proposed: Vec<ProposedSeam>,
 }
 
@@ -139,12 +142,19 @@ impl GarmentModel {
             .min_by_key(|part| part.number)
     }
 
-    /// Returns true if an edge is part of a seam already.
+    /// Returns true if an edge of an outline is part of a seam already.
     pub(super) fn is_sewn(&self, panel: usize, edge: usize) -> bool {
-        let sides = self.proposed.iter().flat_map(|d| d.sides.iter().flatten());
-        sides
-            .into_iter()
-            .any(|step| (step.panel, step.edge) == (panel, edge))
+        self.has_seam_at((panel, None, edge))
+    }
+
+    /// Returns true if the edge of a step, of an outline or a hole, is part of a seam already.
+    pub(super) fn is_step_sewn(&self, step: &EdgeStep) -> bool {
+        self.has_seam_at((step.panel, step.hole, step.edge))
+    }
+
+    fn has_seam_at(&self, edge: (usize, Option<usize>, usize)) -> bool {
+        let mut steps = self.proposed.iter().flat_map(|d| d.sides.iter().flatten());
+        steps.any(|step| (step.panel, step.hole, step.edge) == edge)
     }
 
     /// Returns the segment of a role on one side of the wearer.

@@ -127,6 +127,7 @@ mod tests {
     fn chain(panel: usize, lengths: &[f64]) -> EdgeChain {
         let step = |(edge, &length): (usize, &f64)| EdgeStep {
             panel,
+            hole: None,
             edge,
             forward: true,
             length,

@@ -98,6 +98,7 @@ impl LabeledPanel {
     pub(super) fn chain(&self, segment: &RoleSegment) -> EdgeChain {
         let step = |&edge: &usize| EdgeStep {
             panel: self.panel,
+            hole: None,
             edge,
             forward: true,
             length: self.features.edges[edge].length,
@@ -131,6 +132,7 @@ impl LabeledPanel {
     pub(super) fn edge_chain(&self, edge: usize, forward: bool) -> EdgeChain {
         vec![EdgeStep {
             panel: self.panel,
+            hole: None,
             edge,
             forward,
             length: self.features.edges[edge].length,

@@ -39,6 +39,7 @@ mod outline_features;
 mod penalties;
 mod placement;
 mod reading;
+mod ring_panel;
 mod rules;
 mod seam_pairs;
 mod select;
@@ -83,9 +84,8 @@ pub fn suggest(pattern: &Pattern, limits: &Limits) -> Suggestion {
     let stands = placement::placements(&garment)
         .into_iter()
         .map(|(panel, placement)| (writer.panel_id(panel), SuggestedPanel { placement }));
-    let panels = stands
-        .filter(|(id, _)| sewn.contains(id.as_str()))
-        .collect();
+    let is_worn = |id: &str| sewn.contains(id) || completeness.is_worn_alone();
+    let panels = stands.filter(|(id, _)| is_worn(id)).collect();
     let warnings = completeness.warnings(pattern);
     Suggestion {
         seams,

@@ -3,6 +3,7 @@
 use super::garment_model::GarmentModel;
 use super::labeled_panel::LabeledPanel;
 use super::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
+use super::ring_panel::{RingPanel, RingPlace};
 use crate::pattern::PlacementAnchor::{
     self, ArmLeft, ArmLeftBack, ArmLeftFront, ArmRight, ArmRightBack, ArmRightFront, Neck,
     NeckBack, NeckFront, SkirtBack, SkirtFront, TorsoBack, TorsoFront, Waist, WaistBack,
@@ -12,9 +13,29 @@ use crate::pattern::{Placement, Wrap};
 
 /// Returns the placement of each panel that has a place, with its index.
 pub(super) fn placements(garment: &GarmentModel) -> Vec<(usize, Placement)> {
-    let all = garment.parts.iter();
-    all.filter_map(|part| Some((part.panel, placement(garment, part)?)))
-        .collect()
+    let parts = garment.parts.iter();
+    let parts = parts.filter_map(|part| Some((part.panel, placement(garment, part)?)));
+    let rings = garment
+        .rings
+        .iter()
+        .map(|ring| (ring.panel, level(garment, ring)));
+    parts.chain(rings).collect()
+}
+
+/// Returns the placement of a ring: level round the body.
+fn level(garment: &GarmentModel, ring: &RingPanel) -> Placement {
+    let (at, down) = match ring.place {
+        RingPlace::Neck => (Neck, 0.0),
+        RingPlace::Waist(down) => (Waist, down),
+        RingPlace::BodiceHem => (TorsoFront, tallest(garment, PanelKind::Bodice)),
+    };
+    Placement {
+        at: Some(at),
+        up_deg: None,
+        offset_m: [0.0, -(1e4 * down).round() / 1e4, 0.0],
+        rotate_deg: [0.0; 3],
+        wrap: Some(Wrap::Level),
+    }
 }
 
 fn placement(garment: &GarmentModel, part: &LabeledPanel) -> Option<Placement> {

@@ -32,11 +32,13 @@ impl Reading {
         let Classification {
             parts,
             forms,
+            rings,
             hints,
         } = classify::label_panels(pattern, rare);
         let mut garment = GarmentModel {
             parts,
             forms,
+            rings,
             proposed: vec![],
         };
         rules::sew(&mut garment, pattern);

@@ -57,16 +57,18 @@ impl SeamPairWriter<'_> {
         } % count;
         let whole_between = share(last, false) == 1.0 && share(next, true) == 0.0;
         last.panel == next.panel
+            && last.hole == next.hole
             && last.forward == next.forward
             && next.edge == expected
             && whole_between
     }
 
     fn edge_count(&self, step: &EdgeStep) -> usize {
-        self.0.panels[step.panel % self.0.panels.len()]
-            .edges
-            .len()
-            .max(1)
+        let panel = &self.0.panels[step.panel % self.0.panels.len()];
+        let edges = step
+            .hole
+            .map_or(&panel.edges, |hole| &panel.holes[hole].edges);
+        edges.len().max(1)
     }
 
     fn run(&self, first: &EdgeStep, last: &EdgeStep) -> OutlineRun {
@@ -74,13 +76,14 @@ impl SeamPairWriter<'_> {
         let place = |step: &EdgeStep, begins: bool| {
             let gone = share(step, begins);
             let at = if step.forward { gone } else { 1.0 - gone };
-            if gone > 0.0 && gone < 1.0 {
-                return Place::OnEdge {
-                    edge: step.edge,
-                    at,
-                };
+            let edge = step.edge;
+            let corner = (edge + usize::from(at > 0.5)) % count;
+            match (gone > 0.0 && gone < 1.0, step.hole) {
+                (true, None) => Place::OnEdge { edge, at },
+                (true, Some(hole)) => Place::OnHoleEdge { hole, edge, at },
+                (false, None) => Place::Corner(corner),
+                (false, Some(hole)) => Place::HoleCorner { hole, corner },
             }
-            Place::Corner((step.edge + usize::from(at > 0.5)) % count)
         };
         OutlineRun {
             panel: self.panel_id(first.panel),

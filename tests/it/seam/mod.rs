@@ -3,11 +3,13 @@
 mod check;
 mod drafts;
 mod drawn;
+mod folds;
 mod likely_reversed;
 mod notches;
 mod outside;
 mod suggest;
 mod suggest_kinds;
+mod suggest_rings;
 mod suggest_unnamed;
 mod suggest_unseen;
 mod tracks;

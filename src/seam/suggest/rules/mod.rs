@@ -10,6 +10,7 @@ mod hood_edges;
 mod hood_of_three;
 mod neck;
 mod raglan;
+mod ring;
 mod side;
 mod skirt;
 mod sleeve;
@@ -25,6 +26,7 @@ use crate::pattern::Pattern;
 
 /// Applies every rule in turn; each adds the seams that it proposes to `garment`.
 pub(super) fn sew(garment: &mut GarmentModel, pattern: &Pattern) {
+    ring::sew_bands(garment);
     godet::sew(garment);
     dart::sew(garment, pattern);
     top::sew(garment);
@@ -34,6 +36,7 @@ pub(super) fn sew(garment: &mut GarmentModel, pattern: &Pattern) {
     trousers::sew(garment);
     waist::sew(garment);
     hood::sew(garment);
+    ring::sew_loops(garment);
     neck::sew(garment);
     cuff::sew(garment);
 }

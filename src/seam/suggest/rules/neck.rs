@@ -33,7 +33,7 @@ pub(super) fn sew(garment: &mut GarmentModel) {
 }
 
 /// Returns the neck's front and back part.
-fn neck(garment: &GarmentModel) -> Option<Opening> {
+pub(super) fn neck(garment: &GarmentModel) -> Option<Opening> {
     if let Some(ring) = raglan::neck(garment) {
         return Some([ring, vec![]]);
     }
@@ -50,6 +50,10 @@ fn neck(garment: &GarmentModel) -> Option<Opening> {
 fn neckband(garment: &mut GarmentModel) {
     let Some(neck) = neck(garment) else { return };
     let whole = neck.concat();
+    // A round yoke or a ring collar is sewn to it.
+    if whole.iter().any(|step| garment.is_step_sewn(step)) && !garment.rings.is_empty() {
+        return;
+    }
     // What goes round the neck beside a hood covers its seam.
     if garment.has(PanelKind::Hood) || collar_on_stand(garment, &neck) {
         return;
