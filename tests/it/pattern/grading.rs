@@ -113,6 +113,21 @@ fn size_l_is_where_its_rules_say() {
     );
 }
 
+/// A piece that is put in turned and mirrored moves as it is drawn.
+#[test]
+fn rules_turn_with_their_pieces() {
+    let text = String::from_utf8(front()).expect("ASCII");
+    let insert = "0\nINSERT\n8\n1\n2\nFRONT-M\n10\n0\n20\n0\n";
+    assert!(text.contains(insert));
+    let turned = format!("{insert}41\n-1\n50\n90\n");
+    let turned = text.replace(insert, &turned).into_bytes();
+    let (upright, table) = (front(), table(TABLE));
+    for size in ["S", "M", "L"] {
+        let area = |file: &[u8]| of_size(file, Some(&table), Some(size)).panels[0].area_m2;
+        assert!((area(&upright) - area(&turned)).abs() < 1e-12, "{size}");
+    }
+}
+
 #[test]
 fn what_does_not_fit_together_is_told() {
     let file = front();

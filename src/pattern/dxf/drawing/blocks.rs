@@ -31,7 +31,7 @@ pub(crate) fn place(
     findings: &mut DxfFindings,
 ) -> Result<Vec<DxfSheet>, Fault> {
     let to_meters = AffineMap::scale([unit.in_meters(); 2]);
-    let mut placer = BlockPlacer::new(&drawing.blocks, to_meters, limits, findings);
+    let mut placer = BlockPlacer::new(&drawing.blocks, unit, limits, findings);
     let mut sheets = placer.inserted(&drawing.model)?;
     sheets.extend(placer.not_inserted()?);
     sheets.extend(loose_entities(&drawing.model, &to_meters));
@@ -62,6 +62,7 @@ fn loose_entities(model: &[DxfEntity], to_meters: &AffineMap) -> Option<DxfSheet
         .then(|| DxfSheet {
             block: None,
             line: entities[0].line,
+            turn: AffineMap::scale([1.0; 2]),
             entities,
         })
 }
@@ -70,6 +71,7 @@ fn loose_entities(model: &[DxfEntity], to_meters: &AffineMap) -> Option<DxfSheet
 struct BlockPlacer<'a> {
     blocks: &'a [DxfBlock],
     to_meters: AffineMap,
+    from_meters: AffineMap,
     index: BlockIndex<'a>,
     /// Number of INSERTs of the model space and of wrappers with a name so far.
     insert_counts: BTreeMap<String, usize>,
@@ -84,13 +86,14 @@ struct BlockPlacer<'a> {
 impl<'a> BlockPlacer<'a> {
     fn new(
         blocks: &'a [DxfBlock],
-        to_meters: AffineMap,
+        unit: Units,
         limits: &'a Limits,
         findings: &'a mut DxfFindings,
     ) -> Self {
         Self {
             blocks,
-            to_meters,
+            to_meters: AffineMap::scale([unit.in_meters(); 2]),
+            from_meters: AffineMap::scale([1.0 / unit.in_meters(); 2]),
             index: BlockIndex::new(blocks, limits.dxf_nesting),
             insert_counts: BTreeMap::new(),
             used: BTreeSet::new(),
@@ -202,6 +205,7 @@ impl<'a> BlockPlacer<'a> {
         let sheet = DxfSheet {
             block: Some(self.blocks[index].name.clone()),
             line: self.blocks[index].line,
+            turn: self.from_meters.after(&map.without_shift()),
             entities,
         };
         Ok(vec![PlacedSheet::new(sheet, map.apply([0.0, 0.0]))])

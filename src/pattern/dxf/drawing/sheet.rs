@@ -17,6 +17,8 @@ pub(crate) struct DxfSheet {
     pub(crate) block: Option<String>,
     /// The line it begins at.
     pub(crate) line: usize,
+    /// The turn, mirroring and scale by which it was put in, without its units and its place.
+    pub(crate) turn: AffineMap,
     /// Its entities, without inserts.
     pub(crate) entities: Vec<DxfEntity>,
 }

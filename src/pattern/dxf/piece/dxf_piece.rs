@@ -5,6 +5,7 @@ use super::fold::FoldLine;
 use super::measured::MeasuredChain;
 use crate::pattern::dxf::drawing::labels::{self, DxfLabels};
 use crate::pattern::dxf::drawing::sheet::DxfSheet;
+use crate::pattern::dxf::entity::affine::AffineMap;
 use crate::pattern::dxf::entity::geometry::{DxfEntity, EntityShape};
 use crate::pattern::{NotchKind, Point2};
 
@@ -35,6 +36,8 @@ pub(crate) struct DxfPiece {
     pub(crate) name: String,
     /// The line it begins at.
     pub(crate) line: usize,
+    /// The turn, mirroring and scale by which it was put in.
+    pub(super) turn: AffineMap,
     /// Its texts.
     pub(crate) labels: DxfLabels,
     /// The outline as drawn.
@@ -111,6 +114,7 @@ impl DxfPiece {
         Self {
             name: name.unwrap_or_else(|| "panel".to_owned()),
             line,
+            turn: sheet.turn,
             labels,
             outline,
             nest: Vec::new(),

@@ -46,10 +46,11 @@ pub(crate) fn to_size(
     Ok(())
 }
 
-/// Returns the places with a rule, and how far each moves.
+/// Returns the places with a rule, and how far each moves: rules are in the directions of the
+/// drawing that was put in.
 fn moves(piece: &DxfPiece, table: &GradeTable, size: usize) -> Result<Vec<(Point2, Delta)>, Fault> {
     let delta = |(place, rule): &(Point2, u32)| match table.delta(*rule, size) {
-        Some(delta) => Ok((*place, delta)),
+        Some(delta) => Ok((*place, piece.turn.apply(delta))),
         None => {
             let detail = format!(
                 "the piece {:?} names the rule {rule} at ({:.4}, {:.4}) m, which the grade rule table does not have",
