@@ -1,6 +1,7 @@
 //! Tests of `pattern`: DXF and GarmentCode files read as panels.
 
 mod allowance;
+mod cases;
 mod copies;
 mod corpus;
 mod courses;
