@@ -104,7 +104,7 @@ fn a_wide_skirt_hangs_from_its_band_at_the_waist() {
     });
     let told = told.expect("the band is sewn first");
     assert!(
-        told.detail.starts_with("`band_back` and `band_front`"),
+        told.detail.starts_with("`band_front` and `band_back`"),
         "{}",
         told.detail
     );
