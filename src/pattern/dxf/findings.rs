@@ -135,11 +135,9 @@ impl DxfFindings {
     /// Returns the fault of a file without pieces: an outline that is wrong, else that there is
     /// none.
     pub(super) fn no_outline(&mut self) -> Fault {
-        if let Some(last) = self
-            .faults
-            .pop()
-            .or(self.refused.pop().map(|(fault, _)| fault))
-        {
+        let refused = std::mem::take(&mut self.refused).into_iter();
+        self.faults.extend(refused.map(|(fault, _)| fault));
+        if let Some(last) = self.faults.pop() {
             return last;
         }
         let hint = self.skipped.keys().next().map_or_else(String::new, |kind| {

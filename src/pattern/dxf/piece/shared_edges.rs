@@ -22,6 +22,10 @@ const MOST: usize = 200;
 pub(super) fn close(lines: &mut SheetLines, findings: &mut DxfFindings) {
     close_beside(&mut lines.boundary, findings);
     close_beside(&mut lines.general, findings);
+    // A stated fold closes the sew lines that end on it.
+    if !lines.mirror.is_empty() {
+        return;
+    }
     let mut folds = vec![];
     for sew in lines
         .sew
@@ -45,7 +49,7 @@ pub(super) fn close(lines: &mut SheetLines, findings: &mut DxfFindings) {
         let detail = "a sew line is open along a straight edge of its cut line, which was taken as the fold (unfold=none keeps the half)";
         findings.warn(PatternCode::FoldAssumed, sew.line, detail);
     }
-    lines.mirror.extend(folds);
+    lines.mirror = folds;
 }
 
 /// Returns the ends of an open line that bends and whose ends lie apart.
