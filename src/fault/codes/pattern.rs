@@ -197,6 +197,9 @@ fault_codes! {
         SharedEdge = "shared_edge":
             "An outline was closed along the edge that it shares with another.",
             "Draw each piece as a closed outline of its own.";
+        SizeMissing = "size_missing":
+            "A piece does not exist in the size that is imported, and was left out.",
+            "State another size.";
         Spline = "spline":
             "A spline cannot be read.",
             "Export curves as polylines, or draw this one anew.";

@@ -62,15 +62,18 @@ fn read_pattern(
     drop(drawing);
     let pieces = classify::pieces(&sheets, options, limits, findings);
     let plan = size_plan::plan(&pieces, options)?;
-    let wanted = plan.as_ref().map_or(options.size.as_deref(), |_| None);
-    let (mut pieces, mut sizes) = select::one_size(pieces, wanted, &labels, findings)?;
+    let wanted = match &plan {
+        Some(plan) => plan.drawn_sample(&pieces).map(str::to_owned),
+        None => options.size.clone(),
+    };
+    let (mut pieces, mut sizes) = select::one_size(pieces, wanted.as_deref(), &labels, findings)?;
     if let Some(plan) = plan {
-        plan.grade(&mut pieces, &mut sizes, findings)?;
+        plan.grade(&mut pieces, &mut sizes, limits, findings)?;
     }
     select::check(&pieces, unit, limits, findings)?;
     closed_gaps::warn(&mut pieces, findings);
     for piece in &mut pieces {
-        drawn_notches::take(piece, options.notches, findings);
+        drawn_notches::take_notches(piece, options.notches, findings);
     }
     let name = labels.get("style name").or(options.name.as_deref());
     let name = name.unwrap_or("pattern");

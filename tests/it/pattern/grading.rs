@@ -145,6 +145,12 @@ fn what_does_not_fit_together_is_told() {
     assert_eq!(refused(&other, Some("L")), "pattern/grade_rule");
     let other = TABLE.replace("M L", "N L").replace("SIZE: M", "SIZE: N");
     assert_eq!(refused(&other, Some("L")), "pattern/grade_table");
+    // A rule beside the corner, by more than the rounding of any program, moves nothing.
+    let astray = String::from_utf8(front())
+        .expect("ASCII")
+        .replace("20\n400\n1\n# 3", "20\n400.3\n1\n# 3");
+    let pattern = of_size(astray.as_bytes(), Some(&table(TABLE)), Some("L"));
+    assert_eq!(warnings(&pattern, "pattern/ungraded"), 1);
     let plain = DxfBuilder::metric()
         .block("P")
         .text("1", "Piece Name: P")

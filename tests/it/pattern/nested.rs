@@ -179,3 +179,106 @@ fn rectangle_with_small_outlines_in_it_is_a_piece() {
     let pattern = imported_with(file("0"), &reading(Outlines::Pieces));
     areas_are(&pattern, &[0.0024, 0.0024]);
 }
+
+#[test]
+fn sizes_have_their_own_sew_lines_and_holes() {
+    let sizes = [0.9, 1.0, 1.1];
+    let file = || {
+        let file = DxfBuilder::metric()
+            .block("FRONT")
+            .text("1", "Piece Name: FRONT");
+        sizes.iter().fold(file, |file, scale| {
+            let [x, y] = [200.0 * scale, 300.0 * scale];
+            file.run("1", true, &rectangle(x, y))
+                .run("14", true, &rectangle(x - 10.0, y - 10.0))
+                .run("11", true, &rectangle(30.0 * scale, 30.0 * scale))
+        })
+    };
+    for (size, scale) in ["1", "2", "3"].iter().zip(sizes) {
+        let options = ImportOptions {
+            size: Some((*size).to_owned()),
+            ..ImportOptions::default()
+        };
+        let pattern = imported_with(file(), &options);
+        let sewn = 4e-6 * (200.0 * scale - 10.0) * (300.0 * scale - 10.0);
+        areas_are(&pattern, &[sewn - 4e-6 * 900.0 * scale * scale]);
+        assert_eq!(pattern.panels[0].holes.len(), 1);
+        assert_eq!(pattern.panels[0].cut_line.len(), 4);
+    }
+}
+
+#[test]
+fn piece_that_states_its_size_is_not_taken_apart() {
+    let file = ["S", "M"].iter().fold(DxfBuilder::metric(), |file, size| {
+        file.block(&format!("FRONT-{size}"))
+            .text("1", "Piece Name: FRONT")
+            .text("1", &format!("Size: {size}"))
+            .run("1", true, &skirt(1.0, 0.0))
+            .run("1", true, &skirt(0.961, 0.0))
+    });
+    let pattern = imported(file.text("1", "Sample Size: M"));
+    assert_eq!(pattern.source.sizes, ["S", "M"]);
+    areas_are(&pattern, &[area_m2(0.961)]);
+}
+
+#[test]
+fn layers_with_numbers_are_no_sizes_of_an_allowance() {
+    let file = DxfBuilder::metric()
+        .run("20", true, &rectangle(200.0, 300.0))
+        .run("0", true, &rectangle(190.0, 290.0));
+    let pattern = imported(file);
+    assert!(pattern.source.sizes.is_empty());
+    areas_are(&pattern, &[4e-6 * 190.0 * 290.0]);
+}
+
+#[test]
+fn apron_with_windows_is_no_frame() {
+    let window = |x: f64| rectangle(80.0, 80.0).map(|[u, v]| [u + x, v]);
+    let file = DxfBuilder::metric()
+        .block("APRON")
+        .text("1", "Piece Name: APRON");
+    let file = file
+        .run("1", true, &rectangle(300.0, 250.0))
+        .run("1", true, &window(-150.0))
+        .run("1", true, &window(150.0));
+    let pattern = imported(file);
+    areas_are(&pattern, &[0.3 - 2.0 * 0.0256]);
+}
+
+#[test]
+fn title_block_goes_with_the_frame() {
+    let title = [
+        [800.0, -500.0],
+        [1000.0, -500.0],
+        [1000.0, -400.0],
+        [800.0, -400.0],
+    ];
+    let file = DxfBuilder::metric()
+        .run("0", true, &rectangle(1000.0, 500.0))
+        .run("0", true, &title)
+        .run("0", true, &skirt(1.0, -400.0))
+        .run("0", true, &skirt(1.0, 300.0));
+    areas_are(&imported(file), &[area_m2(1.0); 2]);
+}
+
+#[test]
+fn piece_without_the_size_is_told() {
+    let file = DxfBuilder::metric();
+    let file = [("FRONT", &["S", "M", "L"][..]), ("CUFF", &["S", "M"][..])]
+        .iter()
+        .fold(file, |file, (name, sizes)| {
+            sizes.iter().fold(file, |file, size| {
+                file.block(&format!("{name}-{size}"))
+                    .text("1", &format!("Piece Name: {name}"))
+                    .text("1", &format!("Size: {size}"))
+                    .run("1", true, &skirt(1.0, 0.0))
+            })
+        });
+    let options = ImportOptions {
+        size: Some("L".to_owned()),
+        ..ImportOptions::default()
+    };
+    let pattern = imported_with(file, &options);
+    assert_eq!(pattern.panels.len(), 1);
+    assert_eq!(warnings(&pattern, "pattern/size_missing"), 1);
+}

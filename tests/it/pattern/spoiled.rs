@@ -80,6 +80,14 @@ fn pieces_that_share_an_edge_are_two() {
             assert_eq!(warnings(&pattern, "pattern/shared_edge"), 1);
         }
     }
+    // A dart on the layer of sew lines closes nothing.
+    let file = piece(DxfBuilder::metric(), "SKIRT", &left).text("15", "ON FOLD");
+    let dart = file.run(
+        "14",
+        false,
+        &[[140.0, 400.0], [150.0, 300.0], [160.0, 400.0]],
+    );
+    assert!((imported(dart).panels[0].area_m2 - 0.12).abs() < 1e-9);
     // A line across a piece is no piece.
     let file = DxfBuilder::metric().run("0", true, &left);
     let across = file.run("0", false, &[[0.0, 100.0], [150.0, 150.0], [300.0, 100.0]]);
@@ -90,10 +98,14 @@ fn pieces_that_share_an_edge_are_two() {
 fn sew_line_that_is_open_at_a_straight_edge_is_half_a_piece() {
     let cut = [[0.0, -10.0], [310.0, -10.0], [310.0, 410.0], [0.0, 410.0]];
     let sew = [[0.0, 0.0], [300.0, 0.0], [300.0, 400.0], [0.0, 400.0]];
-    let file = || {
+    let whole = || {
         let file = piece(DxfBuilder::metric(), "FRONT", &cut);
         file.run("14", false, &sew)
     };
+    let pattern = imported(whole());
+    assert_eq!(warnings(&pattern, "pattern/fold_assumed"), 1);
+    assert!((pattern.panels[0].area_m2 - 0.12).abs() < 1e-9);
+    let file = || whole().text("15", "CUT 1 ON FOLD");
     let pattern = imported(file());
     assert_eq!(warnings(&pattern, "pattern/fold_assumed"), 1);
     assert!((pattern.panels[0].area_m2 - 0.24).abs() < 1e-9);

@@ -20,6 +20,9 @@ use crate::pattern::dxf::entity::geometry::{BlockInsert, DxfEntity, EntityShape}
 use crate::pattern::dxf::findings::{DxfFindings, at_line};
 use std::collections::{BTreeMap, BTreeSet};
 
+/// A sheet counts as this many entities: what it takes of itself.
+const SHEET_COST: usize = 8;
+
 /// Returns all sheets of a drawing.
 ///
 /// # Errors
@@ -200,6 +203,7 @@ impl<'a> BlockPlacer<'a> {
         if let Some(rank) = self.index.wrapped_rank(index) {
             return self.unwrap(index, rank, map, depth);
         }
+        self.spend(SHEET_COST, self.blocks[index].line)?;
         let mut entities = Vec::new();
         self.expand(index, &map.without_shift(), depth, &mut entities)?;
         let sheet = DxfSheet {

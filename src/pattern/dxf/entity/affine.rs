@@ -75,6 +75,12 @@ impl AffineMap {
         }
     }
 
+    /// Returns true if it turns over what it maps.
+    pub(crate) fn mirrors(&self) -> bool {
+        let [x, y] = self.linear;
+        x[0] * y[1] - x[1] * y[0] < 0.0
+    }
+
     /// Returns the image of a point.
     pub(crate) fn apply(&self, p: Point2) -> Point2 {
         let [x, y] = self.linear;

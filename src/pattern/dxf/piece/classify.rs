@@ -1,14 +1,19 @@
 //! Sheets to pieces: the outlines, and the piece that every other line, mark and text lies in.
 
+use super::chain::ChainKey;
 use super::dxf_piece::DxfPiece;
 use super::lines::SheetLines;
 use super::measured::MeasuredChain;
 use super::{assign, frame, inner_outlines, marks, nest, shared_edges, size_nest};
 use crate::config::Limits;
-use crate::pattern::ImportOptions;
 use crate::pattern::dxf::drawing::sheet::DxfSheet;
+use crate::pattern::dxf::entity::geometry::{DxfEntity, EntityShape};
 use crate::pattern::dxf::findings::DxfFindings;
+use crate::pattern::{ImportOptions, Outlines};
 use std::collections::{BTreeMap, BTreeSet};
+
+/// Words of notes on pieces that are cut on the fold.
+const FOLD_NOTES: [&str; 6] = ["fold", "stoffbruch", "pliure", "piega", "doblez", "сгиб"];
 
 /// Returns the pieces of all sheets; outlines that do not close become faults.
 pub(crate) fn pieces(
@@ -17,54 +22,111 @@ pub(crate) fn pieces(
     limits: &Limits,
     findings: &mut DxfFindings,
 ) -> Vec<DxfPiece> {
-    sheets
+    let outlines = sheets
         .iter()
-        .flat_map(|sheet| pieces_of_sheet(sheet, options, limits.panels, findings))
+        .filter_map(|sheet| SheetOutlines::of(sheet, options.outlines, limits.panels, findings));
+    let outlines: Vec<SheetOutlines<'_>> = outlines.collect();
+    let is_sewn = outlines.iter().any(SheetOutlines::have_allowance);
+    let pieces = outlines.into_iter();
+    pieces
+        .flat_map(|outlines| outlines.into_pieces(options.outlines, is_sewn, findings))
         .collect()
 }
 
-fn pieces_of_sheet(
-    sheet: &DxfSheet,
-    options: &ImportOptions,
-    panel_limit: usize,
-    findings: &mut DxfFindings,
-) -> Vec<DxfPiece> {
-    let reading = options.outlines;
-    let mut lines = SheetLines::of(sheet);
-    shared_edges::close(&mut lines, findings);
-    let outlines = lines.outlines(sheet, findings);
-    let taken = outlines.iter().map(|outline| outline.chain.key()).collect();
-    // Sizes and letters drawn as outlines make more outlines than panels, but not without end.
-    if outlines.len() > 4 * panel_limit {
-        let fault = nest::too_many(outlines.len(), panel_limit, sheet.line);
-        findings.faults.push(fault);
-        return Vec::new();
+/// The outlines of a sheet.
+struct SheetOutlines<'a> {
+    sheet: &'a DxfSheet,
+    lines: SheetLines,
+    /// Those that are outlines, frames among them.
+    taken: BTreeSet<ChainKey>,
+    layers: LayersOfLines<'a>,
+    outer: Vec<MeasuredChain>,
+    /// Those in each of the outer ones.
+    inner: Vec<Vec<MeasuredChain>>,
+}
+
+impl<'a> SheetOutlines<'a> {
+    fn of(
+        sheet: &'a DxfSheet,
+        reading: Outlines,
+        panel_limit: usize,
+        findings: &mut DxfFindings,
+    ) -> Option<Self> {
+        let mut lines = SheetLines::of(sheet);
+        if reading != Outlines::Lines {
+            shared_edges::close(&mut lines, is_half(sheet), findings);
+        }
+        let outlines = lines.outlines(sheet, findings);
+        let taken = outlines.iter().map(|outline| outline.chain.key()).collect();
+        // Sizes and letters drawn as outlines make more outlines than panels, but not without end.
+        if outlines.len() > 4 * panel_limit {
+            let fault = nest::too_many(outlines.len(), panel_limit, sheet.line);
+            findings.faults.push(fault);
+            return None;
+        }
+        let layers = LayersOfLines::of(sheet, &outlines);
+        let layer = |outline: &MeasuredChain| layers.of_line(outline.chain.line);
+        let outlines = nest::drop_duplicates(outlines, findings);
+        let is_block = sheet.block.is_some();
+        let outlines = frame::without_frames(outlines, reading, is_block, layer, findings);
+        let (outer, inner) = nest::nest(outlines);
+        Some(Self {
+            sheet,
+            lines,
+            taken,
+            layers,
+            outer,
+            inner,
+        })
     }
-    let layers = LayersOfLines::of(sheet, &outlines);
-    let layer = |outline: &MeasuredChain| layers.of_line(outline.chain.line);
-    let outlines = nest::drop_duplicates(outlines, findings);
-    let outlines = frame::without_frames(outlines, reading, layer, findings);
-    let (outer, inner) = nest::nest(outlines);
-    let is_alone = outer.len() == 1 && sheet.block.is_some();
-    let texts = marks::texts(sheet, &outer, is_alone, findings);
-    let mut pieces: Vec<DxfPiece> = outer
-        .into_iter()
-        .zip(&texts)
-        .map(|(outline, own)| DxfPiece::new(sheet, outline, own, is_alone))
-        .collect();
-    for piece in &mut pieces {
-        let line = piece.outline.chain.line;
-        piece.is_sewn = lines.sew.iter().any(|sew| sew.line == line);
+
+    /// Returns true if one of them has a sew line in it.
+    fn have_allowance(&self) -> bool {
+        let mut pairs = self.outer.iter().zip(&self.inner);
+        pairs.any(|(outer, inner)| size_nest::has_allowance(outer, inner))
     }
-    let mut pairs = pieces.iter().zip(&inner);
-    let is_sewn = pairs.any(|(piece, inner)| size_nest::has_allowance(&piece.outline, inner));
-    for (piece, mut inner) in pieces.iter_mut().zip(inner) {
-        piece.nest = size_nest::take_sizes(piece, &mut inner, reading, is_sewn, layer, findings);
-        inner_outlines::give(piece, inner, reading, layer, findings);
+
+    /// Returns the pieces. `is_sewn`: outlines of the file have sew lines in them.
+    fn into_pieces(
+        self,
+        reading: Outlines,
+        is_sewn: bool,
+        findings: &mut DxfFindings,
+    ) -> Vec<DxfPiece> {
+        let (sheet, lines) = (self.sheet, self.lines);
+        let layer = |outline: &MeasuredChain| self.layers.of_line(outline.chain.line);
+        let is_alone = self.outer.len() == 1 && sheet.block.is_some();
+        let texts = marks::texts(sheet, &self.outer, is_alone, findings);
+        let outer = self.outer.into_iter().zip(&texts);
+        let mut pieces: Vec<DxfPiece> = outer
+            .map(|(outline, own)| DxfPiece::new(sheet, outline, own, is_alone))
+            .collect();
+        for piece in &mut pieces {
+            let line = piece.outline.chain.line;
+            piece.is_sewn = lines.sew.iter().any(|sew| sew.line == line);
+        }
+        for (piece, mut inner) in pieces.iter_mut().zip(self.inner) {
+            piece.nest =
+                size_nest::take_sizes(piece, &mut inner, reading, is_sewn, layer, findings);
+            inner_outlines::assign_inner_outlines(piece, inner, reading, layer, findings);
+        }
+        marks::assign(sheet, &lines.mirror, &mut pieces, is_alone, findings);
+        assign::lines(&lines, &self.taken, &mut pieces, is_alone, findings);
+        let split = |piece| size_nest::split(piece, findings);
+        pieces.into_iter().flat_map(split).collect()
     }
-    marks::assign(sheet, &lines.mirror, &mut pieces, is_alone, findings);
-    assign::lines(&lines, &taken, &mut pieces, is_alone, findings);
-    pieces.into_iter().flat_map(size_nest::split).collect()
+}
+
+/// Returns true if a sheet tells that it holds halves: put in mirrored, or by a note.
+fn is_half(sheet: &DxfSheet) -> bool {
+    let is_note = |entity: &DxfEntity| match &entity.shape {
+        EntityShape::Text(_, text) => {
+            let text = text.to_lowercase();
+            FOLD_NOTES.iter().any(|word| text.contains(word))
+        }
+        _ => false,
+    };
+    sheet.turn.mirrors() || sheet.entities.iter().any(is_note)
 }
 
 /// The layers of the lines that outlines begin at.

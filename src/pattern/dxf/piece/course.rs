@@ -17,9 +17,6 @@ const ON_LINE: [f64; 2] = [1e-6, 5e-5];
 /// Points lie on a straight line if they do to within this many times the median tremor.
 const TREMORS: f64 = 3.0;
 
-/// A tremor above this hides the steps in which curves were sampled \[m\].
-const STEPS_HIDDEN: f64 = 5e-6;
-
 /// The points that tell of the course of a closed polyline.
 pub(super) struct Course {
     /// Their indices.
@@ -49,9 +46,10 @@ impl Course {
             return all;
         };
         let on_line = (TREMORS * tremor).clamp(ON_LINE[0], ON_LINE[1]);
+        let kept = reduced(points, &is_sharp, on_line);
         Self {
-            kept: reduced(points, &is_sharp, on_line),
-            has_steps: on_line <= STEPS_HIDDEN,
+            has_steps: kept.len() == n,
+            kept,
         }
     }
 }
@@ -63,9 +61,16 @@ fn tremor(offsets: &[f64], is_sharp: &[bool]) -> Option<f64> {
     let smooth: Vec<usize> = (0..n)
         .filter(|i| (0..3).all(|k| !is_sharp[(i + k) % n]))
         .collect();
-    let alternates = |i: &&usize| offsets[**i] * offsets[(**i + 1) % n] <= 0.0;
-    let alternating = smooth.iter().filter(alternates).count();
-    if smooth.is_empty() || (alternating as f64) < ALTERNATING * smooth.len() as f64 {
+    // Two points on one straight line say nothing of the curves beside it.
+    let pairs = smooth.iter().map(|i| [offsets[*i], offsets[(i + 1) % n]]);
+    let pairs = pairs.filter(|pair| pair.iter().any(|offset| offset.abs() > ON_LINE[0]));
+    let (alternating, all) = pairs.fold((0_usize, 0_usize), |(alternating, all), [a, b]| {
+        (
+            alternating + usize::from(a * b <= 0.0 || a.abs().min(b.abs()) <= ON_LINE[0]),
+            all + 1,
+        )
+    });
+    if smooth.is_empty() || (alternating as f64) < ALTERNATING * all as f64 {
         return None;
     }
     let jump = |i: &usize| {
@@ -90,7 +95,7 @@ fn reduced(points: &[Point2], is_sharp: &[bool], on_line: f64) -> Vec<usize> {
     let mut kept = vec![start];
     let mut from = start;
     let mut cone = Cone::new();
-    for k in 1..n {
+    for k in 1..=n {
         let i = (start + k) % n;
         let d = sub(points[i], points[from]);
         if !cone.holds(d) {
@@ -98,7 +103,7 @@ fn reduced(points: &[Point2], is_sharp: &[bool], on_line: f64) -> Vec<usize> {
             kept.push(from);
             cone = Cone::new();
         }
-        if is_sharp[i] {
+        if k < n && is_sharp[i] {
             kept.push(i);
             from = i;
             cone = Cone::new();
@@ -106,8 +111,8 @@ fn reduced(points: &[Point2], is_sharp: &[bool], on_line: f64) -> Vec<usize> {
             cone.narrow(sub(points[i], points[from]), on_line);
         }
     }
-    kept.dedup();
     kept.sort_unstable();
+    kept.dedup();
     kept
 }
 
@@ -184,7 +189,6 @@ mod tests {
             let (points, ends) = half_disc(step, 0.0);
             let course = Course::of(&points, SHARP);
             assert_eq!(course.kept, ends, "every {step} m");
-            assert!(course.has_steps);
         }
     }
 
@@ -195,6 +199,17 @@ mod tests {
         let course = Course::of(&points, SHARP);
         assert!(course.kept.len() <= 2 * ends.len(), "{:?}", course.kept);
         assert!(!course.has_steps);
+    }
+
+    #[test]
+    fn curves_beside_straight_lines_stay_whole() {
+        let mut points: Vec<Point2> = (0..100).map(|i| [0.002 * f64::from(i), 0.0]).collect();
+        points.extend((0..90).map(|i| {
+            let angle = f64::from(i) * 2.0_f64.to_radians();
+            [0.2 + 0.1 * angle.sin(), 0.1 - 0.1 * angle.cos()]
+        }));
+        points.extend((0..100).map(|i| [0.2 - 0.002 * f64::from(i), 0.2]));
+        assert_eq!(Course::of(&points, SHARP).kept.len(), points.len());
     }
 
     #[test]

@@ -31,8 +31,11 @@ const LEAN: f64 = 0.42;
 /// not.
 const EVEN: f64 = 0.25;
 
+/// An outline with more of them is cut in teeth.
+const MOST: usize = 60;
+
 /// The outline runs at least this far on both sides of a notch \[m\].
-const BESIDE: f64 = 0.004;
+const BESIDE: f64 = 0.001;
 
 /// A turn point this near to one of a notch is one of it \[m\].
 const TURN_POINT: f64 = 1e-5;
@@ -52,7 +55,11 @@ struct DrawnNotch {
 
 /// Takes the notches out of the outline and the sew line of a piece; they are warned about. A piece
 /// with marks on the layers of notches has its notches there.
-pub(crate) fn take(piece: &mut DxfPiece, reading: DrawnNotches, findings: &mut DxfFindings) {
+pub(crate) fn take_notches(
+    piece: &mut DxfPiece,
+    reading: DrawnNotches,
+    findings: &mut DxfFindings,
+) {
     if reading == DrawnNotches::Cloth || !piece.marks.notches.is_empty() {
         return;
     }
@@ -120,7 +127,7 @@ fn without_notches(chain: &PathChain) -> Option<(PathChain, Vec<TakenNotch>)> {
         i = notch.first + notch.count - 1;
     }
     let left: Vec<usize> = (0..n).filter(|i| is_left[*i]).collect();
-    let is_worth = !marks.is_empty() && left.len() > 2;
+    let is_worth = (1..=MOST).contains(&marks.len()) && left.len() > 2;
     is_worth.then(|| {
         let without = PathChain {
             points: left.iter().map(|i| points[*i]).collect(),

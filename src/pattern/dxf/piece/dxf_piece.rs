@@ -127,6 +127,16 @@ impl DxfPiece {
         }
     }
 
+    /// Returns the points of its lines, and of its notches and drill holes.
+    pub(super) fn points(&self) -> impl Iterator<Item = Point2> + '_ {
+        let lines = [&self.sew, &self.cut].into_iter().flatten();
+        let lines = lines.chain(&self.cutouts).chain(&self.internal);
+        let lines = lines.chain([&self.outline.chain]);
+        let notches = self.marks.notches.iter().flat_map(|notch| &notch.points);
+        let marks = notches.chain(&self.marks.drills);
+        lines.flat_map(|line| &line.points).chain(marks).copied()
+    }
+
     /// Returns the number of entities that it was made of.
     pub(super) fn entity_count(&self) -> usize {
         let lines = [&self.sew, &self.cut].into_iter().flatten();

@@ -3,7 +3,7 @@
 use super::corners::CorneredRing;
 use super::dxf_piece::DxfPiece;
 use super::folds::Folds;
-use super::rings;
+use super::rings::{self, RingOf};
 use crate::config::Limits;
 use crate::pattern::Hole;
 use crate::pattern::dxf::findings::DxfFindings;
@@ -18,13 +18,16 @@ pub(super) fn holes(
     limits: &Limits,
     findings: &mut DxfFindings,
 ) -> Vec<Hole> {
-    let mut rings = bays;
+    let bays = bays.into_iter().map(|ring| (piece.line, ring));
+    let mut rings: Vec<(usize, CorneredRing)> = bays.collect();
     for chain in &piece.cutouts {
-        if let Some(ring) = rings::checked(piece, chain, limits, findings) {
-            rings.extend(folds.unfolded_holes(ring));
+        let part = RingOf::Hole(piece, chain.line);
+        if let Some(ring) = rings::checked(part, chain, limits, findings) {
+            let whole = folds.unfolded_holes(ring).into_iter();
+            rings.extend(whole.map(|ring| (chain.line, ring)));
         }
     }
-    let simple = |ring| rings::simple(piece, ring, findings);
+    let simple = |(line, ring)| rings::simple(RingOf::Hole(piece, line), ring, findings);
     rings.into_iter().filter_map(simple).map(hole).collect()
 }
 

@@ -13,7 +13,7 @@ use crate::pattern::dxf::findings::DxfFindings;
 ///
 /// One that runs beside the outline is the sew line. Another one is a hole on a layer of what is
 /// cut and a drawn line elsewhere. `layer`: that of the line that an outline begins at.
-pub(super) fn give<'a>(
+pub(super) fn assign_inner_outlines<'a>(
     piece: &mut DxfPiece,
     inner: Vec<MeasuredChain>,
     reading: Outlines,
@@ -30,18 +30,23 @@ pub(super) fn give<'a>(
             _ => InnerLine::Drawn,
         };
         if reading == Outlines::Auto && role(layer(&outline)) != LayerRole::Sew {
-            tell(piece, &outline, kind, findings);
+            warn_of_inner_outline(piece, &outline, kind, findings);
         }
         piece.add_line(outline.chain, kind);
     }
 }
 
 /// Warns of an outline in another by what it was taken for.
-fn tell(piece: &DxfPiece, outline: &MeasuredChain, kind: InnerLine, findings: &mut DxfFindings) {
+fn warn_of_inner_outline(
+    piece: &DxfPiece,
+    outline: &MeasuredChain,
+    kind: InnerLine,
+    findings: &mut DxfFindings,
+) {
     let (taken, others) = match kind {
         InnerLine::Sew => ("its sew line", "sizes, holes or lines"),
         InnerLine::Hole => ("a hole", "lines"),
-        InnerLine::Drawn => ("a line drawn on it", "holes"),
+        InnerLine::Drawn => ("a line drawn on it", "holes or pieces"),
     };
     let detail = format!(
         "an outline inside that of {:?} was taken as {taken} (outlines={others} takes it otherwise)",

@@ -26,6 +26,18 @@ pub(super) fn cut_off(mut ring: CorneredRing) -> (CorneredRing, Vec<CutLoop>) {
     while let (Some(crossing), true) = (first_crossing(&ring.points), cut.len() < MOST) {
         let [i, j] = crossing.segments;
         let n = ring.points.len();
+        if let Some(tip) = spike(i, j, n) {
+            let sides =
+                [tip + n - 1, tip + 1].map(|k| distance(ring.points[k % n], ring.points[tip]));
+            let length = 2.0 * sides[0].min(sides[1]);
+            if length > LONGEST || n < 4 {
+                break;
+            }
+            let point = ring.points.remove(tip);
+            ring.is_corner.remove(tip);
+            cut.push(CutLoop { point, length });
+            continue;
+        }
         let between: Vec<usize> = (i + 1..=j).collect();
         let around: Vec<usize> = (j + 1..=n + i).map(|k| k % n).collect();
         let length = |side: &[usize]| {
@@ -48,6 +60,14 @@ pub(super) fn cut_off(mut ring: CorneredRing) -> (CorneredRing, Vec<CutLoop>) {
         ring = without(&ring, crossing.point, &short, &long);
     }
     (ring, cut)
+}
+
+/// Returns the point between two segments that lie on each other.
+fn spike(i: usize, j: usize, n: usize) -> Option<usize> {
+    if j == i + 1 {
+        return Some(j);
+    }
+    (i == 0 && j + 1 == n).then_some(0)
 }
 
 /// Returns a ring in which a point stands for a loop.
@@ -99,6 +119,24 @@ mod tests {
             assert!(cut[0].length < 0.02);
             assert_eq!(first_crossing(&left.points).map(|c| c.point), None);
             assert!((signed_area(&left.points) - 0.12).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn spike_is_cut_off_whichever_way_it_points() {
+        let drawn = [[0.0, 0.0], [0.4, 0.0], [0.4, 0.303], [0.4, 0.3], [0.0, 0.3]];
+        for [mirror, turn] in [[1.0, 0.0], [-1.0, 0.0], [1.0, 1.0], [-1.0, 1.0]] {
+            let placed = drawn.map(|[x, y]| {
+                if turn > 0.0 {
+                    [-y, mirror * x]
+                } else {
+                    [mirror * x, y]
+                }
+            });
+            let (left, cut) = cut_off(ring(&placed));
+            assert_eq!(cut.len(), 1);
+            assert!((cut[0].length - 0.006).abs() < 1e-12);
+            assert!((signed_area(&left.points).abs() - 0.12).abs() < 1e-12);
         }
     }
 

@@ -13,6 +13,9 @@ use crate::pattern::dxf::findings::DxfFindings;
 use crate::pattern::point::{distance, lerp};
 use crate::pattern::polyline::nearest;
 
+/// At most this many fold lines of a piece are read.
+const MOST_FOLDS: usize = 16;
+
 /// Points this near to a line lie on it \[m\].
 const ON: f64 = 2e-4;
 
@@ -84,7 +87,12 @@ impl MarkAssigner<'_> {
         let bracket = ends(&chain.points).filter(|e| is_bracket && self.runs_along_outline(*e));
         for line in bracket.map_or(stretches, |ends| vec![ends]) {
             match self.owner(line[0]) {
-                Some(piece) => self.pieces[piece].marks.folds.push(line),
+                Some(piece) if self.pieces[piece].marks.folds.len() < MOST_FOLDS => {
+                    self.pieces[piece].marks.folds.push(line);
+                }
+                Some(_) => self
+                    .findings
+                    .skip("fold line beyond the first 16 of a piece", chain.line),
                 None => {
                     let kind = "fold line outside the pieces";
                     self.findings.skip_many(kind, chain.line, chain.path_count);
@@ -110,7 +118,9 @@ impl MarkAssigner<'_> {
     /// Gives a turn point, drill hole, grain line or grade rule to its piece.
     fn give_mark(&mut self, entity: &DxfEntity) {
         if let EntityShape::Text(place, text) = &entity.shape {
-            let piece = grade_rule(text).zip(self.owner(*place));
+            let is_note = role(&entity.layer) == LayerRole::Annotation;
+            let rule = grade_rule(text).filter(|_| !is_note);
+            let piece = rule.zip(self.owner(*place));
             if let Some((rule, piece)) = piece {
                 self.pieces[piece].marks.rules.push((*place, rule));
             }

@@ -2,7 +2,8 @@
 
 use super::dxf_piece::DxfPiece;
 use super::folds::Folds;
-use super::{holes, notch, rings};
+use super::rings::{self, RingOf};
+use super::{holes, notch};
 use crate::config::Limits;
 use crate::fault::PatternCode;
 use crate::pattern::dxf::findings::DxfFindings;
@@ -27,7 +28,7 @@ pub(crate) fn build(
     limits: &Limits,
     findings: &mut DxfFindings,
 ) -> Option<Panel> {
-    let drawn = rings::checked(piece, &piece.outline.chain, limits, findings)?;
+    let drawn = rings::checked(RingOf::Piece(piece), &piece.outline.chain, limits, findings)?;
     let sew = piece.sew.as_ref();
     let sew = sew.and_then(|sew| rings::of_sew_line(piece, sew, limits, findings));
     let folds = Folds::of(piece, &drawn, options.unfold, findings);
@@ -37,7 +38,7 @@ pub(crate) fn build(
         Some(sewn) => (sewn.outline, sewn.holes),
         None => (cut.outline.clone(), std::mem::take(&mut cut.holes)),
     };
-    let ring = rings::simple(piece, ring, findings)?.into_clockwise();
+    let ring = rings::simple(RingOf::Piece(piece), ring, findings)?.into_clockwise();
     let outline = Outline::cut(&ring.points, &ring.is_corner);
     let holes = holes::holes(piece, &folds, bays, limits, findings);
     let hole_area: f64 = holes

@@ -18,25 +18,34 @@ const ON_FOLD: f64 = 2e-4;
 /// A piece whose triangles sweep less than this share of its length squared has no area.
 const LEAST_SWEPT: f64 = 1e-6;
 
+/// The part of a piece that a ring is the outline of.
+#[derive(Clone, Copy)]
+pub(super) enum RingOf<'a> {
+    /// The whole piece.
+    Piece(&'a DxfPiece),
+    /// A hole in it that begins at a line.
+    Hole(&'a DxfPiece, usize),
+}
+
 /// Returns the ring of a line that has an area and a size within the limits; else adds a fault.
 pub(super) fn checked(
-    piece: &DxfPiece,
+    part: RingOf<'_>,
     chain: &PathChain,
     limits: &Limits,
     findings: &mut DxfFindings,
 ) -> Option<CorneredRing> {
     if let Some(gap) = chain.closed_gap {
         let detail = format!(
-            "a gap of {:.3} mm in the outline of {:?} was closed",
+            "a gap of {:.3} mm in the outline of {} was closed",
             1000.0 * gap,
-            piece.name
+            part.name()
         );
         findings.warn(PatternCode::GapClosed, chain.line, detail);
     }
-    match ring(piece, chain, limits) {
+    match ring(part, chain, limits) {
         Ok(ring) => Some(ring),
         Err(fault) => {
-            findings.leave_out(fault, piece.entity_count());
+            findings.leave_out(fault, part.entity_count());
             None
         }
     }
@@ -57,7 +66,7 @@ pub(super) fn of_sew_line(
             .any(|fold| fold.side(p).abs() < ON_FOLD)
     };
     if sew.closed || ends.into_iter().all(is_on_fold) && distance(ends[0], ends[1]) > 0.0 {
-        return checked(piece, sew, limits, findings);
+        return checked(RingOf::Piece(piece), sew, limits, findings);
     }
     let detail = format!(
         "the sew line of {:?} does not close; its outline is the cut line",
@@ -70,7 +79,7 @@ pub(super) fn of_sew_line(
 /// Returns a ring without the small loops in which it crosses itself, each of which is warned
 /// about; one that crosses itself otherwise is left out with its piece.
 pub(super) fn simple(
-    piece: &DxfPiece,
+    part: RingOf<'_>,
     ring: CorneredRing,
     findings: &mut DxfFindings,
 ) -> Option<CorneredRing> {
@@ -78,24 +87,24 @@ pub(super) fn simple(
     if let Some([x, y]) = crossing(&ring.points) {
         let detail = format!("has an outline that crosses or touches itself at ({x:.4}, {y:.4}) m");
         let fix = "mend the outline in the CAD program";
-        let fault = refuse(piece, PatternCode::SelfIntersecting, &detail, fix);
-        findings.leave_out(fault, piece.entity_count());
+        let fault = part.refuse(PatternCode::SelfIntersecting, &detail, fix);
+        findings.leave_out(fault, part.entity_count());
         return None;
     }
     for CutLoop { point, length } in cut {
         let detail = format!(
-            "the outline of {:?} crosses itself at ({:.4}, {:.4}) m; the loop of {:.1} mm there was cut off",
-            piece.name,
+            "the outline of {} crosses itself at ({:.4}, {:.4}) m; the loop of {:.1} mm there was cut off",
+            part.name(),
             point[0],
             point[1],
             1000.0 * length
         );
-        findings.warn(PatternCode::LoopCutOff, piece.line, detail);
+        findings.warn(PatternCode::LoopCutOff, part.line(), detail);
     }
     Some(ring)
 }
 
-fn ring(piece: &DxfPiece, chain: &PathChain, limits: &Limits) -> Result<CorneredRing, Fault> {
+fn ring(part: RingOf<'_>, chain: &PathChain, limits: &Limits) -> Result<CorneredRing, Fault> {
     let count = chain.points.len();
     if count > limits.panel_vertices {
         let detail = format!(
@@ -103,33 +112,67 @@ fn ring(piece: &DxfPiece, chain: &PathChain, limits: &Limits) -> Result<Cornered
             limits.panel_vertices
         );
         let fix = "export curves with fewer points";
-        return Err(refuse(piece, PatternCode::TooLarge, &detail, fix));
+        return Err(part.refuse(PatternCode::TooLarge, &detail, fix));
     }
     if count < 3 {
-        return Err(no_area(piece));
+        return Err(no_area(part));
     }
     let side = longest_side(&chain.points);
     let [least, most] = limits.panel_size_m;
     if !(least..=most).contains(&side) {
         let detail = format!("is {side:.3e} m long; sizes from {least} to {most} m are read");
         let fix = "say the units of the file with units=mm|cm|m|inch, or mend the drawing";
-        return Err(refuse(piece, PatternCode::ImplausibleSize, &detail, fix));
+        return Err(part.refuse(PatternCode::ImplausibleSize, &detail, fix));
     }
-    let ring = CorneredRing::new(chain, &piece.marks.turns);
+    let ring = CorneredRing::new(chain, &part.piece().marks.turns);
     if swept_area(&ring.points) < LEAST_SWEPT * side * side {
-        return Err(no_area(piece));
+        return Err(no_area(part));
     }
     Ok(ring)
 }
 
-fn no_area(piece: &DxfPiece) -> Fault {
+fn no_area(part: RingOf<'_>) -> Fault {
     let fix = "delete it, or draw its outline anew";
-    refuse(piece, PatternCode::NoArea, "has no area", fix)
+    part.refuse(PatternCode::NoArea, "has no area", fix)
 }
 
-fn refuse(piece: &DxfPiece, code: PatternCode, detail: &str, fix: &str) -> Fault {
-    let detail = format!("the piece {:?} {detail}", piece.name);
-    Fault::new(code, at_line(piece.line), detail).fix(fix)
+impl<'a> RingOf<'a> {
+    fn piece(self) -> &'a DxfPiece {
+        match self {
+            Self::Piece(piece) | Self::Hole(piece, _) => piece,
+        }
+    }
+
+    fn name(self) -> String {
+        match self {
+            Self::Piece(piece) => format!("{:?}", piece.name),
+            Self::Hole(piece, _) => format!("a hole of {:?}", piece.name),
+        }
+    }
+
+    fn line(self) -> usize {
+        match self {
+            Self::Piece(piece) => piece.line,
+            Self::Hole(_, line) => line,
+        }
+    }
+
+    /// Returns the number of entities that go with it.
+    fn entity_count(self) -> usize {
+        match self {
+            Self::Piece(piece) => piece.entity_count(),
+            Self::Hole(..) => 1,
+        }
+    }
+
+    fn refuse(self, code: PatternCode, detail: &str, fix: &str) -> Fault {
+        let whose = match self {
+            Self::Piece(_) => "the piece ",
+            Self::Hole(..) => "",
+        };
+        let detail = format!("{whose}{} {detail}", self.name());
+        Fault::new(code, at_line(self.line()), detail).fix(fix)
+    }
 }
 
 /// Returns the sum of the areas of the triangles from the first point to each segment, none taken

@@ -3,13 +3,14 @@
 use super::dxf_piece::DxfPiece;
 use super::nest;
 use crate::config::Limits;
-use crate::fault::Fault;
+use crate::fault::{Fault, PatternCode};
 use crate::pattern::Units;
 use crate::pattern::dxf::drawing::labels::DxfLabels;
 use crate::pattern::dxf::drawing::sizes::{self, SizeChoice};
 use crate::pattern::dxf::drawing::units;
 use crate::pattern::dxf::findings::DxfFindings;
 use crate::pattern::polyline::longest_side;
+use std::collections::BTreeSet;
 
 /// Keeps the pieces of one size: the one that is wanted, else that of the file's labels.
 ///
@@ -28,6 +29,7 @@ pub(crate) fn one_size(
         .map(|piece| (piece.name.as_str(), piece.labels.get("size")))
         .collect();
     let keep = sizes::is_imported(&choice, &named);
+    warn_of_missing_size(&pieces, &keep, &choice, findings);
     let pieces = pieces.into_iter().zip(keep);
     let kept = pieces.filter_map(|(piece, keep)| keep.then_some(piece));
     let kept: Vec<DxfPiece> = kept.collect();
@@ -35,6 +37,27 @@ pub(crate) fn one_size(
         return Err(findings.no_outline());
     }
     Ok((kept, choice))
+}
+
+/// Warns of the pieces that the file has in other sizes than the one that is imported.
+fn warn_of_missing_size(
+    pieces: &[DxfPiece],
+    keep: &[bool],
+    choice: &SizeChoice,
+    findings: &mut DxfFindings,
+) {
+    let kept = pieces.iter().zip(keep).filter(|(_, keep)| **keep);
+    let mut known: BTreeSet<&str> = kept.map(|(piece, _)| piece.name.as_str()).collect();
+    for piece in pieces {
+        if known.insert(&piece.name) {
+            let detail = format!(
+                "{:?} has no size {}, and is left out; size= chooses another",
+                piece.name,
+                choice.chosen.as_deref().unwrap_or_default()
+            );
+            findings.warn(PatternCode::SizeMissing, piece.line, detail);
+        }
+    }
 }
 
 /// Checks the number of pieces, and the unit by the largest of them.

@@ -2,6 +2,7 @@
 
 use super::chain::PathChain;
 use super::lines::SheetLines;
+use super::measured::MeasuredChain;
 use crate::fault::PatternCode;
 use crate::pattern::Point2;
 use crate::pattern::dxf::findings::DxfFindings;
@@ -11,21 +12,36 @@ use crate::pattern::polyline::{PolylineFoot, contains, nearest, segments, signed
 /// Ends this near to a line lie on it \[m\].
 const ON: f64 = 2e-4;
 
-/// An outline encloses at least this area \[m²\]: less is a line along another.
-const LEAST_AREA: f64 = 1e-4;
+/// A piece encloses at least this area \[m²\]: less is a line drawn beside another piece.
+const LEAST_AREA: f64 = 0.02;
 
 /// At most this many open lines of a sheet are looked at.
 const MOST: usize = 200;
 
 /// Closes the open outlines of a sheet that end on closed ones beside them, and the open sew lines
-/// that end on a straight edge of their cut line, which is then a fold. Each is warned about.
-pub(super) fn close(lines: &mut SheetLines, findings: &mut DxfFindings) {
-    close_beside(&mut lines.boundary, findings);
-    close_beside(&mut lines.general, findings);
-    // A stated fold closes the sew lines that end on it.
-    if !lines.mirror.is_empty() {
-        return;
+/// that end on a straight edge of their cut line, which is a fold if `is_half`. Each is warned
+/// about.
+pub(super) fn close(lines: &mut SheetLines, is_half: bool, findings: &mut DxfFindings) {
+    let has_outline = lines.boundary.iter().any(|chain| chain.closed);
+    if has_outline {
+        close_beside(&mut lines.boundary, findings);
+    } else {
+        close_beside(&mut lines.general, findings);
     }
+    // A stated fold closes the sew lines that end on it.
+    if lines.mirror.is_empty() {
+        lines.mirror = close_sew_lines(lines, is_half, findings);
+    }
+}
+
+/// Closes the open sew lines of a sheet; returns the folds that they end on.
+fn close_sew_lines(
+    lines: &mut SheetLines,
+    is_half: bool,
+    findings: &mut DxfFindings,
+) -> Vec<PathChain> {
+    let cut = lines.boundary.iter().filter(|chain| chain.closed);
+    let cut: Vec<MeasuredChain> = cut.cloned().map(MeasuredChain::new).collect();
     let mut folds = vec![];
     for sew in lines
         .sew
@@ -33,23 +49,39 @@ pub(super) fn close(lines: &mut SheetLines, findings: &mut DxfFindings) {
         .filter(|chain| !chain.closed)
         .take(MOST)
     {
-        let Some(fold) = ends(sew).filter(|ends| is_on_edge(*ends, &lines.boundary)) else {
+        let Some(edge) = ends(sew) else {
             continue;
         };
-        sew.closed = true;
-        folds.push(PathChain {
-            points: fold.to_vec(),
-            path_end: vec![true; 2],
-            sampled: vec![false; 2],
-            closed: false,
-            closed_gap: None,
-            line: sew.line,
-            path_count: 0,
+        let closed = MeasuredChain::new(PathChain {
+            closed: true,
+            ..sew.clone()
         });
-        let detail = "a sew line is open along a straight edge of its cut line, which was taken as the fold (unfold=none keeps the half)";
+        let is_of = |cut: &MeasuredChain| is_on_edge(edge, &cut.chain) && cut.is_sewn_on(&closed);
+        if !cut.iter().any(is_of) {
+            continue;
+        }
+        sew.closed = true;
+        let detail = if is_half {
+            folds.push(fold(edge, sew.line));
+            "a sew line is open along a straight edge of its cut line, which was taken as the fold (unfold=none keeps the half)"
+        } else {
+            "a sew line is open along a straight edge of its cut line and was closed there; draw the fold on layer 6 if it is half a piece"
+        };
         findings.warn(PatternCode::FoldAssumed, sew.line, detail);
     }
-    lines.mirror = folds;
+    folds
+}
+
+fn fold(ends: [Point2; 2], line: usize) -> PathChain {
+    PathChain {
+        points: ends.to_vec(),
+        path_end: vec![true; 2],
+        sampled: vec![false; 2],
+        closed: false,
+        closed_gap: None,
+        line,
+        path_count: 0,
+    }
 }
 
 /// Returns the ends of an open line that bends and whose ends lie apart.
@@ -60,17 +92,12 @@ fn ends(chain: &PathChain) -> Option<[Point2; 2]> {
 }
 
 /// Returns true if the straight way between two points runs on a closed line.
-fn is_on_edge([a, b]: [Point2; 2], outlines: &[PathChain]) -> bool {
-    let is_on = |outline: &PathChain| {
-        let places = [0.0, 0.25, 0.5, 0.75, 1.0].map(|t| lerp(a, b, t));
-        let mut feet = places
-            .iter()
-            .map(|p| nearest(segments(&outline.points), *p));
-        feet.all(|foot| foot.is_some_and(|foot| foot.distance <= ON))
-    };
-    outlines
+fn is_on_edge([a, b]: [Point2; 2], outline: &PathChain) -> bool {
+    let places = [0.0, 0.25, 0.5, 0.75, 1.0].map(|t| lerp(a, b, t));
+    let mut feet = places
         .iter()
-        .any(|outline| outline.closed && is_on(outline))
+        .map(|p| nearest(segments(&outline.points), *p));
+    feet.all(|foot| foot.is_some_and(|foot| foot.distance <= ON))
 }
 
 fn close_beside(chains: &mut [PathChain], findings: &mut DxfFindings) {
@@ -84,7 +111,7 @@ fn close_beside(chains: &mut [PathChain], findings: &mut DxfFindings) {
             chain.sampled.extend(vec![false; edge.len()]);
             chain.points.extend(edge);
             chain.closed = true;
-            let detail = "an outline is open where another one lies beside it, and was closed along the edge that both share";
+            let detail = "an outline is open where another one lies beside it, and was closed along the edge that both share (outlines=lines keeps it as a line)";
             findings.warn(PatternCode::SharedEdge, chain.line, detail);
         }
     }

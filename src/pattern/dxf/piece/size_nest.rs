@@ -1,12 +1,13 @@
 //! Nests: all sizes of a piece drawn one in the other.
 
-use super::dxf_piece::{DxfPiece, InnerLine, NestedSize};
+use super::chain::PathChain;
+use super::dxf_piece::{DxfPiece, InnerLine, NestedSize, NotchMark};
 use super::measured::MeasuredChain;
 use crate::fault::PatternCode;
 use crate::pattern::dxf::drawing::size_names::size_order;
 use crate::pattern::dxf::findings::DxfFindings;
 use crate::pattern::point::{distance, lerp};
-use crate::pattern::polyline::{nearest, segments};
+use crate::pattern::polyline::{nearest, segments, signed_area};
 use crate::pattern::{Outlines, Point2};
 use std::collections::BTreeSet;
 
@@ -34,8 +35,14 @@ const SAMPLES: usize = 400;
 /// Sides that are nearer to each other lie on a fold, where nothing is sewn \[m\].
 const FOLD: f64 = 0.001;
 
-/// A mark this near to an outline lies on it \[m\].
-const ON: f64 = 0.002;
+/// At most this many notches of a nest are read.
+const MOST_NOTCHES: usize = 1000;
+
+/// A nest has at most this many sizes inside its largest.
+const MOST: usize = 60;
+
+/// At most so many points of lines are copied to the sizes of a nest.
+const COPIED_POINTS: usize = 2_000_000;
 
 /// Returns true if the outlines in that of a piece begin with a sew line: one that keeps the
 /// distance of a seam allowance, and none in it.
@@ -64,14 +71,13 @@ pub(super) fn take_sizes<'a>(
     let Some(largest) = nested.first() else {
         return vec![];
     };
-    let named = names_of_layers(&piece.outline, inner, &nested, &layer);
-    let is_nest = reading == Outlines::Sizes
-        || nested.len() > 1
-        || named.is_some()
-        || !is_sewn && !is_allowance(&piece.outline, &inner[*largest]);
-    if !is_nest {
+    let states_size = piece.labels.get("size").is_some();
+    let may_be_two = !is_sewn && !is_allowance(&piece.outline, &inner[*largest]);
+    let is_nest = reading == Outlines::Sizes || !states_size && (nested.len() > 1 || may_be_two);
+    if !is_nest || nested.len() > MOST {
         return vec![];
     }
+    let named = names_of_layers(&piece.outline, inner, &nested, &layer);
     let count = nested.len() + 1;
     let names = named.or_else(|| names_of_notes(piece, count));
     let names = names.unwrap_or_else(|| (1..=count).map(|i| i.to_string()).collect());
@@ -82,7 +88,7 @@ pub(super) fn take_sizes<'a>(
     let mut index = 0..;
     inner.retain(|_| !index.next().is_some_and(|i| taken.contains(&i)));
     let detail = format!(
-        "{count} outlines of {:?} lie one in the other and were taken as its sizes {} (outlines=allowance or lines takes them otherwise)",
+        "{count} outlines of {:?} lie one in the other and were taken as its sizes {} (size= chooses one; outlines=allowance or lines takes them otherwise)",
         piece.name,
         names.join(", ")
     );
@@ -93,38 +99,103 @@ pub(super) fn take_sizes<'a>(
         .collect()
 }
 
-/// Returns the pieces of all sizes of a piece: itself if it has one.
-pub(super) fn split(piece: DxfPiece) -> Vec<DxfPiece> {
+/// Returns the pieces of all sizes of a piece: itself if it has one. Notches belong to the size
+/// that they lie nearest to, sew and cut lines to the one that they run beside; of as many holes as
+/// sizes each has one, by their areas.
+pub(super) fn split(mut piece: DxfPiece, findings: &mut DxfFindings) -> Vec<DxfPiece> {
     if piece.nest.is_empty() {
         return vec![piece];
     }
-    let sizes = piece.nest.clone();
-    sizes
-        .iter()
-        .map(|size| of_size(&piece, size, &sizes))
+    let sizes = std::mem::take(&mut piece.nest);
+    let lines = [piece.sew.take(), piece.cut.take()].into_iter().flatten();
+    let lines: Vec<MeasuredChain> = lines
+        .chain(std::mem::take(&mut piece.internal))
+        .map(MeasuredChain::new)
+        .collect();
+    let points: usize = lines.iter().map(|line| line.chain.points.len()).sum();
+    let is_copied = points * sizes.len() <= COPIED_POINTS;
+    if !is_copied {
+        let count = lines.iter().map(|line| line.chain.path_count).sum();
+        findings.skip_many("line inside a nest of sizes", piece.line, count);
+    }
+    let lines = if is_copied { lines } else { vec![] };
+    let notches = nearest_sizes(&piece, &sizes);
+    let mut cutouts = std::mem::take(&mut piece.cutouts);
+    let area = |chain: &PathChain| signed_area(&chain.points).abs();
+    cutouts.sort_by(|a, b| area(a).total_cmp(&area(b)));
+    let parts = NestParts {
+        lines: &lines,
+        notches: &notches,
+        cutouts: &cutouts,
+    };
+    (0..sizes.len())
+        .map(|k| piece_of_size(&piece, &sizes, k, &parts))
         .collect()
 }
 
-/// Returns the piece of one size, with the marks that lie nearer to its outline than to any other.
-fn of_size(piece: &DxfPiece, size: &NestedSize, sizes: &[NestedSize]) -> DxfPiece {
+/// What the sizes of a nest share.
+struct NestParts<'a> {
+    lines: &'a [MeasuredChain],
+    /// The size of each notch.
+    notches: &'a [usize],
+    /// Holes, the smallest first.
+    cutouts: &'a [PathChain],
+}
+
+/// Returns the size whose outline each notch lies nearest to.
+fn nearest_sizes(piece: &DxfPiece, sizes: &[NestedSize]) -> Vec<usize> {
+    let of_notch = |notch: &NotchMark| {
+        let at = notch.points[0];
+        let distance = |k: &usize| distance_to(&sizes[*k].outline.chain.points, at);
+        let nearest = |a: &usize, b: &usize| distance(a).total_cmp(&distance(b));
+        (0..sizes.len()).min_by(nearest).unwrap_or_default()
+    };
+    piece
+        .marks
+        .notches
+        .iter()
+        .take(MOST_NOTCHES)
+        .map(of_notch)
+        .collect()
+}
+
+/// Returns the piece of one size.
+fn piece_of_size(
+    piece: &DxfPiece,
+    sizes: &[NestedSize],
+    k: usize,
+    parts: &NestParts<'_>,
+) -> DxfPiece {
+    let size = &sizes[k];
     let mut own = piece.clone();
-    own.nest.clear();
     own.outline = size.outline.clone();
     own.labels.set("size", &size.name, size.outline.chain.line);
-    own.marks.notches.retain(|notch| {
-        let at = notch.points[0];
-        let distance = |outline: &MeasuredChain| distance_to(&outline.chain.points, at);
-        let own = distance(&size.outline);
-        sizes.iter().all(|other| distance(&other.outline) >= own) || own <= ON
-    });
-    let lines = std::mem::take(&mut own.internal);
-    let sewn = std::mem::take(&mut own.sew);
-    for chain in sewn.into_iter().chain(lines) {
-        let line = MeasuredChain::new(chain);
-        if own.sew.is_none() && line.chain.closed && size.outline.is_sewn_on(&line) {
-            own.sew = Some(line.chain);
-        } else if line.lies_in(&size.outline) {
-            own.add_line(line.chain, InnerLine::Drawn);
+    let notches = piece.marks.notches.iter().zip(parts.notches);
+    let notches = notches.filter(|(_, of)| **of == k);
+    own.marks.notches = notches.map(|(notch, _)| notch.clone()).collect();
+    own.cutouts = match parts.cutouts {
+        cutouts if cutouts.len() == sizes.len() => vec![cutouts[k].clone()],
+        cutouts => cutouts.to_vec(),
+    };
+    let is_sewn = |line: &&MeasuredChain| line.chain.closed && size.outline.is_sewn_on(line);
+    let sewn = parts.lines.iter().filter(is_sewn);
+    let sew = sewn.max_by(|a, b| a.area.total_cmp(&b.area));
+    own.sew = sew.map(|line| line.chain.clone());
+    let is_cut = |line: &&MeasuredChain| line.chain.closed && line.is_sewn_on(&size.outline);
+    let around = parts.lines.iter().filter(is_cut);
+    let cut = around.min_by(|a, b| a.area.total_cmp(&b.area));
+    own.cut = cut.map(|line| line.chain.clone());
+    for line in parts.lines {
+        let is_used = sew
+            .into_iter()
+            .chain(cut)
+            .any(|used| std::ptr::eq(used, line));
+        let is_of_others = line.chain.closed
+            && sizes
+                .iter()
+                .any(|other| other.outline.is_sewn_on(line) || line.is_sewn_on(&other.outline));
+        if !is_used && !is_of_others && line.lies_in(&size.outline) {
+            own.add_line(line.chain.clone(), InnerLine::Drawn);
         }
     }
     own
@@ -213,7 +284,6 @@ fn distance_to(ring: &[Point2], p: Point2) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::chain::PathChain;
     use super::*;
 
     fn ring(points: &[Point2]) -> MeasuredChain {

@@ -3,6 +3,7 @@
 
 use super::dxf_piece::DxfPiece;
 use super::grade;
+use crate::config::Limits;
 use crate::fault::{Fault, PatternCode};
 use crate::pattern::dxf::drawing::sizes::SizeChoice;
 use crate::pattern::dxf::findings::DxfFindings;
@@ -45,6 +46,15 @@ pub(crate) fn plan<'a>(
 }
 
 impl SizePlan<'_> {
+    /// Returns the sample size, if the file draws it as one of several.
+    pub(crate) fn drawn_sample(&self, pieces: &[DxfPiece]) -> Option<&str> {
+        let sample = &*self.table.sizes[self.table.sample];
+        let mut drawn = pieces.iter().filter_map(|piece| piece.labels.get("size"));
+        drawn
+            .any(|size| size.eq_ignore_ascii_case(sample))
+            .then_some(sample)
+    }
+
     /// Makes the pieces of the sample size those of the size, and tells of the sizes of the table.
     ///
     /// # Errors
@@ -53,6 +63,7 @@ impl SizePlan<'_> {
         &self,
         pieces: &mut [DxfPiece],
         sizes: &mut SizeChoice,
+        limits: &Limits,
         findings: &mut DxfFindings,
     ) -> Result<(), Fault> {
         let sample = &self.table.sizes[self.table.sample];
@@ -74,7 +85,7 @@ impl SizePlan<'_> {
         }
         sizes.chosen = Some(self.table.sizes[self.size].clone());
         if self.size != self.table.sample {
-            grade::to_size(pieces, self.table, self.size, findings)?;
+            grade::to_size(pieces, self.table, self.size, limits, findings)?;
         }
         Ok(())
     }
