@@ -58,8 +58,8 @@ fault_codes! {
             "A field of a GarmentCode specification has a wrong value.",
             "Write it as GarmentCode does.";
         FoldAssumed = "fold_assumed":
-            "A sew line is open along a straight edge of its cut line, which was taken as the fold.",
-            "State unfold=none where it is none, or draw the fold on layer 6.";
+            "A sew line is open along a straight edge of its cut line and was closed there: a fold, where a note says so.",
+            "Draw the fold on layer 6, or state unfold=none where it is none.";
         FoldIgnored = "fold_ignored":
             "A fold line of a piece is not an edge of it, or one more than it can be unfolded about.",
             "Draw fold lines along edges, at right angles to each other.";
