@@ -29,6 +29,8 @@ pub(super) struct DxfFindings {
     more: usize,
     /// Number of entities of a kind that were not read, and the line of the first.
     skipped: BTreeMap<String, (usize, usize)>,
+    /// Number of outlines inside others by what they were taken as, and the line of the first.
+    inside: BTreeMap<&'static str, (usize, usize)>,
     /// Number of entities that were not flat, and the line of the first.
     projected: Option<(usize, usize)>,
 }
@@ -86,6 +88,11 @@ impl DxfFindings {
         self.skipped.entry(kind).or_insert((0, line)).0 += count;
     }
 
+    /// Notes an outline inside another by what it was taken as.
+    pub(super) fn note_inside(&mut self, taken_as: &'static str, line: usize) {
+        self.inside.entry(taken_as).or_insert((0, line)).0 += 1;
+    }
+
     /// Notes an entity whose z is not 0.
     pub(super) fn note_projected(&mut self, line: usize) {
         self.projected.get_or_insert((0, line)).0 += 1;
@@ -106,6 +113,12 @@ impl DxfFindings {
                 at_line(line),
                 detail,
             ));
+        }
+        for (taken_as, (count, line)) in std::mem::take(&mut self.inside) {
+            let detail =
+                format!("{count} outlines inside others, the first here, were taken as {taken_as}");
+            let code = PatternCode::OutlineInside;
+            warnings.push(Warning::new(code, at_line(line), detail));
         }
         if let Some((count, line)) = self.projected.take() {
             let detail = format!(

@@ -171,7 +171,7 @@ fn rectangle_with_small_outlines_in_it_is_a_piece() {
     let pattern = imported(file("0"));
     areas_are(&pattern, &[0.24]);
     assert_eq!(pattern.panels[0].internal_lines.len(), 2);
-    assert_eq!(warnings(&pattern, "pattern/outline_inside"), 2);
+    assert_eq!(warnings(&pattern, "pattern/outline_inside"), 1);
     // What lies on the layer of cut lines is cut out.
     let pattern = imported(file("1"));
     areas_are(&pattern, &[0.24 - 2.0 * 0.0024]);

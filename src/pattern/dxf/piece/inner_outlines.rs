@@ -3,7 +3,6 @@
 
 use super::dxf_piece::{DxfPiece, InnerLine};
 use super::measured::MeasuredChain;
-use crate::fault::PatternCode;
 use crate::pattern::Outlines;
 use crate::pattern::dxf::drawing::layers::{LayerRole, role};
 use crate::pattern::dxf::findings::DxfFindings;
@@ -30,27 +29,17 @@ pub(super) fn assign_inner_outlines<'a>(
             _ => InnerLine::Drawn,
         };
         if reading == Outlines::Auto && role(layer(&outline)) != LayerRole::Sew {
-            warn_of_inner_outline(piece, &outline, kind, findings);
+            findings.note_inside(taken_as(kind), outline.chain.line);
         }
         piece.add_line(outline.chain, kind);
     }
 }
 
-/// Warns of an outline in another by what it was taken for.
-fn warn_of_inner_outline(
-    piece: &DxfPiece,
-    outline: &MeasuredChain,
-    kind: InnerLine,
-    findings: &mut DxfFindings,
-) {
-    let (taken, others) = match kind {
-        InnerLine::Sew => ("its sew line", "sizes, holes or lines"),
-        InnerLine::Hole => ("a hole", "lines"),
-        InnerLine::Drawn => ("a line drawn on it", "holes or pieces"),
-    };
-    let detail = format!(
-        "an outline inside that of {:?} was taken as {taken} (outlines={others} takes it otherwise)",
-        piece.name
-    );
-    findings.warn(PatternCode::OutlineInside, outline.chain.line, detail);
+/// Returns the words for an outline in another, with the readings that take it otherwise.
+fn taken_as(kind: InnerLine) -> &'static str {
+    match kind {
+        InnerLine::Sew => "sew lines (outlines=sizes, holes or lines takes them otherwise)",
+        InnerLine::Hole => "holes (outlines=lines takes them otherwise)",
+        InnerLine::Drawn => "drawn lines (outlines=holes or pieces takes them otherwise)",
+    }
 }
