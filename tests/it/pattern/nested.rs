@@ -282,3 +282,31 @@ fn piece_without_the_size_is_told() {
     assert_eq!(pattern.panels.len(), 1);
     assert_eq!(warnings(&pattern, "pattern/size_missing"), 1);
 }
+
+/// Sizes about a common point: the hems and sides of larger ones lie outside, their tops inside.
+#[test]
+fn sizes_that_stick_out_of_each_other_are_a_nest() {
+    let size = |x: f64, top: f64, length: f64| {
+        [
+            [0.0, top],
+            [x, top],
+            [x + 40.0, top - length],
+            [0.0, top - length],
+        ]
+    };
+    let file = || {
+        DxfBuilder::metric()
+            .run("0", true, &size(200.0, 0.0, 600.0))
+            .run("0", true, &size(210.0, -3.0, 612.0))
+            .run("0", true, &size(220.0, -6.0, 624.0))
+    };
+    let pattern = imported(file());
+    assert_eq!(pattern.source.sizes, ["1", "2", "3"]);
+    areas_are(&pattern, &[0.22 * 0.6]);
+    // Two panels beside each other are none.
+    let beside = size(200.0, 0.0, 600.0).map(|[x, y]| [x + 240.0, y]);
+    let two = DxfBuilder::metric()
+        .run("0", true, &size(200.0, 0.0, 600.0))
+        .run("0", true, &beside);
+    assert_eq!(imported(two).panels.len(), 2);
+}

@@ -4,7 +4,9 @@ use super::chain::ChainKey;
 use super::dxf_piece::DxfPiece;
 use super::lines::SheetLines;
 use super::measured::MeasuredChain;
-use super::{assign, frame, inner_outlines, marks, nest, shared_edges, size_nest};
+use super::{
+    assign, frame, inner_outlines, marks, nest, nest_gather, nest_split, shared_edges, size_nest,
+};
 use crate::config::Limits;
 use crate::pattern::dxf::drawing::sheet::DxfSheet;
 use crate::pattern::dxf::entity::geometry::{DxfEntity, EntityShape};
@@ -69,7 +71,10 @@ impl<'a> SheetOutlines<'a> {
         let outlines = nest::drop_duplicates(outlines, findings);
         let is_block = sheet.block.is_some();
         let outlines = frame::without_frames(outlines, reading, is_block, layer, findings);
-        let (outer, inner) = nest::nest(outlines);
+        let (mut outer, mut inner) = nest::nest(outlines);
+        if matches!(reading, Outlines::Auto | Outlines::Sizes) {
+            (outer, inner) = nest_gather::gather(outer, inner);
+        }
         Some(Self {
             sheet,
             lines,
@@ -112,7 +117,7 @@ impl<'a> SheetOutlines<'a> {
         }
         marks::assign(sheet, &lines.mirror, &mut pieces, is_alone, findings);
         assign::lines(&lines, &self.taken, &mut pieces, is_alone, findings);
-        let split = |piece| size_nest::split(piece, findings);
+        let split = |piece| nest_split::split(piece, findings);
         pieces.into_iter().flat_map(split).collect()
     }
 }

@@ -1,6 +1,7 @@
 //! Sheets to pieces, and pieces to panels: lines joined and nested, each line and mark given to its
 //! piece, corners and notches found, half pieces unfolded.
 
+mod allowance_width;
 mod assign;
 mod chain;
 pub(super) mod classify;
@@ -24,6 +25,8 @@ mod loops;
 mod marks;
 mod measured;
 mod nest;
+mod nest_gather;
+mod nest_split;
 mod notch;
 pub(super) mod panel;
 mod rings;

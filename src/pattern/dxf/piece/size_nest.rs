@@ -1,48 +1,17 @@
 //! Nests: all sizes of a piece drawn one in the other.
 
-use super::chain::PathChain;
-use super::dxf_piece::{DxfPiece, InnerLine, NestedSize, NotchMark};
+use super::allowance_width::is_allowance;
+use super::dxf_piece::{DxfPiece, NestedSize};
 use super::measured::MeasuredChain;
+use super::nest_gather::{SIZE_SHARE, is_size_of};
 use crate::fault::PatternCode;
+use crate::pattern::Outlines;
 use crate::pattern::dxf::drawing::size_names::size_order;
 use crate::pattern::dxf::findings::DxfFindings;
-use crate::pattern::point::{distance, lerp};
-use crate::pattern::polyline::{nearest, segments, signed_area};
-use crate::pattern::{Outlines, Point2};
 use std::collections::BTreeSet;
-
-/// Sizes of a nest differ in area by less than this share.
-const SIZE_SHARE: f64 = 0.4;
-
-/// The width of a seam allowance is a multiple of one of these: millimeters and sixteenths of an
-/// inch \[m\] ...
-const UNITS_OF_WIDTH: [f64; 2] = [1e-3, 0.0254 / 16.0];
-/// ... to within this \[m\].
-const ROUND: f64 = 1e-4;
-
-/// Distances that differ by less than this are the same width \[m\].
-const SAME_WIDTH: f64 = 4e-4;
-
-/// Of the distances of a seam allowance at least this share are one of few widths.
-const ALONG: f64 = 0.85;
-
-/// An allowance has at most this many widths.
-const WIDTHS: usize = 3;
-
-/// At most about this many sides of two outlines are compared.
-const SAMPLES: usize = 400;
-
-/// Sides that are nearer to each other lie on a fold, where nothing is sewn \[m\].
-const FOLD: f64 = 0.001;
-
-/// At most this many notches of a nest are read.
-const MOST_NOTCHES: usize = 1000;
 
 /// A nest has at most this many sizes inside its largest.
 const MOST: usize = 60;
-
-/// At most so many points of lines are copied to the sizes of a nest.
-const COPIED_POINTS: usize = 2_000_000;
 
 /// Returns true if the outlines in that of a piece begin with a sew line: one that keeps the
 /// distance of a seam allowance, and none in it.
@@ -99,108 +68,6 @@ pub(super) fn take_sizes<'a>(
         .collect()
 }
 
-/// Returns the pieces of all sizes of a piece: itself if it has one. Notches belong to the size
-/// that they lie nearest to, sew and cut lines to the one that they run beside; of as many holes as
-/// sizes each has one, by their areas.
-pub(super) fn split(mut piece: DxfPiece, findings: &mut DxfFindings) -> Vec<DxfPiece> {
-    if piece.nest.is_empty() {
-        return vec![piece];
-    }
-    let sizes = std::mem::take(&mut piece.nest);
-    let lines = [piece.sew.take(), piece.cut.take()].into_iter().flatten();
-    let lines: Vec<MeasuredChain> = lines
-        .chain(std::mem::take(&mut piece.internal))
-        .map(MeasuredChain::new)
-        .collect();
-    let points: usize = lines.iter().map(|line| line.chain.points.len()).sum();
-    let is_copied = points * sizes.len() <= COPIED_POINTS;
-    if !is_copied {
-        let count = lines.iter().map(|line| line.chain.path_count).sum();
-        findings.skip_many("line inside a nest of sizes", piece.line, count);
-    }
-    let lines = if is_copied { lines } else { vec![] };
-    let notches = nearest_sizes(&piece, &sizes);
-    let mut cutouts = std::mem::take(&mut piece.cutouts);
-    let area = |chain: &PathChain| signed_area(&chain.points).abs();
-    cutouts.sort_by(|a, b| area(a).total_cmp(&area(b)));
-    let parts = NestParts {
-        lines: &lines,
-        notches: &notches,
-        cutouts: &cutouts,
-    };
-    (0..sizes.len())
-        .map(|k| piece_of_size(&piece, &sizes, k, &parts))
-        .collect()
-}
-
-/// What the sizes of a nest share.
-struct NestParts<'a> {
-    lines: &'a [MeasuredChain],
-    /// The size of each notch.
-    notches: &'a [usize],
-    /// Holes, the smallest first.
-    cutouts: &'a [PathChain],
-}
-
-/// Returns the size whose outline each notch lies nearest to.
-fn nearest_sizes(piece: &DxfPiece, sizes: &[NestedSize]) -> Vec<usize> {
-    let of_notch = |notch: &NotchMark| {
-        let at = notch.points[0];
-        let distance = |k: &usize| distance_to(&sizes[*k].outline.chain.points, at);
-        let nearest = |a: &usize, b: &usize| distance(a).total_cmp(&distance(b));
-        (0..sizes.len()).min_by(nearest).unwrap_or_default()
-    };
-    piece
-        .marks
-        .notches
-        .iter()
-        .take(MOST_NOTCHES)
-        .map(of_notch)
-        .collect()
-}
-
-/// Returns the piece of one size.
-fn piece_of_size(
-    piece: &DxfPiece,
-    sizes: &[NestedSize],
-    k: usize,
-    parts: &NestParts<'_>,
-) -> DxfPiece {
-    let size = &sizes[k];
-    let mut own = piece.clone();
-    own.outline = size.outline.clone();
-    own.labels.set("size", &size.name, size.outline.chain.line);
-    let notches = piece.marks.notches.iter().zip(parts.notches);
-    let notches = notches.filter(|(_, of)| **of == k);
-    own.marks.notches = notches.map(|(notch, _)| notch.clone()).collect();
-    own.cutouts = match parts.cutouts {
-        cutouts if cutouts.len() == sizes.len() => vec![cutouts[k].clone()],
-        cutouts => cutouts.to_vec(),
-    };
-    let is_sewn = |line: &&MeasuredChain| line.chain.closed && size.outline.is_sewn_on(line);
-    let sewn = parts.lines.iter().filter(is_sewn);
-    let sew = sewn.max_by(|a, b| a.area.total_cmp(&b.area));
-    own.sew = sew.map(|line| line.chain.clone());
-    let is_cut = |line: &&MeasuredChain| line.chain.closed && line.is_sewn_on(&size.outline);
-    let around = parts.lines.iter().filter(is_cut);
-    let cut = around.min_by(|a, b| a.area.total_cmp(&b.area));
-    own.cut = cut.map(|line| line.chain.clone());
-    for line in parts.lines {
-        let is_used = sew
-            .into_iter()
-            .chain(cut)
-            .any(|used| std::ptr::eq(used, line));
-        let is_of_others = line.chain.closed
-            && sizes
-                .iter()
-                .any(|other| other.outline.is_sewn_on(line) || line.is_sewn_on(&other.outline));
-        if !is_used && !is_of_others && line.lies_in(&size.outline) {
-            own.add_line(line.chain.clone(), InnerLine::Drawn);
-        }
-    }
-    own
-}
-
 /// Returns the outlines that run inside an outline and inside each other, the largest first.
 fn concentric(outer: &MeasuredChain, inner: &[MeasuredChain]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..inner.len()).collect();
@@ -208,10 +75,9 @@ fn concentric(outer: &MeasuredChain, inner: &[MeasuredChain]) -> Vec<usize> {
     let mut nested: Vec<usize> = vec![];
     for i in order {
         let around = nested.last().map_or(outer, |last| &inner[*last]);
-        let runs_inside = inner[i].area >= SIZE_SHARE * around.area
-            && inner[i].lies_in(around)
-            && inner[i].follows(around);
-        if runs_inside {
+        let is_inside = inner[i].lies_in(around) && inner[i].follows(around);
+        let is_like = inner[i].area >= SIZE_SHARE * around.area;
+        if is_like && is_inside || is_size_of(&inner[i], around) {
             nested.push(i);
         }
     }
@@ -242,49 +108,11 @@ fn names_of_notes(piece: &DxfPiece, count: usize) -> Option<Vec<String>> {
     (names.len() == count).then(|| names.into_iter().map(str::to_owned).collect())
 }
 
-/// Returns true if `inner` runs at the distance of a seam allowance inside `outer`: one width all
-/// round, or a few round ones. Along a fold there is none.
-fn is_allowance(outer: &MeasuredChain, inner: &MeasuredChain) -> bool {
-    let outline = &outer.chain.points;
-    let step = inner.chain.points.len().div_ceil(SAMPLES).max(1);
-    let sides = segments(&inner.chain.points).step_by(step);
-    let mut sides: Vec<(f64, f64)> = sides
-        .map(|(a, b)| (distance_to(outline, lerp(a, b, 0.5)), distance(a, b)))
-        .filter(|(width, _)| *width > FOLD)
-        .collect();
-    sides.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let total: f64 = sides.iter().map(|(_, length)| length).sum();
-    // The widths, each with the length along which it is kept.
-    let mut widths: Vec<(f64, f64)> = vec![];
-    for (width, length) in sides {
-        match widths.last_mut() {
-            Some((same, along)) if width - *same <= SAME_WIDTH => *along += length,
-            _ => widths.push((width, length)),
-        }
-    }
-    widths.sort_by(|a, b| b.1.total_cmp(&a.1));
-    widths.truncate(WIDTHS);
-    let covers = |widths: &[(f64, f64)]| {
-        let along: f64 = widths.iter().map(|(_, along)| along).sum();
-        along >= ALONG * total
-    };
-    let is_one = covers(&widths[..widths.len().min(1)]);
-    is_one || covers(&widths) && widths.iter().all(|(width, _)| is_round(*width))
-}
-
-/// Returns true if a width is one that allowances have.
-fn is_round(width: f64) -> bool {
-    let is_multiple = |unit: &f64| (width / unit - (width / unit).round()).abs() * unit <= ROUND;
-    UNITS_OF_WIDTH.iter().any(is_multiple)
-}
-
-fn distance_to(ring: &[Point2], p: Point2) -> f64 {
-    nearest(segments(ring), p).map_or(f64::INFINITY, |foot| foot.distance)
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::chain::PathChain;
     use super::*;
+    use crate::pattern::Point2;
 
     fn ring(points: &[Point2]) -> MeasuredChain {
         MeasuredChain::new(PathChain {
