@@ -1,11 +1,11 @@
 //! Cohesion of a suggested set: seams of panels that hang on the rest of the garment by offers
-//! only, or of a small one that is sewn to nothing but itself, are offers themselves.
+//! only, or of a small part that is sewn to nothing but itself, are offers themselves.
 
 use super::suggestion::{MIN_SEWN_CONFIDENCE, SuggestedSeam};
 use crate::pattern::{MIRROR, Pattern};
 use std::collections::BTreeMap;
 
-/// Share of the area of the largest part up to which a panel by itself is no garment.
+/// Share of the area of the largest part up to which a part by itself is no garment.
 const SMALL: f64 = 0.25;
 /// Confidence that is left to a seam of a part that would fall off.
 const APART: f64 = 0.49;
@@ -35,7 +35,7 @@ pub(super) fn distrust_parts_apart(pattern: &Pattern, seams: &mut [SuggestedSeam
             .is_some_and(|best| best.0 == root);
         let is_alone = parts
             .get(&root)
-            .is_some_and(|part| part.count == 1 && part.area < SMALL * most);
+            .is_some_and(|part| part.area < SMALL * most);
         if !is_largest || is_alone {
             seam.confidence = APART;
         }
@@ -81,7 +81,6 @@ impl Components {
         for (i, panel) in pattern.panels.iter().enumerate() {
             let part = parts.entry(self.root(i)).or_default();
             part.area += panel.area_m2.abs();
-            part.count += 1;
         }
         parts
     }
@@ -92,5 +91,60 @@ impl Components {
 struct Part {
     /// Area of all of them \[m²\].
     area: f64,
-    count: usize,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pattern::{Allowance, Panel, PatternFormat, Source};
+    use serde_json::json;
+
+    fn pattern(sizes: &[(&str, [f64; 2])]) -> Pattern {
+        let panels = sizes.iter().map(|(id, size)| Panel::rectangle(id, *size));
+        Pattern {
+            id: None,
+            name: "shirt".to_owned(),
+            source: Source {
+                format: PatternFormat::Dxf,
+                units: "mm".to_owned(),
+                scale_to_m: 1e-3,
+                sample_size: None,
+                sizes: vec![],
+                allowance: Allowance::Unknown,
+            },
+            panels: panels.collect(),
+            seams: vec![],
+            placements: BTreeMap::new(),
+            warnings: vec![],
+        }
+    }
+
+    fn seam(a: &str, b: &str) -> SuggestedSeam {
+        let side = |panel: &str| json!({"panel": panel, "from": 0, "to": 1});
+        let seam = json!({
+            "id": format!("{a}-{b}"), "a": side(a), "b": side(b),
+            "confidence": 0.9, "because": "the lengths agree",
+        });
+        serde_json::from_value(seam).expect("a seam")
+    }
+
+    #[test]
+    fn collar_on_a_stand_that_is_sewn_to_nothing_is_an_offer() {
+        let pattern = pattern(&[
+            ("front", [0.5, 0.7]),
+            ("back", [0.5, 0.7]),
+            ("stand", [0.4, 0.04]),
+            ("collar", [0.4, 0.08]),
+        ]);
+        let mut seams = [seam("front", "back"), seam("stand", "collar")];
+        distrust_parts_apart(&pattern, &mut seams);
+        assert!(!seams[0].is_offer() && seams[1].is_offer());
+        let mut seams = [
+            seam("front", "back"),
+            seam("stand", "collar"),
+            seam("back", "stand"),
+        ];
+        distrust_parts_apart(&pattern, &mut seams);
+        assert!(seams.iter().all(|seam| !seam.is_offer()));
+    }
 }
