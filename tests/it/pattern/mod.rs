@@ -5,6 +5,7 @@ mod cases;
 mod copies;
 mod corpus;
 mod courses;
+mod drawn_notches;
 mod encoding;
 mod folds;
 mod gaps;

@@ -1,6 +1,7 @@
 //! Notches drawn into an outline, as V, slit or castle, taken out of it as marks.
 
 use super::chain::PathChain;
+use super::corners::CorneredRing;
 use super::dxf_piece::{DxfPiece, NotchMark};
 use super::measured::MeasuredChain;
 use crate::fault::PatternCode;
@@ -60,7 +61,8 @@ pub(crate) fn take_notches(
     reading: DrawnNotches,
     findings: &mut DxfFindings,
 ) {
-    if reading == DrawnNotches::Cloth || !piece.marks.notches.is_empty() {
+    piece.has_notch_layer = !piece.marks.notches.is_empty();
+    if reading == DrawnNotches::Cloth || piece.has_notch_layer {
         return;
     }
     let mut found = 0;
@@ -75,12 +77,49 @@ pub(crate) fn take_notches(
         add(piece, marks);
     }
     if found > 0 {
-        let detail = format!(
-            "{found} notches that are drawn into the outline of {:?} were taken as marks (notches=cloth takes them as its course)",
-            piece.name
-        );
-        let line = piece.outline.chain.line;
-        findings.warn(PatternCode::DrawnNotches, line, detail);
+        warn_of_drawn(piece, found, findings);
+    }
+}
+
+fn warn_of_drawn(piece: &DxfPiece, count: usize, findings: &mut DxfFindings) {
+    let detail = format!(
+        "{count} notches that are drawn into the outline of {:?} were taken as marks (notches=cloth takes them as its course)",
+        piece.name
+    );
+    let line = piece.outline.chain.line;
+    findings.warn(PatternCode::DrawnNotches, line, detail);
+}
+
+/// Returns an unfolded outline without the notches that are drawn at its folds, half of each, and
+/// their marks.
+pub(super) fn without_notches_at_folds(
+    piece: &DxfPiece,
+    ring: CorneredRing,
+    reading: DrawnNotches,
+    findings: &mut DxfFindings,
+) -> (CorneredRing, Vec<NotchMark>) {
+    if reading == DrawnNotches::Cloth || piece.has_notch_layer {
+        return (ring, vec![]);
+    }
+    let chain = PathChain {
+        sampled: vec![false; ring.points.len()],
+        path_end: ring.is_corner.clone(),
+        points: ring.points.clone(),
+        closed: true,
+        closed_gap: None,
+        line: piece.line,
+        path_count: 0,
+    };
+    match without_notches(&chain) {
+        Some((chain, marks)) => {
+            warn_of_drawn(piece, marks.len(), findings);
+            let ring = CorneredRing {
+                points: chain.points,
+                is_corner: chain.path_end,
+            };
+            (ring, marks.into_iter().map(|(mark, _)| mark).collect())
+        }
+        None => (ring, vec![]),
     }
 }
 

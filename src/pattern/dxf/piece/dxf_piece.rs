@@ -46,6 +46,8 @@ pub(crate) struct DxfPiece {
     pub(super) nest: Vec<NestedSize>,
     /// True if that outline is a sew line, by itself or too.
     pub(crate) is_sewn: bool,
+    /// True if it has marks on the layers of notches, and so none drawn into its outline.
+    pub(super) has_notch_layer: bool,
     /// The sew line inside it, closed, or open along the fold.
     pub(crate) sew: Option<PathChain>,
     /// A cut line about it, closed or open.
@@ -119,6 +121,7 @@ impl DxfPiece {
             outline,
             nest: Vec::new(),
             is_sewn: false,
+            has_notch_layer: false,
             sew: None,
             cut: None,
             cutouts: Vec::new(),

@@ -42,22 +42,22 @@ struct PlacedNotch {
     has_twin: bool,
 }
 
-/// Returns the notches of a panel; those that lie on no edge are warned about.
+/// Returns the notches of a panel by their marks; those that lie on no edge are warned about.
 pub(super) fn notches(
     piece: &DxfPiece,
+    marks: &[NotchMark],
     outline: &Outline,
     folds: &Folds,
     findings: &mut DxfFindings,
 ) -> Vec<Notch> {
     let ring = ring_of(&outline.edges);
-    let marks = &piece.marks.notches;
     let mut placed: Vec<PlacedNotch> = Vec::new();
     for (index, mark) in marks.iter().enumerate() {
         if index >= MOST {
             findings.skip("notch beyond the first 1000 of a piece", mark.line);
             continue;
         }
-        let Some(found) = place(piece, &ring, index) else {
+        let Some(found) = place(piece, &ring, mark, index) else {
             let detail = format!(
                 "a notch of {:?} lies on no edge and is left out",
                 piece.name
@@ -106,8 +106,7 @@ fn add(placed: &mut Vec<PlacedNotch>, new: PlacedNotch, marks: &[NotchMark]) {
 }
 
 /// Returns the place of a notch on the outline; `None` where it lies on no line of the piece.
-fn place(piece: &DxfPiece, ring: &[Point2], index: usize) -> Option<PlacedNotch> {
-    let mark = &piece.marks.notches[index];
+fn place(piece: &DxfPiece, ring: &[Point2], mark: &NotchMark, index: usize) -> Option<PlacedNotch> {
     let points = &mark.points;
     let foot = foot_of_tip(ring, points)?;
     let distances = points

@@ -3,7 +3,7 @@
 use super::dxf_piece::DxfPiece;
 use super::folds::Folds;
 use super::rings::{self, RingOf};
-use super::{holes, notch};
+use super::{drawn_notches, holes, notch};
 use crate::config::Limits;
 use crate::fault::PatternCode;
 use crate::pattern::dxf::findings::DxfFindings;
@@ -38,6 +38,12 @@ pub(crate) fn build(
         Some(sewn) => (sewn.outline, sewn.holes),
         None => (cut.outline.clone(), std::mem::take(&mut cut.holes)),
     };
+    let (ring, at_folds) = if folds.is_empty() {
+        (ring, vec![])
+    } else {
+        drawn_notches::without_notches_at_folds(piece, ring, options.notches, findings)
+    };
+    let marks = [&piece.marks.notches[..], &at_folds].concat();
     let ring = rings::simple(RingOf::Piece(piece), ring, findings)?.into_clockwise();
     let outline = Outline::cut(&ring.points, &ring.is_corner);
     let holes = holes::holes(piece, &folds, bays, limits, findings);
@@ -56,7 +62,7 @@ pub(crate) fn build(
         unfolded: !folds.is_empty(),
         copy_of: None,
         quantity: piece.labels.quantity(),
-        notches: notch::notches(piece, &outline, &folds, findings),
+        notches: notch::notches(piece, &marks, &outline, &folds, findings),
         corners: outline.corners,
         edges: outline.edges,
         holes,
