@@ -1,10 +1,13 @@
 //! Grade rule tables (`.rul`): how far the points of a pattern move from size to size.
 //!
-//! The text format beside AAMA and ASTM D6673 DXF, as converters describe it that read and write
-//! files of Gerber, Lectra and Boke: a head of `KEY: VALUE` lines with `UNITS`, `SIZE LIST` and
-//! `SAMPLE SIZE`, then `RULE: DELTA n`, each with a pair x, y a size in the order of the list, and
-//! `END`. A pair is the way of a point from its place in the sample size. The standard itself,
+//! The text format beside AAMA and ASTM D6673 DXF, as two public documents on GitHub describe it,
+//! from tables of Boke, Gerber and Lectra: "AAMA/ASTM DXF+RUL Grading Parser Specification" (of a
+//! nesting engine, `aama_parser.py`) and the exporter of "BERA Converter". The standard itself,
 //! which was withdrawn in 2019, is not public.
+//!
+//! A head of `KEY: VALUE` lines with `UNITS`, `SIZE LIST` and `SAMPLE SIZE`; then `RULE: DELTA n`,
+//! each with a pair x, y a size in the order of the list; and `END`. A pair is the way of a point
+//! from its place in the sample size.
 
 use super::point::{FARTHEST, Point2};
 use super::units::Units;
