@@ -101,3 +101,19 @@ impl PathChain {
         }
     }
 }
+
+#[cfg(test)]
+impl PathChain {
+    /// A closed chain of one path, all of whose points are of the file.
+    pub(super) fn ring(points: &[Point2]) -> Self {
+        Self {
+            points: points.to_vec(),
+            path_end: vec![false; points.len()],
+            sampled: vec![false; points.len()],
+            closed: true,
+            closed_gap: None,
+            line: 1,
+            path_count: 1,
+        }
+    }
+}

@@ -5,17 +5,14 @@ use super::dxf_piece::DxfPiece;
 use super::lines::SheetLines;
 use super::measured::MeasuredChain;
 use super::{
-    assign, frame, inner_outlines, marks, nest, nest_gather, nest_split, shared_edges, size_nest,
+    assign, frame, inner_outlines, marks, nest, nest_gather, nest_split, open_sew_lines,
+    shared_edges, size_nest,
 };
 use crate::config::Limits;
 use crate::pattern::dxf::drawing::sheet::DxfSheet;
-use crate::pattern::dxf::entity::geometry::{DxfEntity, EntityShape};
 use crate::pattern::dxf::findings::DxfFindings;
 use crate::pattern::{ImportOptions, Outlines};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Words of notes on pieces that are cut on the fold.
-const FOLD_NOTES: [&str; 6] = ["fold", "stoffbruch", "pliure", "piega", "doblez", "сгиб"];
 
 /// Returns the pieces of all sheets; outlines that do not close become faults.
 pub(crate) fn pieces(
@@ -56,8 +53,9 @@ impl<'a> SheetOutlines<'a> {
     ) -> Option<Self> {
         let mut lines = SheetLines::of(sheet);
         if reading != Outlines::Lines {
-            shared_edges::close(&mut lines, is_half(sheet), findings);
+            shared_edges::close(&mut lines, findings);
         }
+        open_sew_lines::close(&mut lines, sheet, findings);
         let outlines = lines.outlines(sheet, findings);
         let taken = outlines.iter().map(|outline| outline.chain.key()).collect();
         // Sizes and letters drawn as outlines make more outlines than panels, but not without end.
@@ -120,18 +118,6 @@ impl<'a> SheetOutlines<'a> {
         let split = |piece| nest_split::split(piece, findings);
         pieces.into_iter().flat_map(split).collect()
     }
-}
-
-/// Returns true if a sheet tells that it holds halves: put in mirrored, or by a note.
-fn is_half(sheet: &DxfSheet) -> bool {
-    let is_note = |entity: &DxfEntity| match &entity.shape {
-        EntityShape::Text(_, text) => {
-            let text = text.to_lowercase();
-            FOLD_NOTES.iter().any(|word| text.contains(word))
-        }
-        _ => false,
-    };
-    sheet.turn.mirrors() || sheet.entities.iter().any(is_note)
 }
 
 /// The layers of the lines that outlines begin at.

@@ -158,22 +158,10 @@ fn cell(p: Point2) -> (i64, i64) {
 mod tests {
     use super::*;
 
-    fn chain(points: &[Point2]) -> PathChain {
-        PathChain {
-            points: points.to_vec(),
-            path_end: vec![false; points.len()],
-            sampled: vec![false; points.len()],
-            closed: true,
-            closed_gap: None,
-            line: 1,
-            path_count: 1,
-        }
-    }
-
     #[test]
     fn duplicate_points_go_and_corners_are_found_by_angle() {
         let ring = CorneredRing::new(
-            &chain(&[
+            &PathChain::ring(&[
                 [0.0, 0.0],
                 [1.0, 0.0],
                 [1.0, 0.0],
@@ -191,7 +179,7 @@ mod tests {
     #[test]
     fn turn_points_alone_are_corners_of_a_single_path() {
         let ring = CorneredRing::new(
-            &chain(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, 1.01], [0.0, 1.0]]),
+            &PathChain::ring(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, 1.01], [0.0, 1.0]]),
             &[[0.5, 1.01], [0.0, 0.0]],
         );
         assert_eq!(ring.is_corner, [true, false, false, true, false]);
@@ -200,7 +188,7 @@ mod tests {
     #[test]
     fn clockwise_ring_begins_at_a_corner() {
         let ring = CorneredRing::new(
-            &chain(&[[0.5, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]]),
+            &PathChain::ring(&[[0.5, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.0, 0.0]]),
             &[],
         )
         .into_clockwise();
@@ -215,7 +203,7 @@ mod tests {
             .map(|i| f64::from(i) * 4.0_f64.to_radians())
             .map(|a| [a.cos(), a.sin()])
             .collect();
-        let ring = CorneredRing::new(&chain(&points), &[]).into_clockwise();
+        let ring = CorneredRing::new(&PathChain::ring(&points), &[]).into_clockwise();
         assert_eq!(ring.is_corner.iter().filter(|c| **c).count(), 4);
     }
 }

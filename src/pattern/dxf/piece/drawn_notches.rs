@@ -61,8 +61,7 @@ pub(crate) fn take_notches(
     reading: DrawnNotches,
     findings: &mut DxfFindings,
 ) {
-    piece.has_notch_layer = !piece.marks.notches.is_empty();
-    if reading == DrawnNotches::Cloth || piece.has_notch_layer {
+    if reading == DrawnNotches::Cloth || has_marks(piece) {
         return;
     }
     let mut found = 0;
@@ -79,6 +78,11 @@ pub(crate) fn take_notches(
     if found > 0 {
         warn_of_drawn(piece, found, findings);
     }
+}
+
+/// Returns true if a piece has notches on the layers of notches.
+fn has_marks(piece: &DxfPiece) -> bool {
+    piece.marks.notches.iter().any(|notch| !notch.is_drawn)
 }
 
 fn warn_of_drawn(piece: &DxfPiece, count: usize, findings: &mut DxfFindings) {
@@ -98,7 +102,7 @@ pub(super) fn without_notches_at_folds(
     reading: DrawnNotches,
     findings: &mut DxfFindings,
 ) -> (CorneredRing, Vec<NotchMark>) {
-    if reading == DrawnNotches::Cloth || piece.has_notch_layer {
+    if reading == DrawnNotches::Cloth || has_marks(piece) {
         return (ring, vec![]);
     }
     let chain = PathChain {
@@ -159,6 +163,7 @@ fn without_notches(chain: &PathChain) -> Option<(PathChain, Vec<TakenNotch>)> {
         let mark = NotchMark {
             points: vec![lerp(own[0], own[notch.count - 1], 0.5)],
             kind: notch.kind,
+            is_drawn: true,
             depth: Some(notch.depth),
             line: chain.line,
         };
@@ -238,15 +243,7 @@ mod tests {
     fn with_detour(detour: &[Point2]) -> PathChain {
         let corners = [[0.0, 0.0], [0.3, 0.0], [0.3, 0.4], [0.0, 0.4]];
         let points: Vec<Point2> = [&corners[..1], detour, &corners[1..]].concat();
-        PathChain {
-            path_end: vec![false; points.len()],
-            sampled: vec![false; points.len()],
-            points,
-            closed: true,
-            closed_gap: None,
-            line: 1,
-            path_count: 1,
-        }
+        PathChain::ring(&points)
     }
 
     #[test]

@@ -46,8 +46,6 @@ pub(crate) struct DxfPiece {
     pub(super) nest: Vec<NestedSize>,
     /// True if that outline is a sew line, by itself or too.
     pub(crate) is_sewn: bool,
-    /// True if it has marks on the layers of notches, and so none drawn into its outline.
-    pub(super) has_notch_layer: bool,
     /// The sew line inside it, closed, or open along the fold.
     pub(crate) sew: Option<PathChain>,
     /// A cut line about it, closed or open.
@@ -84,6 +82,8 @@ pub(crate) struct NotchMark {
     pub(crate) points: Vec<Point2>,
     /// Its shape.
     pub(crate) kind: NotchKind,
+    /// True if it was drawn into the outline, not on a layer of notches.
+    pub(super) is_drawn: bool,
     /// Depth to which it is cut, where the file gives it \[m\].
     pub(crate) depth: Option<f64>,
     /// The line it begins at.
@@ -121,7 +121,6 @@ impl DxfPiece {
             outline,
             nest: Vec::new(),
             is_sewn: false,
-            has_notch_layer: false,
             sew: None,
             cut: None,
             cutouts: Vec::new(),
@@ -164,16 +163,22 @@ impl DxfPiece {
         }
     }
 
+    /// Returns its fold lines, each once.
+    pub(super) fn fold_lines(&self) -> Vec<FoldLine> {
+        let mut lines: Vec<FoldLine> = vec![];
+        for line in self.marks.folds.iter().filter_map(|l| FoldLine::new(*l)) {
+            if !lines.iter().any(|other| other.is_along(&line)) {
+                lines.push(line);
+            }
+        }
+        lines
+    }
+
     /// Returns true if both ends of a line lie on one of its fold lines, apart from each other.
     fn ends_on_fold(&self, chain: &PathChain) -> bool {
-        let lines = self
-            .marks
-            .folds
-            .iter()
-            .filter_map(|line| FoldLine::new(*line));
         let ends = [chain.points.first(), chain.points.last()];
         let lies = |fold: &FoldLine| ends.iter().flatten().all(|end| fold.contains(**end));
-        chain.points.len() > 2 && lines.into_iter().any(|fold| lies(&fold))
+        chain.points.len() > 2 && self.fold_lines().iter().any(lies)
     }
 
     /// Returns true if a line is the outline drawn once more.

@@ -33,7 +33,7 @@ impl Folds {
         if unfold == Unfold::None {
             return folds;
         }
-        let lines = lines(piece);
+        let lines = piece.fold_lines();
         let mut ring = drawn.clone();
         let mut refused: Option<String> = None;
         for line in first_unfolding(&lines, drawn) {
@@ -133,17 +133,6 @@ impl Folds {
         }
         marks
     }
-}
-
-/// Returns the fold lines of a piece, each once.
-pub(super) fn lines(piece: &DxfPiece) -> Vec<FoldLine> {
-    let mut lines: Vec<FoldLine> = vec![];
-    for line in piece.marks.folds.iter().filter_map(|l| FoldLine::new(*l)) {
-        if !lines.iter().any(|other| other.is_along(&line)) {
-            lines.push(line);
-        }
-    }
-    lines
 }
 
 /// Returns the lines with the first that unfolds the outline before the others.

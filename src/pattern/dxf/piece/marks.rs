@@ -168,6 +168,7 @@ fn notch_marks(sheet: &DxfSheet) -> Vec<NotchMark> {
             EntityShape::Point(p, z) => marks.push(NotchMark {
                 points: vec![*p],
                 kind,
+                is_drawn: false,
                 depth: Some(z.abs()).filter(|depth| *depth > 0.0),
                 line: entity.line,
             }),
@@ -183,6 +184,7 @@ fn notch_marks(sheet: &DxfSheet) -> Vec<NotchMark> {
         marks.extend(chains.map(|chain| NotchMark {
             points: chain.points,
             kind,
+            is_drawn: false,
             depth: None,
             line: chain.line,
         }));

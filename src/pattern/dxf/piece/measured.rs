@@ -110,16 +110,8 @@ mod tests {
     use super::*;
 
     fn rectangle(x: f64, y: f64, w: f64, h: f64) -> MeasuredChain {
-        let points = vec![[x, y], [x + w, y], [x + w, y + h], [x, y + h]];
-        MeasuredChain::new(PathChain {
-            path_end: vec![false; 4],
-            sampled: vec![false; 4],
-            points,
-            closed: true,
-            closed_gap: None,
-            line: 1,
-            path_count: 1,
-        })
+        let points = [[x, y], [x + w, y], [x + w, y + h], [x, y + h]];
+        MeasuredChain::new(PathChain::ring(&points))
     }
 
     #[test]

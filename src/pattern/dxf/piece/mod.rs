@@ -28,6 +28,7 @@ mod nest;
 mod nest_gather;
 mod nest_split;
 mod notch;
+mod open_sew_lines;
 pub(super) mod panel;
 mod rings;
 pub(super) mod select;

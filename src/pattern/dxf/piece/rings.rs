@@ -3,7 +3,6 @@
 use super::chain::PathChain;
 use super::corners::CorneredRing;
 use super::dxf_piece::DxfPiece;
-use super::folds;
 use super::loops::{self, CutLoop};
 use crate::config::Limits;
 use crate::fault::{Fault, PatternCode};
@@ -11,9 +10,6 @@ use crate::pattern::crossing::crossing;
 use crate::pattern::dxf::findings::{DxfFindings, at_line};
 use crate::pattern::point::{Point2, cross, distance, sub};
 use crate::pattern::polyline::{longest_side, segments};
-
-/// Ends of a sew line this near to a fold line lie on it \[m\].
-const ON_FOLD: f64 = 2e-4;
 
 /// A piece whose triangles sweep less than this share of its length squared has no area.
 const LEAST_SWEPT: f64 = 1e-6;
@@ -60,11 +56,8 @@ pub(super) fn of_sew_line(
     findings: &mut DxfFindings,
 ) -> Option<CorneredRing> {
     let ends = [*sew.points.first()?, *sew.points.last()?];
-    let is_on_fold = |p: Point2| {
-        folds::lines(piece)
-            .iter()
-            .any(|fold| fold.side(p).abs() < ON_FOLD)
-    };
+    let folds = piece.fold_lines();
+    let is_on_fold = |p: Point2| folds.iter().any(|fold| fold.contains(p));
     if sew.closed || ends.into_iter().all(is_on_fold) && distance(ends[0], ends[1]) > 0.0 {
         return checked(RingOf::Piece(piece), sew, limits, findings);
     }

@@ -1,12 +1,11 @@
-//! Outlines that are open where another piece, or their cut line, draws the edge that closes them.
+//! Outlines that are open where another piece draws the edge that closes them.
 
 use super::chain::PathChain;
 use super::lines::SheetLines;
-use super::measured::MeasuredChain;
 use crate::fault::PatternCode;
 use crate::pattern::Point2;
 use crate::pattern::dxf::findings::DxfFindings;
-use crate::pattern::point::{distance, lerp};
+use crate::pattern::point::distance;
 use crate::pattern::polyline::{PolylineFoot, contains, nearest, segments, signed_area};
 
 /// Ends this near to a line lie on it \[m\].
@@ -18,86 +17,20 @@ const LEAST_AREA: f64 = 0.02;
 /// At most this many open lines of a sheet are looked at.
 const MOST: usize = 200;
 
-/// Closes the open outlines of a sheet that end on closed ones beside them, and the open sew lines
-/// that end on a straight edge of their cut line, which is a fold if `is_half`. Each is warned
-/// about.
-pub(super) fn close(lines: &mut SheetLines, is_half: bool, findings: &mut DxfFindings) {
-    let has_outline = lines.boundary.iter().any(|chain| chain.closed);
-    if has_outline {
+/// Closes the open outlines of a sheet that end on closed ones beside them. Each is warned about.
+pub(super) fn close(lines: &mut SheetLines, findings: &mut DxfFindings) {
+    if lines.boundary.iter().any(|chain| chain.closed) {
         close_beside(&mut lines.boundary, findings);
     } else {
         close_beside(&mut lines.general, findings);
     }
-    // A stated fold closes the sew lines that end on it.
-    if lines.mirror.is_empty() {
-        lines.mirror = close_sew_lines(lines, is_half, findings);
-    }
-}
-
-/// Closes the open sew lines of a sheet; returns the folds that they end on.
-fn close_sew_lines(
-    lines: &mut SheetLines,
-    is_half: bool,
-    findings: &mut DxfFindings,
-) -> Vec<PathChain> {
-    let cut = lines.boundary.iter().filter(|chain| chain.closed);
-    let cut: Vec<MeasuredChain> = cut.cloned().map(MeasuredChain::new).collect();
-    let mut folds = vec![];
-    for sew in lines
-        .sew
-        .iter_mut()
-        .filter(|chain| !chain.closed)
-        .take(MOST)
-    {
-        let Some(edge) = ends(sew) else {
-            continue;
-        };
-        let closed = MeasuredChain::new(PathChain {
-            closed: true,
-            ..sew.clone()
-        });
-        let is_of = |cut: &MeasuredChain| is_on_edge(edge, &cut.chain) && cut.is_sewn_on(&closed);
-        if !cut.iter().any(is_of) {
-            continue;
-        }
-        sew.closed = true;
-        let detail = if is_half {
-            folds.push(fold(edge, sew.line));
-            "a sew line is open along a straight edge of its cut line, which was taken as the fold (unfold=none keeps the half)"
-        } else {
-            "a sew line is open along a straight edge of its cut line and was closed there; draw the fold on layer 6 if it is half a piece"
-        };
-        findings.warn(PatternCode::FoldAssumed, sew.line, detail);
-    }
-    folds
-}
-
-fn fold(ends: [Point2; 2], line: usize) -> PathChain {
-    PathChain {
-        points: ends.to_vec(),
-        path_end: vec![true; 2],
-        sampled: vec![false; 2],
-        closed: false,
-        closed_gap: None,
-        line,
-        path_count: 0,
-    }
 }
 
 /// Returns the ends of an open line that bends and whose ends lie apart.
-fn ends(chain: &PathChain) -> Option<[Point2; 2]> {
+pub(super) fn ends(chain: &PathChain) -> Option<[Point2; 2]> {
     let ends = [*chain.points.first()?, *chain.points.last()?];
     let is_line = chain.points.len() > 2 && distance(ends[0], ends[1]) > ON;
     is_line.then_some(ends)
-}
-
-/// Returns true if the straight way between two points runs on a closed line.
-fn is_on_edge([a, b]: [Point2; 2], outline: &PathChain) -> bool {
-    let places = [0.0, 0.25, 0.5, 0.75, 1.0].map(|t| lerp(a, b, t));
-    let mut feet = places
-        .iter()
-        .map(|p| nearest(segments(&outline.points), *p));
-    feet.all(|foot| foot.is_some_and(|foot| foot.distance <= ON))
 }
 
 fn close_beside(chains: &mut [PathChain], findings: &mut DxfFindings) {

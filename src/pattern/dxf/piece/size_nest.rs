@@ -115,15 +115,7 @@ mod tests {
     use crate::pattern::Point2;
 
     fn ring(points: &[Point2]) -> MeasuredChain {
-        MeasuredChain::new(PathChain {
-            path_end: vec![false; points.len()],
-            sampled: vec![false; points.len()],
-            points: points.to_vec(),
-            closed: true,
-            closed_gap: None,
-            line: 1,
-            path_count: 1,
-        })
+        MeasuredChain::new(PathChain::ring(points))
     }
 
     fn trapezium(scale: f64) -> MeasuredChain {
