@@ -8,7 +8,9 @@ import { emptyGarment, state, update, watch } from "./state.js";
 import { suggest } from "./suggest.js";
 import { faultItem, plural, problemItems } from "./words.js";
 
-let lastFile = null; // to read it again with other units or another size
+let lastFile = null; // to read it again in another way
+/** The parameters of the import, each with a field of its own. */
+const importFields = ["units", "size", "outlines", "notches", "unfold", "encoding"];
 let loads = 0;
 
 /** What the address bar says: `#pattern=…&fit=…`. */
@@ -58,11 +60,19 @@ function show({ pattern, garment, suggested = {}, leftOut = [] }) {
     : "Pick the first edge of a seam: click it near the end where sewing begins. Or have the seams suggested.");
 }
 
+/** Reads the next file as it says itself. */
+function forgetReading() {
+  setOptions(byId("import-size"), [["", "Sample"]], "");
+  for (const name of importFields) byId(`import-${name}`).value = "";
+}
+
 /** Sends a pattern file; answers the stored pattern. */
 async function upload(file) {
   const query = new URLSearchParams();
-  if (byId("import-units").value) query.set("units", byId("import-units").value);
-  if (byId("import-size").value) query.set("size", byId("import-size").value);
+  for (const name of importFields) {
+    const { value } = byId(`import-${name}`);
+    if (value) query.set(name, value);
+  }
   const path = `/v1/patterns${query.size ? `?${query}` : ""}`;
   const body = new FormData();
   body.append("file", file, file.name);
@@ -88,8 +98,7 @@ async function load(work) {
 
 async function openPattern(file) {
   if (file !== lastFile) {
-    setOptions(byId("import-size"), [["", "Sample"]], "");
-    byId("import-units").value = "";
+    forgetReading();
   }
   lastFile = file;
   await load(async () => {
@@ -102,8 +111,7 @@ async function openSample(name) {
   await load(async () => {
     const [dxf, garment] = await Promise.all([call(`/samples/${name}.dxf`), getJson(`/samples/${name}.garment.json`)]);
     lastFile = new File([await dxf.blob()], `${name}.dxf`);
-    setOptions(byId("import-size"), [["", "Sample"]], "");
-    byId("import-units").value = "";
+    forgetReading();
     return { pattern: await upload(lastFile), garment: garmentFrom(garment) };
   });
 }
@@ -215,8 +223,8 @@ export function startFiles() {
   chosen(byId("open-garment-file"), openGarment);
   byId("open-garment").addEventListener("click", () => byId("open-garment-file").click());
   byId("save-garment").addEventListener("click", saveGarment);
-  for (const id of ["import-units", "import-size"]) {
-    byId(id).addEventListener("change", () => lastFile && openPattern(lastFile));
+  for (const name of importFields) {
+    byId(`import-${name}`).addEventListener("change", () => lastFile && openPattern(lastFile));
   }
   startDrop(byId("drop"));
   watch(["pattern"], drawFacts);
