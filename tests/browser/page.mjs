@@ -404,6 +404,23 @@ test("a garment file that leaves its seams to the service has them suggested", a
   assert.ok(await suggested().count() > 0);
 });
 
+test("a nest of sizes is read by size, or as drawn lines where the user says so", async () => {
+  const outline = (k) => [[-200, 300], [200, 300], [260, -300], [-260, -300]].map(([x, y]) => `10\n${k * x}\n20\n${k * y}\n`).join("");
+  const sizes = [0.96, 1, 1.04].map((k, i) => `0\nLWPOLYLINE\n8\n${38 + 2 * i}\n90\n4\n70\n1\n${outline(k)}`).join("");
+  const dxf = `0\nSECTION\n2\nENTITIES\n${sizes}0\nENDSEC\n0\nEOF\n`;
+  await page.setInputFiles("#pattern-file", { name: "nest.dxf", mimeType: "image/vnd.dxf", buffer: Buffer.from(dxf) });
+  await page.waitForFunction(() => document.querySelectorAll("#import-size option").length >= 3);
+  const sent = page.waitForRequest((request) => request.url().includes("/v1/patterns?"));
+  await page.locator("#reading summary").click();
+  await page.getByLabel("Outlines inside others").selectOption("lines");
+  const request = await sent;
+  assert.ok(request.url().includes("outlines=lines"));
+  const pattern = await (await request.response()).json();
+  assert.deepEqual([pattern.source.sizes.length, pattern.panels.length], [0, 1]);
+  assert.equal(pattern.panels[0].internal_lines.length, 2);
+  await assertNoAxeFaults();
+});
+
 test("names from files are text, never markup", async () => {
   const pattern = await page.evaluate(() => fetch(`/v1/patterns/${new URLSearchParams(location.hash.slice(1)).get("pattern")}`).then((r) => r.json()));
   pattern.name = "<img src=x onerror=document.title='broken'>";
