@@ -8,7 +8,7 @@ use super::reversal::{self, ReversalDetector};
 use super::run_resolver::RunResolver;
 use super::{
     Face, FaceRequest, RoutedSeam, Seam, SeamCheck, SeamCheckInput, SeamFinding, SeamSet,
-    StartPositions, Stretch, division_count, ease, folds, overlap, twist, welds,
+    StartPositions, Stretch, division_count, ease, overlap, pleats, twist, welds,
 };
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, SeamCode, Warning};
@@ -84,8 +84,8 @@ pub fn check_placed(
     for (seam, fault) in overlap::find_faults(pattern, pairs, &seams) {
         findings[seam].errors.push(fault);
     }
-    let folded = folds::find(pattern, pairs, &seams);
-    let folded_reversed = folds::find_reversed(pattern, pairs, &seams, &folded);
+    let folded = pleats::find(pattern, pairs, &seams);
+    let folded_reversed = pleats::find_reversed(pattern, pairs, &seams, &folded);
     let relations: Vec<_> = seams
         .iter()
         .map(|seam| {
@@ -114,6 +114,8 @@ pub fn check_placed(
     corrected.extend(detector.warn(&coloring, &mut findings));
     let ordered = seams.iter().map(|seam| coloring.ordered(seam));
     let mended = welds::warn(pattern, pairs, ordered, &folded_reversed, &mut findings);
+    let is_new = |pair: &SeamPair| corrected.iter().all(|other| other.id != pair.id);
+    let mended: Vec<SeamPair> = mended.into_iter().filter(is_new).collect();
     corrected.extend(mended);
     record_coloring(&coloring, &relations, &mut findings);
     let edge_length = edge_length

@@ -1,7 +1,7 @@
 //! Faces of panels, and the relations between them that seams imply.
 
-use super::folds::{self, FoldedPlies};
 use super::parity::{FaceRelation, ParityUnionFind};
+use super::pleats::{self, FoldedPairs};
 use super::{Face, FaceRequest, RoutedSeam, routed_seam};
 use crate::pattern::{Match, Pattern, SeamPair};
 use std::borrow::Cow;
@@ -30,16 +30,16 @@ pub(super) struct SeamRelations<'a> {
 }
 
 impl<'a> SeamRelations<'a> {
-    /// Returns the relations of a seam. Plies that lie wrong side up in a fold, as picked and with
+    /// Returns the relations of a seam. Sides in a pleat that lie wrong side up, as picked and with
     /// side B reversed, say nothing.
     pub(super) fn new(
         pattern: &Pattern,
         pair: &'a SeamPair,
         seam: &RoutedSeam,
-        folded: [&FoldedPlies; 2],
+        folded: [&FoldedPairs; 2],
     ) -> Self {
         let reversed = seam.reversed();
-        let relations = |seam: &RoutedSeam, folded: &FoldedPlies| {
+        let relations = |seam: &RoutedSeam, folded: &FoldedPairs| {
             let mut matched = seam.matched(pattern);
             let mut number = 0..;
             matched.retain(|_| {
@@ -53,7 +53,7 @@ impl<'a> SeamRelations<'a> {
             pair,
             picked: relations(seam, folded[0]),
             reversed: relations(&reversed, folded[1]),
-            folds: folded.map(|folded| folds::has_ply(folded, seam.index)),
+            folds: folded.map(|folded| pleats::is_folded(folded, seam.index)),
             notches: [seam, &reversed].map(|seam| seam.marks(pattern).len()),
             heights_agree: seam.heights_agree(pattern),
         }

@@ -2,9 +2,9 @@
 //! of them meet.
 
 use super::correction::reversed_side;
-use super::folds::{self, FoldedPlies};
 use super::parity::{FaceRelation, ParityUnionFind};
-use super::plies::{Plies, Ply, PlyEnd};
+use super::pleats::{self, FoldedPairs};
+use super::seam_sides::{SeamSide, SeamSideEnd, SeamSides};
 use super::{RoutedSeam, SeamFinding, Track};
 use crate::fault::{SeamCode, Warning};
 use crate::pattern::{Pattern, SeamPair};
@@ -14,15 +14,12 @@ use std::borrow::Cow;
 /// \[m\]: half of a usual mesh edge, up to which ends of edges are sewn onto each other too.
 const APART_M: f64 = 5e-3;
 
-/// Ends of plies at one point that each is compared with.
-const MAX_NEIGHBORS: usize = 32;
-
 /// Welds that are looked at: each costs a pass over all seams.
 const MAX_WELDS: usize = 50;
 
 /// Two points of one edge that two seams sew to the same point.
 struct Weld<'a> {
-    plies: [&'a Ply; 2],
+    sides: [&'a SeamSide; 2],
     /// Numbers of the two points.
     nodes: [usize; 2],
     apart_m: f64,
@@ -30,7 +27,7 @@ struct Weld<'a> {
 
 impl Weld<'_> {
     fn seams(&self) -> [usize; 2] {
-        self.plies.map(|ply| ply.seam)
+        self.sides.map(|side| side.seam)
     }
 }
 
@@ -40,15 +37,15 @@ pub(super) fn warn<'a>(
     pattern: &Pattern,
     pairs: &[SeamPair],
     ordered: impl Iterator<Item = Cow<'a, RoutedSeam>>,
-    folded_reversed: &FoldedPlies,
+    folded_reversed: &FoldedPairs,
     findings: &mut [SeamFinding],
 ) -> Vec<SeamPair> {
-    let plies = Plies::new(pattern, ordered);
-    let mut welds = candidates(pattern, &plies);
-    welds.retain(|weld| !is_sewn_by_others(&plies, weld));
+    let sides = SeamSides::new(pattern, ordered);
+    let mut welds = candidates(pattern, &sides);
+    welds.retain(|weld| !is_sewn_by_others(&sides, weld));
     let mut corrected = vec![];
     while let Some((seam, weld)) = blamed(pairs, &welds) {
-        let folds = folds::has_ply(folded_reversed, seam);
+        let folds = pleats::is_folded(folded_reversed, seam);
         findings[seam].warnings.push(Warning::new(
             SeamCode::PointsWelded,
             format!("/seams/{seam}/b"),
@@ -65,32 +62,23 @@ pub(super) fn warn<'a>(
     corrected
 }
 
-fn candidates<'a>(pattern: &Pattern, plies: &'a Plies) -> Vec<Weld<'a>> {
-    let mut found = vec![];
-    for ends in plies.ends_by_cloth_node() {
-        for (position, &(i, one)) in ends.iter().enumerate() {
-            for &(j, other) in ends.iter().skip(position + 1).take(MAX_NEIGHBORS) {
-                let both = [&plies.plies[i], &plies.plies[j]];
-                if let Some(apart_m) = weld_distance(pattern, both, [one, other]) {
-                    found.push(Weld {
-                        plies: both,
-                        nodes: [one.base_node, other.base_node],
-                        apart_m,
-                    });
-                }
-                if found.len() == MAX_WELDS {
-                    return found;
-                }
-            }
-        }
-    }
-    found
+fn candidates<'a>(pattern: &Pattern, sides: &'a SeamSides) -> Vec<Weld<'a>> {
+    let pairs = sides.meeting_ends().filter_map(|[(i, one), (j, other)]| {
+        let both = [&sides.sides[i], &sides.sides[j]];
+        let apart_m = weld_distance(pattern, both, [one, other])?;
+        Some(Weld {
+            sides: both,
+            nodes: [one.base_node, other.base_node],
+            apart_m,
+        })
+    });
+    pairs.take(MAX_WELDS).collect()
 }
 
 /// Returns how far apart on one edge the points lie to which the cloth is sewn at the point where
-/// two plies of it meet, if one of the plies covers what lies between them.
-fn weld_distance(pattern: &Pattern, plies: [&Ply; 2], ends: [PlyEnd; 2]) -> Option<f64> {
-    let [one, other] = plies;
+/// two seams meet, if one of them covers what lies between them.
+fn weld_distance(pattern: &Pattern, sides: [&SeamSide; 2], ends: [SeamSideEnd; 2]) -> Option<f64> {
+    let [one, other] = sides;
     let is_on_one_edge = one.has_base_track_of(other) && one.base.edge == other.base.edge;
     let meet = ends[0].cloth_ahead != ends[1].cloth_ahead;
     let are_two_points = ends[0].base_node != ends[1].base_node;
@@ -100,9 +88,9 @@ fn weld_distance(pattern: &Pattern, plies: [&Ply; 2], ends: [PlyEnd; 2]) -> Opti
     }
     let track: Track = one.base.track;
     let panel = &pattern.panels[one.base.panel];
-    let between = ends[1].base_m - ends[0].base_m;
-    let is_covered = (between > 0.0) == ends[0].base_ahead || (between < 0.0) == ends[1].base_ahead;
     let length = track.length(panel, one.base.edge);
+    let between = (ends[1].base_at - ends[0].base_at) * length;
+    let is_covered = (between > 0.0) == ends[0].base_ahead || (between < 0.0) == ends[1].base_ahead;
     let is_ring = track.is_closed(panel) && track.edge_count(panel) == 1;
     let apart = if is_ring {
         between.abs().min(length - between.abs())
@@ -114,15 +102,15 @@ fn weld_distance(pattern: &Pattern, plies: [&Ply; 2], ends: [PlyEnd; 2]) -> Opti
 
 /// Returns true if the other seams sew the two points onto each other anyway, as the ends of a band
 /// that is closed to a ring.
-fn is_sewn_by_others(plies: &Plies, weld: &Weld<'_>) -> bool {
-    let mut joined = ParityUnionFind::new(plies.node_count);
+fn is_sewn_by_others(sides: &SeamSides, weld: &Weld<'_>) -> bool {
+    let mut joined = ParityUnionFind::new(sides.node_count);
     let of_weld = weld.seams();
-    for ply in plies
-        .plies
+    for side in sides
+        .sides
         .iter()
-        .filter(|ply| !of_weld.contains(&ply.seam))
+        .filter(|side| !of_weld.contains(&side.seam))
     {
-        for end in ply.ends {
+        for end in side.ends {
             joined.join(FaceRelation {
                 ends: [end.cloth_node, end.base_node],
                 same: true,
@@ -152,7 +140,7 @@ fn detail(
     (seam, weld): (usize, &Weld<'_>),
     folds: bool,
 ) -> String {
-    let [one, other] = weld.plies;
+    let [one, other] = weld.sides;
     let partner = if one.seam == seam { other } else { one };
     let panel = |index: usize| &pattern.panels[index].id;
     let with = if partner.seam == seam {

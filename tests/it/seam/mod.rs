@@ -3,10 +3,10 @@
 mod check;
 mod drafts;
 mod drawn;
-mod folds;
 mod likely_reversed;
 mod notches;
 mod outside;
+mod pleats;
 mod suggest;
 mod suggest_kinds;
 mod suggest_rings;

@@ -4,8 +4,8 @@
 /// The header is looked for in this many bytes.
 const HEAD: usize = 20_000;
 
-/// The release from which on files are UTF-8, as `$ACADVER` has it (2007).
-const UTF_8_SINCE: &[u8] = b"AC1021";
+/// The digits of the release from which on files are UTF-8, as `$ACADVER` has it (2007).
+const UTF_8_SINCE: &[u8] = b"1021";
 
 /// Statements of a header about the encoding of its file.
 #[derive(Default)]
@@ -28,10 +28,16 @@ impl<'a> EncodingStatement<'a> {
             (!says_nothing.any(|same| same)).then_some((page, line))
         });
         Self {
-            is_utf8_by_version: version.is_some_and(|(value, _)| value >= UTF_8_SINCE),
+            is_utf8_by_version: version.is_some_and(|(value, _)| is_utf8_version(value)),
             page,
         }
     }
+}
+
+/// Returns true for a version whose files are UTF-8: `AC` and four digits, from 1021 on.
+fn is_utf8_version(value: &[u8]) -> bool {
+    let digits = value.strip_prefix(b"AC").filter(|digits| digits.len() == 4);
+    digits.is_some_and(|digits| digits.iter().all(u8::is_ascii_digit) && digits >= UTF_8_SINCE)
 }
 
 /// Returns the value two lines after a header variable's name, with its line.
@@ -99,6 +105,16 @@ impl<'a> Iterator for RawLines<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn releases_since_2007_are_utf8() {
+        for (version, expected) in [("AC1021", true), ("AC1032", true), ("AC1009", false)] {
+            assert_eq!(is_utf8_version(version.as_bytes()), expected, "{version}");
+        }
+        for odd in ["", "AC", "AC2.10", "MC0.0", "ac9999x", "AC10210"] {
+            assert!(!is_utf8_version(odd.as_bytes()), "{odd}");
+        }
+    }
 
     #[test]
     fn statements_of_the_header_are_found_at_all_line_ends() {

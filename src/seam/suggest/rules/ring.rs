@@ -33,11 +33,17 @@ pub(super) fn sew_bands(garment: &mut GarmentModel) {
         };
         let is_waist = ring.kind == Some(PanelKind::Skirt)
             || ring.kind.is_none() && kind == PanelKind::Waistband;
-        let rationale = if is_waist {
-            SeamRationale::new("waistband", "the waistband goes round the hole")
+        let (id, because) = if is_waist {
+            ("waistband", "the waistband goes round the hole")
         } else {
-            SeamRationale::new("neckband", "it goes round the hole")
+            ("neckband", "it goes round the hole")
         };
+        let is_taken = garment.proposed.iter().any(|seam| seam.id.starts_with(id));
+        let id = match is_taken {
+            true => format!("{id}-{}", index + 1),
+            false => id.to_owned(),
+        };
+        let rationale = SeamRationale::new(&id, because);
         let place = if is_waist {
             RingPlace::Waist(0.0)
         } else {
@@ -63,7 +69,10 @@ fn best_band(garment: &GarmentModel, ring: &RingPanel) -> Option<(PanelKind, Ban
     let is_yoke = ring.kind == Some(PanelKind::Yoke);
     let neck_is_free = is_yoke || !garment.has(PanelKind::Bodice);
     let at_waist = (!has_lower && !is_yoke).then_some(PanelKind::Waistband);
-    let at_neck = AT_NECK.into_iter().filter(|_| neck_is_free);
+    // A skirt has no collar: one that fits is of a body that was not recognized.
+    let is_skirt = ring.kind == Some(PanelKind::Skirt);
+    let may_be = |kind: &PanelKind| neck_is_free && (!is_skirt || *kind == PanelKind::NeckBand);
+    let at_neck = AT_NECK.into_iter().filter(may_be);
     let sets = at_waist.into_iter().chain(at_neck).filter_map(|kind| {
         let is_free = |part: &LabeledPanel| is_free(garment, part);
         let set = band::bands(garment, kind, is_free)?;
@@ -132,18 +141,14 @@ pub(super) fn sew_loops(garment: &mut GarmentModel) {
         let Some((index, chain, found)) = best_loop(garment) else {
             break;
         };
-        let host = found.ring.map(|ring| garment.rings[ring].place);
-        garment.rings[index].place = host.unwrap_or(found.place);
         let laid = facing(garment, &found.chain, chain);
-        let rationale = SeamRationale::new(found.id, found.because);
-        let count = garment.proposed.len();
-        garment.sew_free_ring(rationale, &found.chain, &laid);
-        for (number, seam) in garment.proposed[count..].iter_mut().enumerate() {
-            seam.id = format!("{}-{}-{}", found.id, index + 1, number + 1);
-        }
-        if garment.proposed.len() == count {
+        let id = format!("{}-{}", found.id, index + 1);
+        let rationale = SeamRationale::new(&id, found.because);
+        if !garment.sew_free_ring(rationale, &found.chain, &laid) {
             break;
         }
+        let host = found.ring.map(|ring| garment.rings[ring].place);
+        garment.rings[index].place = host.unwrap_or(found.place);
     }
 }
 

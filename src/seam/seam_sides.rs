@@ -1,4 +1,4 @@
-//! Plies of cloth on the edges that they are sewn to, and the points that seams join there.
+//! Matched stretches of seams seen from both sides, and the points at which their ends meet.
 
 use super::{RoutedSeam, Stretch, Track};
 use crate::pattern::Pattern;
@@ -8,9 +8,12 @@ use std::collections::BTreeMap;
 /// which a seam counts as closed.
 const SAME_POINT_M: f64 = 1e-3;
 
+/// Ends at one point that an end is paired with.
+const MAX_NEIGHBORS: usize = 32;
+
 /// A matched stretch of a seam seen from one of its sides: cloth that lies on a base.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ply {
+pub(super) struct SeamSide {
     /// Position of the seam in the request.
     pub seam: usize,
     /// Index of the matched pair of stretches in the seam.
@@ -18,45 +21,47 @@ pub(super) struct Ply {
     pub cloth: Stretch,
     pub base: Stretch,
     /// The first and the last end.
-    pub ends: [PlyEnd; 2],
+    pub ends: [SeamSideEnd; 2],
 }
 
-/// An end of a ply.
+/// An end of a side.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct PlyEnd {
+pub(super) struct SeamSideEnd {
     /// Points of cloth and base that meet, by number.
     pub cloth_node: usize,
     pub base_node: usize,
     /// Places along the tracks of cloth and base \[m\].
     cloth_m: f64,
-    pub base_m: f64,
-    /// True if the ply lies ahead of this end in the order of corners, on the cloth and on the
+    base_m: f64,
+    /// Share of the edge of the base at which it lies.
+    pub base_at: f64,
+    /// True if the side lies ahead of this end in the order of corners, on the cloth and on the
     /// base.
     pub cloth_ahead: bool,
     pub base_ahead: bool,
 }
 
-/// All plies of a set of seams.
-pub(super) struct Plies {
-    pub plies: Vec<Ply>,
+/// Both sides of all matched stretches of a set of seams.
+pub(super) struct SeamSides {
+    pub sides: Vec<SeamSide>,
     pub node_count: usize,
 }
 
 /// A panel and a track of it.
 type TrackKey = (usize, Track);
 
-impl Plies {
+impl SeamSides {
     pub(super) fn new<'a>(
         pattern: &Pattern,
         seams: impl Iterator<Item = std::borrow::Cow<'a, RoutedSeam>>,
     ) -> Self {
         let mut places = TrackPlaces::new(pattern);
-        let mut plies = vec![];
+        let mut sides = vec![];
         for seam in seams {
             for (pair, &[a, b]) in seam.matched(pattern).iter().enumerate() {
                 for [cloth, base] in [[a, b], [b, a]] {
                     let ends = [false, true].map(|last| places.end([cloth, base], last));
-                    plies.push(Ply {
+                    sides.push(SeamSide {
                         seam: seam.index,
                         pair,
                         cloth,
@@ -66,23 +71,34 @@ impl Plies {
                 }
             }
         }
-        let node_count = number_nodes(&mut plies);
-        Self { plies, node_count }
+        let node_count = number_nodes(&mut sides);
+        Self { sides, node_count }
     }
 
-    /// Returns the ends of plies at each point of cloth: index of the ply, and its end.
-    pub(super) fn ends_by_cloth_node(&self) -> Vec<Vec<(usize, PlyEnd)>> {
+    /// Returns the pairs of ends that meet at a point of cloth, with the indices of their sides.
+    /// Each end is paired with at most 32 others: more than any pleat lays there, and a bound on
+    /// the work.
+    pub(super) fn meeting_ends(&self) -> impl Iterator<Item = [(usize, SeamSideEnd); 2]> {
         let mut by_node = vec![vec![]; self.node_count];
-        for (i, ply) in self.plies.iter().enumerate() {
-            for end in ply.ends {
+        for (i, side) in self.sides.iter().enumerate() {
+            for end in side.ends {
                 by_node[end.cloth_node].push((i, end));
             }
         }
-        by_node
+        by_node.into_iter().flat_map(|ends| {
+            let pairs_of = |(i, one): (usize, &(usize, SeamSideEnd))| {
+                let others = ends.iter().skip(i + 1).take(MAX_NEIGHBORS);
+                others.map(|other| [*one, *other]).collect::<Vec<_>>()
+            };
+            ends.iter()
+                .enumerate()
+                .flat_map(pairs_of)
+                .collect::<Vec<_>>()
+        })
     }
 }
 
-impl Ply {
+impl SeamSide {
     pub(super) fn has_base_track_of(&self, other: &Self) -> bool {
         (self.base.panel, self.base.track) == (other.base.panel, other.base.track)
     }
@@ -102,15 +118,16 @@ impl<'a> TrackPlaces<'a> {
         }
     }
 
-    fn end(&mut self, [cloth, base]: [Stretch; 2], last: bool) -> PlyEnd {
+    fn end(&mut self, [cloth, base]: [Stretch; 2], last: bool) -> SeamSideEnd {
         let is_ahead = |stretch: Stretch| (stretch.to > stretch.from) != last;
         let mut place =
             |stretch: Stretch| self.place(stretch, if last { stretch.to } else { stretch.from });
-        PlyEnd {
+        SeamSideEnd {
             cloth_node: 0,
             base_node: 0,
             cloth_m: place(cloth),
             base_m: place(base),
+            base_at: if last { base.to } else { base.from },
             cloth_ahead: is_ahead(cloth),
             base_ahead: is_ahead(base),
         }
@@ -141,13 +158,13 @@ impl<'a> TrackPlaces<'a> {
     }
 }
 
-/// Numbers the points at which plies end, those of one track that are near each other as one;
+/// Numbers the points at which sides end, those of one track that are near each other as one;
 /// returns how many there are.
-fn number_nodes(plies: &mut [Ply]) -> usize {
+fn number_nodes(sides: &mut [SeamSide]) -> usize {
     let mut places: Vec<(TrackKey, f64, &mut usize)> = vec![];
-    for ply in plies {
-        let keys = [ply.cloth, ply.base].map(|stretch| (stretch.panel, stretch.track));
-        for end in &mut ply.ends {
+    for side in sides {
+        let keys = [side.cloth, side.base].map(|stretch| (stretch.panel, stretch.track));
+        for end in &mut side.ends {
             places.push((keys[0], end.cloth_m, &mut end.cloth_node));
             places.push((keys[1], end.base_m, &mut end.base_node));
         }
