@@ -17,6 +17,9 @@ fault_codes! {
         Binary = "binary":
             "A binary DXF is damaged.",
             "Export the file again, as ASCII DXF.";
+        BlockJoined = "block_joined":
+            "A block without labels lies in the box of another and was taken as a part of it.",
+            "Give it a label (`Piece Name:`), or insert it beside the other.";
         BlockNotInserted = "block_not_inserted":
             "A piece is in a block that is not inserted; it was taken all the same.";
         Bulge = "bulge":

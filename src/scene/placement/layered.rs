@@ -29,6 +29,9 @@ impl Placed {
         panel: &Panel,
         lower: impl Iterator<Item = (&'a Panel, &'a Self)>,
     ) -> Self {
+        if self.wrap == Wrap::Level {
+            return self.over_level(lower);
+        }
         let [low, high] = self.heights(panel);
         let beside = lower.filter(|(panel, placed)| {
             let [lowest, highest] = placed.heights(panel);
@@ -39,6 +42,17 @@ impl Placed {
         });
         let most = points.map(|p| self.reach(&p)).fold(0.0, f64::max);
         self.beyond(most, LAYER_CLEARANCE)
+    }
+
+    /// Puts a level panel above the level ones beneath it.
+    fn over_level<'a>(mut self, lower: impl Iterator<Item = (&'a Panel, &'a Self)>) -> Self {
+        let level = lower.filter(|(_, placed)| placed.wrap == Wrap::Level);
+        for (panel, placed) in level {
+            let [_, top] = placed.heights(panel);
+            let least = top - self.offset.y + LAYER_CLEARANCE;
+            self.axis.y = self.axis.y.max(least);
+        }
+        self
     }
 
     /// Puts the panel `clearance` beyond what reaches so far from the axis, if anything does \[m\].

@@ -85,20 +85,20 @@ impl Placed {
 
     /// The point `along` the panel's width from its key point and `up` from it \[m\].
     fn rolled(&self, along: f64, up: f64) -> Vector3<f64> {
-        if self.wrap == Wrap::Level {
-            return self.axis + Vector3::new(along, 0.0, -up);
-        }
-        let (angle, flat) = match self.wrap {
-            Wrap::Flat => (self.outward, along),
-            Wrap::Cylinder | Wrap::Level => (self.outward + along / self.radius, 0.0),
-        };
-        let (sin, cos) = angle.sin_cos();
         // Outward is (sin, 0, cos); (cos, 0, -sin) runs along increasing angle.
-        let from_key = Vector3::new(
-            self.radius * sin + flat * cos,
-            up,
-            self.radius * cos - flat * sin,
-        );
+        let round = |angle: f64, flat: f64| {
+            let (sin, cos) = angle.sin_cos();
+            Vector3::new(
+                self.radius * sin + flat * cos,
+                up,
+                self.radius * cos - flat * sin,
+            )
+        };
+        let from_key = match self.wrap {
+            Wrap::Flat => round(self.outward, along),
+            Wrap::Cylinder => round(self.outward + along / self.radius, 0.0),
+            Wrap::Level => return self.axis + Vector3::new(along, 0.0, -up),
+        };
         self.axis + self.tilt.map_or(from_key, |tilt| tilt * from_key)
     }
 }

@@ -240,7 +240,7 @@ impl<'a> BlockPlacer<'a> {
             }
         }
         if rank == OutlineRank::General {
-            sheets = join_parts(sheets);
+            sheets = join_parts(sheets, self.findings);
         }
         give(&rest, &mut sheets, self.findings);
         Ok(sheets)

@@ -3,6 +3,7 @@
 
 use super::labels::{DxfLabels, is_label};
 use super::sheet::DxfSheet;
+use crate::fault::PatternCode;
 use crate::pattern::Point2;
 use crate::pattern::dxf::entity::affine::AffineMap;
 use crate::pattern::dxf::entity::geometry::{DxfEntity, EntityShape};
@@ -67,8 +68,8 @@ impl PlacedSheet {
 }
 
 /// Makes parts of pieces of the sheets without labels that lie in another: symbols and pockets,
-/// where no layer tells outlines from other lines.
-pub(super) fn join_parts(sheets: Vec<PlacedSheet>) -> Vec<PlacedSheet> {
+/// where no layer tells outlines from other lines. Each is warned about.
+pub(super) fn join_parts(sheets: Vec<PlacedSheet>, findings: &mut DxfFindings) -> Vec<PlacedSheet> {
     if sheets.len() > COMPARED {
         return sheets;
     }
@@ -82,8 +83,14 @@ pub(super) fn join_parts(sheets: Vec<PlacedSheet>) -> Vec<PlacedSheet> {
     let (parts, mut wholes): (Vec<_>, Vec<_>) = sorted.partition(|(_, is_part)| *is_part);
     let mut wholes: Vec<PlacedSheet> = wholes.drain(..).map(|(whole, _)| whole).collect();
     for (part, _) in parts {
-        let middle = [0, 1].map(|k| 0.5 * (part.bounds[0][k] + part.bounds[1][k]));
-        if let Some(owner) = owner(&wholes, middle) {
+        if let Some(owner) = owner(&wholes, middle(part.bounds)) {
+            let [own, whole] = [&part, &wholes[owner]].map(|placed| placed.sheet.block.as_deref());
+            let detail = format!(
+                "block {:?} has no label and lies in the box of {:?}; it was taken as a part of it",
+                own.unwrap_or_default(),
+                whole.unwrap_or_default()
+            );
+            findings.warn(PatternCode::BlockJoined, part.sheet.line, detail);
             for entity in part.placed_entities() {
                 wholes[owner].add(&entity);
             }
@@ -99,7 +106,7 @@ pub(super) fn give(rest: &[DxfEntity], sheets: &mut [PlacedSheet], findings: &mu
     for entity in rest {
         let place = match &entity.shape {
             EntityShape::Point(p, _) | EntityShape::Text(p, _) => Some(*p),
-            EntityShape::Path(path) => path.points.get(path.points.len() / 2).copied(),
+            EntityShape::Path(path) => Some(middle(bounds(&path.points))),
             EntityShape::Insert(_) => None,
         };
         let owner = match sheets.len() {
@@ -132,6 +139,11 @@ fn give_size(rest: &[DxfEntity], sheets: &mut [PlacedSheet]) {
             placed.add(size);
         }
     }
+}
+
+/// Returns the middle of a box.
+fn middle([low, high]: [Point2; 2]) -> Point2 {
+    [0, 1].map(|k| 0.5 * (low[k] + high[k]))
 }
 
 /// Returns the index of the smallest sheet whose box holds a place.
