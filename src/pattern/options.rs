@@ -25,7 +25,8 @@ pub struct ImportOptions {
     pub notches: DrawnNotches,
     /// Folds about which half pieces are unfolded.
     pub unfold: Unfold,
-    /// True to refuse a file with a piece that cannot be read; else that piece is left out.
+    /// True to refuse a file with a piece that cannot be read or must be mended; else such a piece
+    /// is left out or mended.
     pub strict: bool,
     /// Order in which the three angles of a `GarmentCode` panel make up its rotation.
     pub rotation_order: RotationOrder,

@@ -42,8 +42,8 @@ pub(super) struct ImportQuery {
     /// Folds about which half pieces are unfolded: `all` that the file states if absent, or `none`.
     #[param(inline)]
     pub unfold: Option<Unfold>,
-    /// True to refuse a file with a piece that cannot be read; else that piece is left out, and a
-    /// warning says so.
+    /// True to refuse a file with a piece that cannot be read or must be mended; else such a piece
+    /// is left out or mended, and a warning says so.
     pub strict: bool,
     /// Order of the three angles of a `GarmentCode` panel in its rotation: `xyz` (R = Rx Ry Rz, as
     /// it writes) if absent.

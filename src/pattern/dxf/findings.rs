@@ -21,6 +21,8 @@ pub(super) fn excerpt(text: &str) -> String {
 pub(super) struct DxfFindings {
     /// Faults that keep the file from being read.
     pub(super) faults: Vec<Fault>,
+    /// True if what would be mended or left out is refused.
+    is_strict: bool,
     /// Faults that keep single pieces from being read, each with the number of their entities.
     refused: Vec<(Fault, usize)>,
     /// Warnings for the user.
@@ -36,6 +38,14 @@ pub(super) struct DxfFindings {
 }
 
 impl DxfFindings {
+    /// Returns no findings. `is_strict`: what would be mended or left out is refused.
+    pub(super) fn new(is_strict: bool) -> Self {
+        Self {
+            is_strict,
+            ..Self::default()
+        }
+    }
+
     /// Adds a warning.
     pub(super) fn warn(&mut self, code: PatternCode, line: usize, detail: impl Into<String>) {
         if self.warnings.len() < MOST {
@@ -51,11 +61,21 @@ impl DxfFindings {
         self.refused.push((fault, entities));
     }
 
-    /// Makes warnings of the faults of pieces that were left out, or faults of the file where
-    /// `is_strict` or nothing is left.
-    pub(super) fn settle_left_out(&mut self, is_strict: bool) {
+    /// Warns of what was mended; where the caller is strict it is a fault.
+    pub(super) fn mend(&mut self, code: PatternCode, line: usize, detail: String) {
+        if self.is_strict {
+            let fault = Fault::new(code, at_line(line), detail);
+            self.faults.push(fault.fix("mend it in the CAD program"));
+        } else {
+            self.warn(code, line, detail);
+        }
+    }
+
+    /// Makes warnings of the faults of pieces that were left out; faults of the file where the
+    /// caller is strict, or `is_all`: nothing is left.
+    pub(super) fn settle_left_out(&mut self, is_all: bool) {
         for (fault, entities) in std::mem::take(&mut self.refused) {
-            if is_strict {
+            if self.is_strict || is_all {
                 self.faults.push(fault);
             } else if self.warnings.len() < MOST {
                 let fix = fault.fix.as_deref().unwrap_or("mend it in the CAD program");

@@ -1,4 +1,4 @@
-//! DXF bytes to a pattern, in six calls; each takes what the one before it gave.
+//! DXF bytes to a pattern, in eight calls; each takes what the one before it gave.
 //!
 //! 1. [`read::text`] decodes the file, text or binary, to text.
 //! 2. [`DxfDrawing::parse`] splits the text into tags and records ([`read`]) and makes entities of
@@ -7,7 +7,9 @@
 //! 4. [`classify::pieces`] joins their lines to outlines and gives every other line, mark and text
 //!    to the piece that it lies in ([`piece`]).
 //! 5. [`select::one_size`] keeps the pieces of one size of a graded file.
-//! 6. [`build_panels`] makes a panel of each piece.
+//! 6. [`size_plan::SizePlan::grade`] makes another size of them, where a grade rule table is given.
+//! 7. [`drawn_notches::take_notches`] takes notches that are drawn into outlines out of them.
+//! 8. [`build_panels`] makes a panel of each piece.
 //!
 //! Source of the dialects: ANSI/AAMA-292 and ASTM D6673 (layers, labels), and the DXF reference of
 //! Autodesk (group codes). Assumption: the drawing is flat; what is not is seen from above.
@@ -39,7 +41,7 @@ pub(super) fn import(
     options: &ImportOptions,
     limits: &Limits,
 ) -> Result<Pattern, Faults> {
-    let mut findings = DxfFindings::default();
+    let mut findings = DxfFindings::new(options.strict);
     match read_pattern(bytes, options, limits, &mut findings) {
         Ok(pattern) => findings.into_result(pattern),
         Err(fault) => Err(findings.into_faults_with(fault)),
@@ -78,7 +80,7 @@ fn read_pattern(
     let name = labels.get("style name").or(options.name.as_deref());
     let name = name.unwrap_or("pattern");
     let (pieces, mut panels) = build_panels(pieces, name, options, limits, findings);
-    findings.settle_left_out(options.strict || panels.is_empty());
+    findings.settle_left_out(panels.is_empty());
     let allowance = allowance(&pieces, &panels, findings);
     let mut warnings = findings.take_warnings();
     warnings.extend(copies::add_stated(&mut panels));

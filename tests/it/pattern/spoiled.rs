@@ -52,11 +52,12 @@ fn small_loop_is_cut_off() {
         [303.0, 400.0],
         [0.0, 400.0],
     ];
-    for options in [ImportOptions::default(), strict()] {
-        let pattern = imported_with(piece(DxfBuilder::metric(), "P", &crossed), &options);
-        assert_eq!(warnings(&pattern, "pattern/loop_cut_off"), 1);
-        assert!((pattern.panels[0].area_m2 - 0.12).abs() < 1e-9);
-    }
+    let file = || piece(DxfBuilder::metric(), "P", &crossed);
+    let pattern = imported(file());
+    assert_eq!(warnings(&pattern, "pattern/loop_cut_off"), 1);
+    assert!((pattern.panels[0].area_m2 - 0.12).abs() < 1e-9);
+    let faults = refused_with(file(), &strict());
+    assert_eq!(faults.0[0].code, "pattern/loop_cut_off");
 }
 
 #[test]

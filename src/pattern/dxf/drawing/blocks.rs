@@ -65,7 +65,7 @@ fn loose_entities(model: &[DxfEntity], to_meters: &AffineMap) -> Option<DxfSheet
         .then(|| DxfSheet {
             block: None,
             line: entities[0].line,
-            turn: AffineMap::scale([1.0; 2]),
+            linear: AffineMap::scale([1.0; 2]),
             entities,
         })
 }
@@ -209,7 +209,7 @@ impl<'a> BlockPlacer<'a> {
         let sheet = DxfSheet {
             block: Some(self.blocks[index].name.clone()),
             line: self.blocks[index].line,
-            turn: self.from_meters.after(&map.without_shift()),
+            linear: self.from_meters.after(&map.without_shift()),
             entities,
         };
         Ok(vec![PlacedSheet::new(sheet, map.apply([0.0, 0.0]))])

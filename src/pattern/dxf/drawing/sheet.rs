@@ -17,8 +17,9 @@ pub(crate) struct DxfSheet {
     pub(crate) block: Option<String>,
     /// The line it begins at.
     pub(crate) line: usize,
-    /// The turn, mirroring and scale by which it was put in, without its units and its place.
-    pub(crate) turn: AffineMap,
+    /// The linear part of the map by which it was put in: rotation, mirroring and scale, without
+    /// its units.
+    pub(crate) linear: AffineMap,
     /// Its entities, without inserts.
     pub(crate) entities: Vec<DxfEntity>,
 }

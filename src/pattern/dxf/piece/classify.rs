@@ -25,10 +25,10 @@ pub(crate) fn pieces(
         .iter()
         .filter_map(|sheet| SheetOutlines::of(sheet, options.outlines, limits.panels, findings));
     let outlines: Vec<SheetOutlines<'_>> = outlines.collect();
-    let is_sewn = outlines.iter().any(SheetOutlines::have_allowance);
+    let has_sew_lines = outlines.iter().any(SheetOutlines::have_sew_lines);
     let pieces = outlines.into_iter();
     pieces
-        .flat_map(|outlines| outlines.into_pieces(options.outlines, is_sewn, findings))
+        .flat_map(|outlines| outlines.into_pieces(options.outlines, has_sew_lines, findings))
         .collect()
 }
 
@@ -84,16 +84,16 @@ impl<'a> SheetOutlines<'a> {
     }
 
     /// Returns true if one of them has a sew line in it.
-    fn have_allowance(&self) -> bool {
+    fn have_sew_lines(&self) -> bool {
         let mut pairs = self.outer.iter().zip(&self.inner);
         pairs.any(|(outer, inner)| size_nest::has_allowance(outer, inner))
     }
 
-    /// Returns the pieces. `is_sewn`: outlines of the file have sew lines in them.
+    /// Returns the pieces. `has_sew_lines`: outlines of the file have them inside.
     fn into_pieces(
         self,
         reading: Outlines,
-        is_sewn: bool,
+        has_sew_lines: bool,
         findings: &mut DxfFindings,
     ) -> Vec<DxfPiece> {
         let (sheet, lines) = (self.sheet, self.lines);
@@ -110,7 +110,7 @@ impl<'a> SheetOutlines<'a> {
         }
         for (piece, mut inner) in pieces.iter_mut().zip(self.inner) {
             piece.nest =
-                size_nest::take_sizes(piece, &mut inner, reading, is_sewn, layer, findings);
+                size_nest::take_sizes(piece, &mut inner, reading, has_sew_lines, layer, findings);
             inner_outlines::assign_inner_outlines(piece, inner, reading, layer, findings);
         }
         marks::assign(sheet, &lines.mirror, &mut pieces, is_alone, findings);

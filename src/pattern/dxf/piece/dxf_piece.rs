@@ -36,8 +36,8 @@ pub(crate) struct DxfPiece {
     pub(crate) name: String,
     /// The line it begins at.
     pub(crate) line: usize,
-    /// The turn, mirroring and scale by which it was put in.
-    pub(super) turn: AffineMap,
+    /// The linear part of the map by which it was put in, without its units.
+    pub(super) linear: AffineMap,
     /// Its texts.
     pub(crate) labels: DxfLabels,
     /// The outline as drawn.
@@ -116,7 +116,7 @@ impl DxfPiece {
         Self {
             name: name.unwrap_or_else(|| "panel".to_owned()),
             line,
-            turn: sheet.turn,
+            linear: sheet.linear,
             labels,
             outline,
             nest: Vec::new(),

@@ -85,7 +85,7 @@ fn displacements(
             let fault = Fault::new(PatternCode::GradeRule, at_line(piece.line), detail);
             return Err(fault.fix("give the table that was exported with the file"));
         };
-        found.push((point, piece.turn.apply(delta)));
+        found.push((point, piece.linear.apply(delta)));
     }
     if let Some([x, y]) = astray.first() {
         let detail = format!(

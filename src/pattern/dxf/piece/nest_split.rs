@@ -33,6 +33,10 @@ pub(super) fn split(mut piece: DxfPiece, findings: &mut DxfFindings) -> Vec<DxfP
         findings.skip_many("line inside a nest of sizes", piece.line, count);
     }
     let lines = if is_copied { lines } else { vec![] };
+    let beyond = piece.marks.notches.iter().skip(MOST_NOTCHES);
+    for notch in beyond {
+        findings.skip("notch beyond the first 1000 of a piece", notch.line);
+    }
     let notches = nearest_sizes(&piece, &sizes);
     let mut cutouts = std::mem::take(&mut piece.cutouts);
     let area = |chain: &PathChain| signed_area(&chain.points).abs();

@@ -88,5 +88,5 @@ fn is_half(sheet: &DxfSheet) -> bool {
         }
         _ => false,
     };
-    sheet.turn.mirrors() || sheet.entities.iter().any(is_note)
+    sheet.linear.mirrors() || sheet.entities.iter().any(is_note)
 }

@@ -86,13 +86,13 @@ pub(super) fn simple(
     }
     for CutLoop { point, length } in cut {
         let detail = format!(
-            "the outline of {} crosses itself at ({:.4}, {:.4}) m; the loop of {:.1} mm there was cut off",
+            "the outline of {} crosses itself at ({:.4}, {:.4}) m; the loop of {:.1} mm there is cut off (strict=true refuses such files)",
             part.name(),
             point[0],
             point[1],
             1000.0 * length
         );
-        findings.warn(PatternCode::LoopCutOff, part.line(), detail);
+        findings.mend(PatternCode::LoopCutOff, part.line(), detail);
     }
     Some(ring)
 }

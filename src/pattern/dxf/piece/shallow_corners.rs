@@ -4,7 +4,7 @@
 //! Assumption: each curve was sampled in even or slowly changing steps. A place where two curves
 //! run smoothly into each other, sampled alike, shows in nothing and is not found.
 
-use super::course::Course;
+use super::simplify::SimplifiedRing;
 use crate::pattern::point::{Point2, distance, turn};
 
 /// Steps of one curve grow or shrink by less than this from one to the next; where curves join they
@@ -42,8 +42,8 @@ struct TurnProfile {
 /// not the file's and tell nothing; turns of `sharp` or more are corners of their own.
 pub(super) fn shallow_corners(points: &[Point2], sampled: &[bool], sharp: f64) -> Vec<bool> {
     let mut found = vec![false; points.len()];
-    let course = Course::of(points, sharp);
-    let kept = &course.kept;
+    let simplified = SimplifiedRing::of(points, sharp);
+    let kept = &simplified.kept;
     let n = kept.len();
     if n < 8 {
         return found;
@@ -51,7 +51,8 @@ pub(super) fn shallow_corners(points: &[Point2], sampled: &[bool], sharp: f64) -
     let points: Vec<Point2> = kept.iter().map(|i| points[*i]).collect();
     let profile = TurnProfile::of(&points, sharp);
     let is_known = |i: usize| (0..5).all(|k| !sampled[kept[(i + n + k - 2) % n]]);
-    let joins = |i: usize| course.has_steps && (profile.is_resampled(i) || profile.is_tangent(i));
+    let joins =
+        |i: usize| simplified.has_steps && (profile.is_resampled(i) || profile.is_tangent(i));
     for i in 0..n {
         let is_shallow = profile.turns[i] < sharp && is_known(i);
         found[kept[i]] = is_shallow && (joins(i) || profile.is_kink(i));

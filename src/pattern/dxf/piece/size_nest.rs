@@ -22,14 +22,14 @@ pub(super) fn has_allowance(outer: &MeasuredChain, inner: &[MeasuredChain]) -> b
 /// Takes the sizes of a piece out of the outlines that lie in its own: those that run inside each
 /// other, if they are three or more with its own, or do not keep the distance of a seam allowance.
 ///
-/// Returns the sizes, none if there is no nest, in growing order. `is_sewn`: other pieces of the
-/// sheet have sew lines, so that of two outlines the inner one is one too. `layer`: that of the
+/// Returns the sizes, none if there is no nest, in growing order. `has_sew_lines`: other pieces
+/// of the file have them, so that of two outlines the inner one is one too. `layer`: that of the
 /// line that an outline begins at.
 pub(super) fn take_sizes<'a>(
     piece: &DxfPiece,
     inner: &mut Vec<MeasuredChain>,
     reading: Outlines,
-    is_sewn: bool,
+    has_sew_lines: bool,
     layer: impl Fn(&MeasuredChain) -> &'a str,
     findings: &mut DxfFindings,
 ) -> Vec<NestedSize> {
@@ -41,7 +41,7 @@ pub(super) fn take_sizes<'a>(
         return vec![];
     };
     let states_size = piece.labels.get("size").is_some();
-    let may_be_two = !is_sewn && !is_allowance(&piece.outline, &inner[*largest]);
+    let may_be_two = !has_sew_lines && !is_allowance(&piece.outline, &inner[*largest]);
     let is_nest = reading == Outlines::Sizes || !states_size && (nested.len() > 1 || may_be_two);
     if !is_nest || nested.len() > MOST {
         return vec![];

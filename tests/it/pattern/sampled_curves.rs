@@ -16,8 +16,8 @@ fn bodice(chords: u32) -> Vec<Point2> {
     points
 }
 
-/// A line sampled anew, every `step` millimeters of each of its sides, moved by up to `tremor`.
-fn resampled(outline: &[Point2], step: f64, tremor: f64) -> Vec<Point2> {
+/// A line sampled anew, every `step` millimeters of each of its sides, moved by up to `noise`.
+fn resampled(outline: &[Point2], step: f64, noise: f64) -> Vec<Point2> {
     let mut points = vec![];
     let mut state = 1_u32;
     let mut random = || {
@@ -30,7 +30,7 @@ fn resampled(outline: &[Point2], step: f64, tremor: f64) -> Vec<Point2> {
         let mut at = 0.0;
         while at < count {
             let t = at / count;
-            points.push([0, 1].map(|k| a[k] + t * (b[k] - a[k]) + tremor * random()));
+            points.push([0, 1].map(|k| a[k] + t * (b[k] - a[k]) + noise * random()));
             at += 1.0;
         }
     }
@@ -52,16 +52,16 @@ fn corners_do_not_depend_on_the_spacing_of_points() {
         let expected = corners(&outline);
         assert_eq!(expected.len(), 5, "{chords} chords: {expected:?}");
         for step in [1.0, 2.0, 3.0, 5.0, 10.0] {
-            for tremor in [0.0, 0.02] {
-                let found = corners(&resampled(&outline, step, tremor));
+            for noise in [0.0, 0.02] {
+                let found = corners(&resampled(&outline, step, noise));
                 assert_eq!(
                     found.len(),
                     5,
-                    "{chords} chords, {step} mm, {tremor}: {found:?}"
+                    "{chords} chords, {step} mm, {noise}: {found:?}"
                 );
                 for corner in &expected {
                     let near = |other: &Point2| {
-                        (other[0] - corner[0]).hypot(other[1] - corner[1]) <= 2.0 * tremor + 1e-9
+                        (other[0] - corner[0]).hypot(other[1] - corner[1]) <= 2.0 * noise + 1e-9
                     };
                     assert!(found.iter().any(near), "{corner:?} of {found:?}");
                 }

@@ -1,32 +1,35 @@
-//! The course of a closed polyline without the points that tell nothing of it: those on straight
-//! lines between others, and the trembling of digitized lines.
+//! A closed polyline simplified: without the points that lie on straight lines between others, and
+//! without the noise of digitized lines.
 //!
 //! A curve that was drawn as chords and sampled anew turns at the ends of its old chords alone, so
 //! that each of them looks like a corner between two straight lines.
+//!
+//! Method: lines as long as a cone of directions allows, after J. Sklansky and V. Gonzalez, Fast
+//! polygonal approximation of digitized curves, Pattern Recognition 12 (1980).
 
 use crate::pattern::point::{Point2, cross, distance, sub, turn};
 
 /// A line on which at least this share of neighboring points bend to different sides, or not at
-/// all, was sampled from straight lines or trembles.
+/// all, was sampled from straight lines or is noisy.
 const ALTERNATING: f64 = 0.4;
 
 /// Bounds of the distance from a straight line at which a point lies on it: coordinates are rounded
 /// to a micrometer, and hands tremble by hundredths of a millimeter \[m\].
 const ON_LINE: [f64; 2] = [1e-6, 5e-5];
 
-/// Points lie on a straight line if they do to within this many times the median tremor.
-const TREMORS: f64 = 3.0;
+/// Points lie on a straight line if they do to within this many times the median noise.
+const NOISE_FACTOR: f64 = 3.0;
 
-/// The points that tell of the course of a closed polyline.
-pub(super) struct Course {
+/// The points that a simplified closed polyline keeps.
+pub(super) struct SimplifiedRing {
     /// Their indices.
     pub(super) kept: Vec<usize>,
     /// False if the distances between them tell nothing.
     pub(super) has_steps: bool,
 }
 
-impl Course {
-    /// Returns the course of a ring; turns of `sharp` or more are kept as they are.
+impl SimplifiedRing {
+    /// Simplifies a ring; turns of `sharp` or more are kept as they are.
     pub(super) fn of(points: &[Point2], sharp: f64) -> Self {
         let n = points.len();
         let all = Self {
@@ -42,11 +45,11 @@ impl Course {
         let offsets: Vec<f64> = (0..n)
             .map(|i| offset(at(i), at(i + n - 1), at(i + 1)))
             .collect();
-        let Some(tremor) = tremor(&offsets, &is_sharp) else {
+        let Some(noise) = noise(&offsets, &is_sharp) else {
             return all;
         };
-        let on_line = (TREMORS * tremor).clamp(ON_LINE[0], ON_LINE[1]);
-        let kept = reduced(points, &is_sharp, on_line);
+        let on_line = (NOISE_FACTOR * noise).clamp(ON_LINE[0], ON_LINE[1]);
+        let kept = kept_points(points, &is_sharp, on_line);
         Self {
             has_steps: kept.len() == n,
             kept,
@@ -54,9 +57,9 @@ impl Course {
     }
 }
 
-/// Returns the median distance by which points leave the course of their neighbors; `None` where
+/// Returns the median distance by which points leave the line of their neighbors; `None` where
 /// these bend to the same side, as those of smooth curves do.
-fn tremor(offsets: &[f64], is_sharp: &[bool]) -> Option<f64> {
+fn noise(offsets: &[f64], is_sharp: &[bool]) -> Option<f64> {
     let n = offsets.len();
     let smooth: Vec<usize> = (0..n)
         .filter(|i| (0..3).all(|k| !is_sharp[(i + k) % n]))
@@ -89,7 +92,7 @@ fn offset(p: Point2, a: Point2, b: Point2) -> f64 {
 
 /// Returns the points of a ring that are left where those on the lines between others are taken
 /// out. Each line is drawn as far as all points on its way lie within `on_line` of it.
-fn reduced(points: &[Point2], is_sharp: &[bool], on_line: f64) -> Vec<usize> {
+fn kept_points(points: &[Point2], is_sharp: &[bool], on_line: f64) -> Vec<usize> {
     let n = points.len();
     let start = is_sharp.iter().position(|sharp| *sharp).unwrap_or(0);
     let mut kept = vec![start];
@@ -161,7 +164,7 @@ mod tests {
     const SHARP: f64 = 0.349;
 
     /// A half disc of radius 0.2 m, its round side as 12 chords, with points every `step` meters.
-    fn half_disc(step: f64, tremor: f64) -> (Vec<Point2>, Vec<usize>) {
+    fn half_disc(step: f64, noise: f64) -> (Vec<Point2>, Vec<usize>) {
         let angles = (0..=12).map(|i| std::f64::consts::PI * f64::from(i) / 12.0);
         let corners: Vec<Point2> = angles.map(|a| [0.2 * a.cos(), 0.2 * a.sin()]).collect();
         let (mut points, mut ends) = (vec![], vec![]);
@@ -174,7 +177,7 @@ mod tests {
             while at < count {
                 sign = -sign;
                 let t = at / count;
-                let shift = if at > 0.0 { sign * tremor } else { 0.0 };
+                let shift = if at > 0.0 { sign * noise } else { 0.0 };
                 let along = [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
                 points.push([along[0] + shift * along[0], along[1] + shift * along[1]]);
                 at += 1.0;
@@ -187,18 +190,22 @@ mod tests {
     fn chords_sampled_anew_are_the_chords() {
         for step in [0.001, 0.003, 0.01] {
             let (points, ends) = half_disc(step, 0.0);
-            let course = Course::of(&points, SHARP);
-            assert_eq!(course.kept, ends, "every {step} m");
+            let simplified = SimplifiedRing::of(&points, SHARP);
+            assert_eq!(simplified.kept, ends, "every {step} m");
         }
     }
 
     #[test]
-    fn trembling_lines_are_straight() {
+    fn noisy_lines_are_straight() {
         // 0.0001 of 0.2 m: 0.02 mm to either side.
         let (points, ends) = half_disc(0.003, 1e-4);
-        let course = Course::of(&points, SHARP);
-        assert!(course.kept.len() <= 2 * ends.len(), "{:?}", course.kept);
-        assert!(!course.has_steps);
+        let simplified = SimplifiedRing::of(&points, SHARP);
+        assert!(
+            simplified.kept.len() <= 2 * ends.len(),
+            "{:?}",
+            simplified.kept
+        );
+        assert!(!simplified.has_steps);
     }
 
     #[test]
@@ -209,13 +216,13 @@ mod tests {
             [0.2 + 0.1 * angle.sin(), 0.1 - 0.1 * angle.cos()]
         }));
         points.extend((0..100).map(|i| [0.2 - 0.002 * f64::from(i), 0.2]));
-        assert_eq!(Course::of(&points, SHARP).kept.len(), points.len());
+        assert_eq!(SimplifiedRing::of(&points, SHARP).kept.len(), points.len());
     }
 
     #[test]
     fn smooth_curves_stay_whole() {
         let angles = (0..90).map(|i| f64::from(i) * 4.0_f64.to_radians());
         let points: Vec<Point2> = angles.map(|a| [0.2 * a.cos(), 0.3 * a.sin()]).collect();
-        assert_eq!(Course::of(&points, SHARP).kept.len(), 90);
+        assert_eq!(SimplifiedRing::of(&points, SHARP).kept.len(), 90);
     }
 }
