@@ -24,7 +24,7 @@ use self::drawing::contents::DxfDrawing;
 use self::drawing::{blocks, dialect, units};
 use self::findings::DxfFindings;
 use self::piece::dxf_piece::DxfPiece;
-use self::piece::{classify, closed_gaps, drawn_notches, panel, select, size_plan};
+use self::piece::{classify, drawn_notches, panel, select, size_plan};
 use super::{Allowance, ImportOptions, Panel, Pattern, Source, copies, ids};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, PatternCode};
@@ -73,7 +73,6 @@ fn read_pattern(
         plan.grade(&mut pieces, &mut sizes, limits, findings)?;
     }
     select::check(&pieces, unit, limits, findings)?;
-    closed_gaps::warn(&mut pieces, findings);
     for piece in &mut pieces {
         drawn_notches::take_notches(piece, options.notches, findings);
     }

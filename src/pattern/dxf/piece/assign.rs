@@ -2,6 +2,7 @@
 
 use super::chain::{ChainKey, PathChain};
 use super::dxf_piece::{DxfPiece, InnerLine, outlines, owner};
+use super::gap::closed_in_words;
 use super::lines::SheetLines;
 use super::measured::MeasuredChain;
 use crate::fault::PatternCode;
@@ -90,8 +91,7 @@ impl LineAssigner<'_> {
     /// Warns of a gap in a line that no outline is made of; those of outlines are reported with
     /// their panel.
     fn warn_of_gap(&mut self, chain: &PathChain) {
-        if let Some(gap) = chain.closed_gap {
-            let detail = format!("a gap of {:.3} mm in a line was closed", 1000.0 * gap);
+        if let Some(detail) = closed_in_words(&chain.gaps, "a line") {
             self.findings
                 .warn(PatternCode::GapClosed, chain.line, detail);
         }

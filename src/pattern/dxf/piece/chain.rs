@@ -1,5 +1,6 @@
 //! A chain: paths joined head to tail to one polyline.
 
+use super::gap::Gap;
 use crate::pattern::Point2;
 use crate::pattern::dxf::entity::geometry::EntityPath;
 use crate::pattern::point::distance;
@@ -23,8 +24,8 @@ pub(crate) struct PathChain {
     pub(crate) sampled: Vec<bool>,
     /// True if the last point runs on to the first.
     pub(crate) closed: bool,
-    /// The largest gap between paths that was closed \[m\], where it was above the rounding of CAD.
-    pub(crate) closed_gap: Option<f64>,
+    /// Gaps between its paths that were closed, those above the rounding of CAD, in its order.
+    pub(super) gaps: Vec<Gap>,
     /// The line its first path begins at.
     pub(crate) line: usize,
     /// Number of entities that it was joined of.
@@ -53,7 +54,7 @@ impl PathChain {
             path_end,
             sampled,
             closed,
-            closed_gap: None,
+            gaps: vec![],
             line,
             path_count: 1,
         }
@@ -70,22 +71,21 @@ impl PathChain {
         self.points.reverse();
         self.path_end.reverse();
         self.sampled.reverse();
+        self.gaps.reverse();
     }
 
     /// Adds another chain across a gap, from that one's second point on.
-    pub(super) fn append(&mut self, other: &Self, gap: f64) {
+    pub(super) fn append(&mut self, other: &Self, gap: Gap) {
         self.path_count += other.path_count;
         self.note_gap(gap);
-        if let Some(inner) = other.closed_gap {
-            self.note_gap(inner);
-        }
+        self.gaps.extend(&other.gaps);
         self.points.extend(&other.points[1..]);
         self.path_end.extend(&other.path_end[1..]);
         self.sampled.extend(&other.sampled[1..]);
     }
 
     /// Closes it across a gap: its last point becomes its first.
-    pub(super) fn close(&mut self, gap: f64) {
+    pub(super) fn close(&mut self, gap: Gap) {
         self.closed = true;
         self.note_gap(gap);
         self.points.pop();
@@ -95,9 +95,9 @@ impl PathChain {
         }
     }
 
-    fn note_gap(&mut self, gap: f64) {
-        if gap > JOINED {
-            self.closed_gap = Some(self.closed_gap.map_or(gap, |other| other.max(gap)));
+    fn note_gap(&mut self, gap: Gap) {
+        if gap.size() > JOINED {
+            self.gaps.push(gap);
         }
     }
 }
@@ -111,7 +111,7 @@ impl PathChain {
             path_end: vec![false; points.len()],
             sampled: vec![false; points.len()],
             closed: true,
-            closed_gap: None,
+            gaps: vec![],
             line: 1,
             path_count: 1,
         }

@@ -110,7 +110,7 @@ pub(super) fn without_notches_at_folds(
         path_end: ring.is_corner.clone(),
         points: ring.points.clone(),
         closed: true,
-        closed_gap: None,
+        gaps: vec![],
         line: piece.line,
         path_count: 0,
     };

@@ -1,11 +1,11 @@
 //! Ends of open chains in pairs, the nearest first, and the chains joined by them.
 
-use super::chain::{JOINED, PathChain};
+use super::chain::PathChain;
 use super::free_ends::FreeEnds;
 use super::gap::Gap;
 use crate::pattern::Point2;
 use crate::pattern::point::distance;
-use crate::pattern::polyline::{length, longest_side};
+use crate::pattern::polyline::length;
 
 /// At most this many open chains are compared with each other.
 const COMPARED: usize = 100;
@@ -17,15 +17,6 @@ const GAP_SHARE: f64 = 0.5;
 struct EndPair {
     gap: f64,
     ends: [usize; 2],
-}
-
-/// A chain with the gaps between its paths.
-#[derive(Clone, Debug)]
-pub(super) struct JoinedChain {
-    /// The chain.
-    pub(super) chain: PathChain,
-    /// Gaps beyond the rounding of CAD, in the order of the chain.
-    pub(super) gaps: Vec<Gap>,
 }
 
 /// The partner of each end.
@@ -96,21 +87,18 @@ impl EndPairs {
     }
 
     /// Joins parts at the pairs, each chain in the place of its first part.
-    pub(super) fn join(&self, parts: Vec<PathChain>) -> Vec<JoinedChain> {
+    pub(super) fn join(&self, parts: Vec<PathChain>) -> Vec<PathChain> {
         let mut is_taken = vec![false; parts.len()];
         let mut joined = Vec::new();
         for i in 0..parts.len() {
             if std::mem::replace(&mut is_taken[i], true) {
                 continue;
             }
-            let mut chain = JoinedChain {
-                chain: parts[i].clone(),
-                gaps: Vec::new(),
-            };
+            let mut chain = parts[i].clone();
             if !parts[i].closed {
                 self.grow(&mut chain, 2 * i + 1, &parts, &mut is_taken);
             }
-            if !chain.chain.closed {
+            if !chain.closed {
                 chain.reverse();
                 self.grow(&mut chain, 2 * i, &parts, &mut is_taken);
                 chain.reverse();
@@ -121,51 +109,24 @@ impl EndPairs {
     }
 
     /// Adds parts to a chain from its last end on, until it closes or the end has no partner.
-    fn grow(
-        &self,
-        chain: &mut JoinedChain,
-        from: usize,
-        parts: &[PathChain],
-        is_taken: &mut [bool],
-    ) {
+    fn grow(&self, chain: &mut PathChain, from: usize, parts: &[PathChain], is_taken: &mut [bool]) {
         let mut end = from;
         while let Some(next) = self.partners[end] {
             let (Some(p), Some(q)) = (point(parts, end), point(parts, next)) else {
                 return;
             };
             let gap = Gap { ends: [p, q] };
-            if gap.size() > JOINED {
-                chain.gaps.push(gap);
-            }
             if std::mem::replace(&mut is_taken[next / 2], true) {
-                chain.chain.close(gap.size());
+                chain.close(gap);
                 return;
             }
             let mut part = parts[next / 2].clone();
             if !next.is_multiple_of(2) {
                 part.reverse();
             }
-            chain.chain.append(&part, gap.size());
+            chain.append(&part, gap);
             end = next ^ 1;
         }
-    }
-}
-
-impl JoinedChain {
-    /// Returns true if it is of the size of a piece and closes but for gaps that are a slip.
-    pub(super) fn all_but_closes(&self) -> bool {
-        /// Side of the smallest piece that is missed \[m\].
-        const SIDE: f64 = 0.05;
-        /// The largest gap that is a slip \[m\].
-        const SLIP: f64 = 0.01;
-        self.chain.closed
-            && longest_side(&self.chain.points) >= SIDE
-            && self.gaps.iter().all(|gap| gap.size() <= SLIP)
-    }
-
-    fn reverse(&mut self) {
-        self.chain.reverse();
-        self.gaps.reverse();
     }
 }
 

@@ -42,6 +42,16 @@ fn placed(p: Point2) -> String {
     format!("({x:.4}, {y:.4})")
 }
 
+/// Returns a sentence on gaps of `whose` that were closed; `None` if there are none.
+pub(super) fn closed_in_words(gaps: &[Gap], whose: &str) -> Option<String> {
+    let (head, verb) = match gaps.len() {
+        0 => return None,
+        1 => ("a gap".to_owned(), "was"),
+        count => (format!("{count} gaps"), "were"),
+    };
+    Some(format!("{head} in {whose} {verb} closed: {}", listed(gaps)))
+}
+
 /// Returns gaps with their sizes and places, as a list in words; more than a dozen are counted.
 pub(super) fn listed(gaps: &[Gap]) -> String {
     let told: Vec<String> = gaps.iter().take(TOLD).map(Gap::described).collect();

@@ -5,21 +5,14 @@
 //! nearest first.
 
 use super::chain::{JOINED, PathChain};
-use super::end_pairs::{EndPairs, JoinedChain};
+use super::end_pairs::EndPairs;
 use super::free_ends::FreeEnds;
-use super::gap::REPAIRED;
+use super::gap::{Gap, REPAIRED};
 use crate::pattern::dxf::entity::geometry::EntityPath;
-use crate::pattern::point::distance;
-
-/// Joins paths, each with its line, as [`join_with_gaps`] does, to chains alone.
-pub(super) fn join_paths(paths: &[(&EntityPath, usize)], repair: bool) -> Vec<PathChain> {
-    let joined = join_with_gaps(paths, repair).into_iter();
-    joined.map(|joined| joined.chain).collect()
-}
 
 /// Joins paths, each with its line, to as few chains as their ends allow, in the order of the file
 /// where several would fit. `repair`: small gaps are closed too, as outlines need it.
-pub(super) fn join_with_gaps(paths: &[(&EntityPath, usize)], repair: bool) -> Vec<JoinedChain> {
+pub(super) fn join_paths(paths: &[(&EntityPath, usize)], repair: bool) -> Vec<PathChain> {
     let are_exploded = paths.iter().all(|(path, _)| path.straight);
     let single: Vec<PathChain> = paths
         .iter()
@@ -34,8 +27,8 @@ pub(super) fn join_with_gaps(paths: &[(&EntityPath, usize)], repair: bool) -> Ve
     };
     let mut joined = pairs.join(joined);
     if are_exploded {
-        for joined in &mut joined {
-            joined.chain.path_end.fill(false);
+        for chain in &mut joined {
+            chain.path_end.fill(false);
         }
     }
     joined
@@ -69,9 +62,11 @@ fn grow(chain: &mut PathChain, parts: &[PathChain], ends: &mut FreeEnds) {
             return;
         };
         let next = ends.nearest(last, parts);
-        let gap = distance(first, last);
-        let closes = chain.points.len() > 2 && gap <= JOINED;
-        if closes && next.is_none_or(|end| gap <= end.gap) {
+        let gap = Gap {
+            ends: [last, first],
+        };
+        let closes = chain.points.len() > 2 && gap.size() <= JOINED;
+        if closes && next.is_none_or(|end| gap.size() <= end.gap) {
             chain.close(gap);
             return;
         }
@@ -83,13 +78,13 @@ fn grow(chain: &mut PathChain, parts: &[PathChain], ends: &mut FreeEnds) {
         if !end.is_head {
             part.reverse();
         }
-        chain.append(&part, end.gap);
+        let ends = [last, part.points[0]];
+        chain.append(&part, Gap { ends });
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::gap::Gap;
     use super::*;
     use crate::pattern::Point2;
 
@@ -102,8 +97,8 @@ mod tests {
         }
     }
 
-    fn joined(paths: &[EntityPath]) -> Vec<JoinedChain> {
-        join_with_gaps(&paths.iter().map(|p| (p, 1)).collect::<Vec<_>>(), true)
+    fn joined(paths: &[EntityPath]) -> Vec<PathChain> {
+        join_paths(&paths.iter().map(|p| (p, 1)).collect::<Vec<_>>(), true)
     }
 
     #[test]
@@ -115,8 +110,8 @@ mod tests {
             path(&[[1.0, 0.0], [1.0, 1.0]]),
         ]);
         assert_eq!(found.len(), 1);
-        let chain = &found[0].chain;
-        assert!(chain.closed && chain.closed_gap.is_none() && found[0].gaps.is_empty());
+        let chain = &found[0];
+        assert!(chain.closed && chain.gaps.is_empty());
         assert_eq!(
             chain.points,
             [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, 1.5], [0.0, 1.0]]
@@ -130,12 +125,10 @@ mod tests {
             path(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]),
             path(&[[1.0, 1.0002], [0.0, 0.0001]]),
         ]);
-        assert!(found[0].chain.closed);
+        assert!(found[0].closed);
         let sizes: Vec<f64> = found[0].gaps.iter().map(Gap::size).collect();
         assert_eq!(sizes.len(), 2);
         assert!((sizes[0] - 2e-4).abs() < 1e-12 && (sizes[1] - 1e-4).abs() < 1e-12);
-        let largest = found[0].chain.closed_gap.expect("a gap");
-        assert!((largest - 2e-4).abs() < 1e-12);
     }
 
     #[test]
@@ -147,12 +140,12 @@ mod tests {
             path(&[[1.0, 0.0001], [0.5, 1.0], [0.0, 0.0]]),
         ]);
         assert_eq!(found.len(), 2);
-        assert!(found[0].chain.closed && !found[1].chain.closed);
+        assert!(found[0].closed && !found[1].closed);
     }
 
     #[test]
     fn large_gap_stays_open() {
         let found = joined(&[path(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.05, 0.0]])]);
-        assert!(!found[0].chain.closed && found[0].gaps.is_empty());
+        assert!(!found[0].closed && found[0].gaps.is_empty());
     }
 }

@@ -1,9 +1,9 @@
 //! The lines of a sheet, joined to chains layer by layer, and the outlines among them.
 
-use super::chain::{ChainKey, PathChain};
-use super::end_pairs::{EndPairs, JoinedChain};
-use super::gap::{Gap, listed};
-use super::join::join_with_gaps;
+use super::chain::PathChain;
+use super::end_pairs::EndPairs;
+use super::gap::{Gap, REPAIRED, listed};
+use super::join::join_paths;
 use super::measured::MeasuredChain;
 use crate::fault::{Fault, PatternCode};
 use crate::pattern::dxf::drawing::labels::DxfLabels;
@@ -11,7 +11,7 @@ use crate::pattern::dxf::drawing::layers::{LayerRole, is_named, role};
 use crate::pattern::dxf::drawing::sheet::DxfSheet;
 use crate::pattern::dxf::entity::geometry::EntityPath;
 use crate::pattern::dxf::findings::{DxfFindings, at_line};
-use std::collections::BTreeMap;
+use crate::pattern::polyline::longest_side;
 
 /// The chains of a sheet by the role of their layer.
 pub(super) struct SheetLines {
@@ -24,25 +24,13 @@ pub(super) struct SheetLines {
     /// True if sew lines lie on a layer with a name: general CAD, where the seam is the outline
     /// that was drawn and the cut line was added to it. In AAMA and ASTM it is the other way round.
     pub(super) seam_first: bool,
-    /// The gaps of the chains with closed ones.
-    gaps: BTreeMap<ChainKey, Vec<Gap>>,
 }
 
 impl SheetLines {
     /// Joins the lines of a sheet.
     pub(super) fn of(sheet: &DxfSheet) -> Self {
         let has_named_sew = |layer: &str| role(layer) == LayerRole::Sew && is_named(layer);
-        let mut gaps = BTreeMap::new();
-        let mut chains_of = |role| {
-            let joined = joined_of(sheet, role).into_iter();
-            let with_gaps = |JoinedChain { chain, gaps: own }| {
-                if !own.is_empty() {
-                    gaps.insert(chain.key(), own);
-                }
-                chain
-            };
-            joined.map(with_gaps).collect()
-        };
+        let chains_of = |role| chains_of(sheet, role);
         Self {
             boundary: chains_of(LayerRole::Boundary),
             sew: chains_of(LayerRole::Sew),
@@ -51,7 +39,6 @@ impl SheetLines {
             mirror: chains_of(LayerRole::Mirror),
             general: chains_of(LayerRole::General),
             seam_first: sheet.entities.iter().any(|e| has_named_sew(&e.layer)),
-            gaps,
         }
     }
 
@@ -65,7 +52,7 @@ impl SheetLines {
     ) -> Vec<MeasuredChain> {
         let mut found = self.closed_outlines(sheet);
         if found.is_empty() {
-            found = self.closed(&self.general);
+            found = closed(&self.general);
         }
         let is_lost = sheet.block.is_some()
             && !self.seam_first
@@ -76,7 +63,7 @@ impl SheetLines {
                 let outlines = open_outlines(drawn);
                 for outline in &outlines {
                     let fault = open_outline(sheet, outline);
-                    findings.leave_out(fault, outline.chain.path_count);
+                    findings.leave_out(fault, outline.path_count);
                 }
             }
         } else {
@@ -86,7 +73,7 @@ impl SheetLines {
     }
 
     fn closed_outlines(&self, sheet: &DxfSheet) -> Vec<MeasuredChain> {
-        let (boundary, sew) = (self.closed(&self.boundary), self.closed(&self.sew));
+        let (boundary, sew) = (closed(&self.boundary), closed(&self.sew));
         if self.seam_first {
             let alone = outside(boundary, |cut| sew.iter().any(|s| s.lies_in(cut)));
             return alone.chain(sew.clone()).collect();
@@ -116,22 +103,18 @@ impl SheetLines {
             &self.boundary
         };
         for outline in open_outlines(drawn) {
-            if outline.all_but_closes() && !is_inside(&outline.chain) {
+            if all_but_closes(&outline) && !is_inside(&outline) {
                 let detail = format!("{}; it was left out", openness(sheet, &outline));
-                findings.warn(PatternCode::OpenOutline, outline.chain.line, detail);
+                findings.warn(PatternCode::OpenOutline, outline.line, detail);
             }
         }
     }
+}
 
-    /// Measures the closed ones among chains.
-    fn closed(&self, chains: &[PathChain]) -> Vec<MeasuredChain> {
-        let closed = chains.iter().filter(|chain| chain.closed);
-        let measured = closed.map(|chain| MeasuredChain {
-            gaps: self.gaps.get(&chain.key()).cloned().unwrap_or_default(),
-            ..MeasuredChain::new(chain.clone())
-        });
-        measured.collect()
-    }
+/// Measures the closed ones among chains.
+fn closed(chains: &[PathChain]) -> Vec<MeasuredChain> {
+    let closed = chains.iter().filter(|chain| chain.closed);
+    closed.cloned().map(MeasuredChain::new).collect()
 }
 
 /// Returns the chains for which `is_paired` does not hold.
@@ -143,39 +126,48 @@ fn outside(
 }
 
 /// Joins the paths on layers of one role.
-fn joined_of(sheet: &DxfSheet, wanted: LayerRole) -> Vec<JoinedChain> {
+fn chains_of(sheet: &DxfSheet, wanted: LayerRole) -> Vec<PathChain> {
     let paths: Vec<(&EntityPath, usize)> = sheet
         .entities
         .iter()
         .filter(|e| role(&e.layer) == wanted)
         .filter_map(|e| Some((e.shape.path()?, e.line)))
         .collect();
-    join_with_gaps(&paths, wanted != LayerRole::Internal)
+    join_paths(&paths, wanted != LayerRole::Internal)
 }
 
 /// Returns the open chains, those joined whose ends lie near each other as one.
-fn open_outlines(chains: &[PathChain]) -> Vec<JoinedChain> {
+fn open_outlines(chains: &[PathChain]) -> Vec<PathChain> {
     let open: Vec<PathChain> = chains.iter().filter(|c| !c.closed).cloned().collect();
     EndPairs::of_outlines(&open).join(open)
 }
 
-fn open_outline(sheet: &DxfSheet, outline: &JoinedChain) -> Fault {
+/// Returns true if an open outline is of the size of a piece and closes but for gaps that are a
+/// slip.
+fn all_but_closes(outline: &PathChain) -> bool {
+    /// Side of the smallest piece that is missed \[m\].
+    const SIDE: f64 = 0.05;
+    /// The largest gap that is a slip \[m\].
+    const SLIP: f64 = 0.01;
+    outline.closed
+        && longest_side(&outline.points) >= SIDE
+        && outline.gaps.iter().all(|gap| gap.size() <= SLIP)
+}
+
+fn open_outline(sheet: &DxfSheet, outline: &PathChain) -> Fault {
     let detail = openness(sheet, outline);
-    Fault::new(
-        PatternCode::OpenOutline,
-        at_line(outline.chain.line),
-        detail,
-    )
-    .fix("close the outline in the CAD program; gaps up to 0.5 mm are closed for you")
+    Fault::new(PatternCode::OpenOutline, at_line(outline.line), detail)
+        .fix("close the outline in the CAD program; gaps up to 0.5 mm are closed for you")
 }
 
 /// Returns a sentence on the gaps of an outline.
-fn openness(sheet: &DxfSheet, outline: &JoinedChain) -> String {
-    let chain = &outline.chain;
+fn openness(sheet: &DxfSheet, outline: &PathChain) -> String {
+    let chain = outline;
     let labels = DxfLabels::of(sheet.entities.iter());
     let name = labels.get("piece name").or(sheet.block.as_deref());
     let of = name.map_or_else(String::new, |name| format!(" of {name:?}"));
-    let mut gaps = outline.gaps.clone();
+    let is_open = |gap: &&Gap| gap.size() > REPAIRED;
+    let mut gaps: Vec<Gap> = outline.gaps.iter().filter(is_open).copied().collect();
     if let (false, Some(a), Some(b)) = (chain.closed, chain.points.first(), chain.points.last()) {
         gaps.push(Gap { ends: [*a, *b] });
     }

@@ -1,7 +1,6 @@
 //! A chain with its measures, and its place relative to points and other chains.
 
 use super::chain::PathChain;
-use super::gap::Gap;
 use crate::pattern::Point2;
 use crate::pattern::polyline::{
     bounds, contains, length, nearest, perimeter, segments, signed_area,
@@ -24,8 +23,6 @@ const SAME: f64 = 1e-6;
 pub(crate) struct MeasuredChain {
     /// The chain.
     pub(crate) chain: PathChain,
-    /// Gaps between its paths that were closed, where they are known.
-    pub(super) gaps: Vec<Gap>,
     /// The smallest and the largest coordinates \[m\].
     pub(super) bounds: [Point2; 2],
     /// Area that it encloses \[m²\].
@@ -38,7 +35,6 @@ impl MeasuredChain {
         Self {
             bounds: bounds(&chain.points),
             area: signed_area(&chain.points).abs(),
-            gaps: Vec::new(),
             chain,
         }
     }

@@ -5,7 +5,6 @@ mod allowance_width;
 mod assign;
 mod chain;
 pub(super) mod classify;
-pub(super) mod closed_gaps;
 mod corners;
 pub(super) mod drawn_notches;
 pub(super) mod dxf_piece;

@@ -64,7 +64,7 @@ fn fold(ends: [Point2; 2], line: usize) -> PathChain {
         path_end: vec![true; 2],
         sampled: vec![false; 2],
         closed: false,
-        closed_gap: None,
+        gaps: vec![],
         line,
         path_count: 0,
     }

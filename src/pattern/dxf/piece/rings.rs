@@ -3,6 +3,7 @@
 use super::chain::PathChain;
 use super::corners::CorneredRing;
 use super::dxf_piece::DxfPiece;
+use super::gap::closed_in_words;
 use super::loops::{self, CutLoop};
 use crate::config::Limits;
 use crate::fault::{Fault, PatternCode};
@@ -30,12 +31,8 @@ pub(super) fn checked(
     limits: &Limits,
     findings: &mut DxfFindings,
 ) -> Option<CorneredRing> {
-    if let Some(gap) = chain.closed_gap {
-        let detail = format!(
-            "a gap of {:.3} mm in the outline of {} was closed",
-            1000.0 * gap,
-            part.name()
-        );
+    let whose = format!("the outline of {}", part.name());
+    if let Some(detail) = closed_in_words(&chain.gaps, &whose) {
         findings.warn(PatternCode::GapClosed, chain.line, detail);
     }
     match ring(part, chain, limits) {
