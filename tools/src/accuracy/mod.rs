@@ -23,8 +23,6 @@ const LINES: &str = "target/accuracy.jsonl";
 const COARSE: f64 = 0.025;
 /// Residuals at which they stop.
 const TOLERANCES: [f64; 2] = [1e-3, 1e-5];
-/// Length of mesh edges \[m\] with which garments have about 10 000 vertices.
-const FINE: f64 = 0.009;
 /// CPU times allowed \[s\].
 const TIMES: [f64; 2] = [2.0, 5.0];
 
@@ -56,8 +54,16 @@ pub(crate) fn main(options: &AccuracyOptions) -> io::Result<()> {
         for tolerance in TOLERANCES {
             keep(line::measured(kind, &folder, COARSE, tolerance, None))?;
         }
-        for time_limit in TIMES.iter().filter(|_| kind.fine) {
-            keep(line::measured(kind, &folder, FINE, 1e-5, Some(*time_limit)))?;
+        if let Some(edge_length) = kind.fine_edge_length {
+            for time_limit in TIMES {
+                keep(line::measured(
+                    kind,
+                    &folder,
+                    edge_length,
+                    1e-5,
+                    Some(time_limit),
+                ))?;
+            }
         }
     }
     Ok(())
