@@ -4,6 +4,7 @@ use super::cone::Cone;
 use super::name_hint::guess;
 use super::placed::Placed;
 use super::spot::Spot;
+use super::taper::Taper;
 use crate::fault::{Fault, Faults, PlacementCode, pointer_token};
 use crate::pattern::{Hole, Panel, Placement, PlacementAnchor, Wrap, polyline};
 use crate::scene::Avatar;
@@ -13,6 +14,9 @@ use std::f64::consts::TAU;
 
 /// Room left between the body and a panel at the start \[m\].
 pub(super) const CLEARANCE: f64 = 0.03;
+/// Way down that a band is moved by at least and at most to start beside what it is sewn to \[m\].
+const LEAST_DOWN: f64 = 0.03;
+const MOST_DOWN: f64 = 0.4;
 /// Steps in height at which the width of the body is sampled \[m\].
 const HEIGHT_STEP: f64 = 0.02;
 
@@ -120,6 +124,7 @@ impl AnchoredPlacement {
             radius: 0.0,
             wrap,
             cone: None,
+            taper: None,
             tilt: spot.tilt,
             rotation: turn(Vector3::x(), rx) * turn(Vector3::y(), ry) * turn(Vector3::z(), rz),
             offset: Vector3::from(placement.offset_m),
@@ -148,9 +153,38 @@ impl AnchoredPlacement {
                 reach
             }
         } else {
-            around.max(CLEARANCE).max(spot.radius)
+            around.max(CLEARANCE).max(spot.reach[0])
         };
+        if spot.tilt.is_some() && spot.turn == Some(1.0) {
+            let outline: Vec<_> = outline(panel).map(|uv| up * Vector2::from(uv)).collect();
+            placed.taper = Taper::of(&outline, placed.radius, spot.reach);
+        }
         placed
+    }
+
+    /// Returns the same start further down the trunk by as much as `ways` \[m\] lead on the whole, and
+    /// clear of the body there: a band at the hem of a bodice starts below the waist. Where they
+    /// lead upwards it stays.
+    pub(super) fn moved_down_the_trunk(
+        &self,
+        placed: Placed,
+        panel: &Panel,
+        ways: &[Vector3<f64>],
+        avatar: Option<&Avatar>,
+    ) -> Placed {
+        let mean = ways.iter().map(|way| way.y).sum::<f64>() / ways.len().max(1) as f64;
+        if self.anchor != PlacementAnchor::Waist || mean > -LEAST_DOWN {
+            return placed;
+        }
+        let axis = placed.axis + Vector3::y() * mean.max(-MOST_DOWN);
+        let [_, [bottom, top]] = bounds(panel, &placed.up);
+        let span = [bottom, top].map(|y| axis.y + y - placed.key[1]);
+        let reach = radius(avatar, axis.z, span, Wrap::Cylinder) + CLEARANCE;
+        Placed {
+            radius: placed.radius.max(reach),
+            axis,
+            ..placed
+        }
     }
 
     /// Returns the same start rolled to a cone about the trunk, where the panel's stitches to

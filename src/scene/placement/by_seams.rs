@@ -96,13 +96,20 @@ fn turned(
     let ways =
         others.map(|[own, other]| placed[other.panel].position(other.uv) - best.position(own.uv));
     let ways: Vec<_> = ways.collect();
-    best.moved_down_the_limb(&ways)
+    if best.is_about_limb() {
+        best.moved_down_the_limb(&ways)
+    } else {
+        panel
+            .placement
+            .moved_down_the_trunk(best, panel.panel, &ways, avatar)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::pattern::{Panel, Placement, PlacementAnchor, Wrap};
+    use crate::scene::DressForm;
     use crate::scene::placement::AnchoredPlacement;
     use crate::seam::Face;
 
@@ -169,6 +176,51 @@ mod tests {
             middle_of_front.z > 0.0 && middle_of_front.x.abs() < 1e-9,
             "{middle_of_front}"
         );
+    }
+
+    /// Front and back 65 cm long, with a band at their hems that is tighter than the hip.
+    #[test]
+    fn a_band_at_the_hem_of_a_bodice_starts_there_and_clear_of_the_body() {
+        let avatar = DressForm::default().build().expect("a body");
+        let panels = [
+            Panel::rectangle("front", [0.5, 0.65]),
+            Panel::rectangle("back", [0.5, 0.65]),
+            Panel::rectangle("band", [0.8, 0.06]),
+        ];
+        let at = [
+            PlacementAnchor::TorsoFront,
+            PlacementAnchor::TorsoBack,
+            PlacementAnchor::Waist,
+        ];
+        let placements: Vec<_> = panels
+            .iter()
+            .zip(at)
+            .map(|(p, at)| anchored(p, at))
+            .collect();
+        let placed = panels.iter().zip(&placements);
+        let placed = placed.map(|(panel, placement)| PanelPlacement {
+            panel,
+            placement,
+            face: Face::Up,
+        });
+        let point = |panel, uv| SeamPoint { panel, uv };
+        let along = (0..=20).map(|k| f64::from(k) / 20.0);
+        let stitches: Vec<_> = along
+            .flat_map(|along| {
+                [(0, 0.0), (1, 0.4)].map(|(panel, start)| {
+                    let hem = point(panel, [0.5 * along, 0.0]);
+                    [hem, point(2, [start + 0.4 * along, 0.06])]
+                })
+            })
+            .collect();
+        let start = place_panels(&placed.collect::<Vec<_>>(), &stitches, Some(&avatar));
+        let hem = start[0].position([0.25, 0.0]).y;
+        assert!(hem < avatar.landmarks["waist_front"].y - 0.1, "{hem}");
+        for k in 0..=40 {
+            let [low, high] = [0.0, 0.06].map(|y| start[2].position([0.02 * f64::from(k), y]));
+            assert!((high.y - hem).abs() < 1e-9, "{high} beside {hem}");
+            assert!(avatar.exact_distance(&low) > 0.01, "{low}");
+        }
     }
 
     #[test]

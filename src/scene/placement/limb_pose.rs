@@ -6,6 +6,8 @@ use nalgebra::{Rotation3, Vector3};
 
 /// Room left between an arm and a sleeve at the start \[m\].
 const CLEARANCE: f64 = 0.01;
+/// Distance from the axis of an arm at which cloth clears a hand \[m\].
+pub(super) const HAND: f64 = 0.046;
 /// A sleeve starts at this angle from the body where that has no arms \[rad\]: so that it clears
 /// the sides.
 const SPREAD: f64 = 0.7;
@@ -26,6 +28,9 @@ pub(super) struct LimbPose {
     pub(super) direction: Vector3<f64>,
     /// Distance from the line at which cloth clears the limb \[m\].
     pub(super) radius: f64,
+    /// Distance at the lower end for which a straight line from `radius` at the upper one clears
+    /// all of the limb between \[m\].
+    pub(super) end_radius: f64,
 }
 
 impl LimbPose {
@@ -43,6 +48,7 @@ impl LimbPose {
                 top: tip,
                 direction: Vector3::new(side * SPREAD.sin(), -SPREAD.cos(), 0.0),
                 radius: CLEARANCE,
+                end_radius: CLEARANCE,
             },
         }
     }
@@ -73,11 +79,19 @@ impl LimbPose {
             let from = p - mean;
             (from - direction * direction.dot(&from)).norm()
         };
-        let reach = middles.iter().map(|(p, radius)| off(p) + radius);
+        let reach = || {
+            middles
+                .iter()
+                .map(|(p, radius)| off(p) + radius + CLEARANCE)
+        };
+        let radius = reach().fold(0.0, f64::max);
+        let last = (middles.len() - 1) as f64;
+        let at_end = |(k, reach): (usize, f64)| radius - (radius - reach) * last / k as f64;
         Self {
             top: mean + direction * direction.dot(&(tip - mean)),
             direction,
-            radius: reach.fold(0.0, f64::max) + CLEARANCE,
+            radius,
+            end_radius: reach().enumerate().skip(1).map(at_end).fold(0.0, f64::max),
         }
     }
 

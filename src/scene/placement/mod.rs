@@ -13,6 +13,7 @@ mod on_limb;
 mod panel_placement;
 mod placed;
 mod spot;
+mod taper;
 
 pub use anchored::AnchoredPlacement;
 pub use by_seams::place_panels;

@@ -6,8 +6,9 @@
 
 use super::Placed;
 use super::anchored::{bounds, outline};
-use super::limb_pose::LimbPose;
+use super::limb_pose::{HAND, LimbPose};
 use super::panel_placement::{OwnStitch, PanelPlacement};
+use super::taper::Taper;
 use crate::pattern::{Panel, Wrap};
 use crate::scene::{Avatar, Limb};
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
@@ -82,7 +83,7 @@ fn half_round(flat: &Placed, panel: &Panel, avatar: &Avatar) -> Option<HalfRound
             axis: pose.top + pose.direction * stretch.middle,
             tilt: pose.tilt(),
             outward: if is_before { 0.0 } else { PI },
-            least_radius: pose.radius,
+            reach: stretch.reach(),
         };
         HalfRound {
             limb: stretch.limb,
@@ -121,6 +122,17 @@ struct LimbStretch {
     pose: LimbPose,
     /// Way along the pose's direction to the middle of the panel \[m\].
     middle: f64,
+}
+
+impl LimbStretch {
+    /// Radii that clear the limb at both ends of the stretch, a hand beyond the wrist too \[m\].
+    fn reach(&self) -> [f64; 2] {
+        let end = match self.limb {
+            Limb::ArmLeft | Limb::ArmRight => self.pose.end_radius.max(HAND),
+            Limb::LegLeft | Limb::LegRight => self.pose.end_radius,
+        };
+        [self.pose.radius, end]
+    }
 }
 
 /// Returns the stretch that a panel with these points on a side of the body is beside: of the leg
@@ -196,16 +208,20 @@ struct LimbPlace {
     axis: Vector3<f64>,
     tilt: Rotation3<f64>,
     outward: f64,
-    least_radius: f64,
+    /// Radii that clear the limb at the panel's upper and lower end \[m\].
+    reach: [f64; 2],
 }
 
-/// Returns the turn of the drawing that takes the side of it which leads along `up` in space to +y,
-/// if one does.
+/// Returns the turn of the drawing that takes the side of it which leads along `up`, as seen in its
+/// plane, to +y, if one does.
 fn up_along(placed: &Placed, up: &Vector3<f64>) -> Option<Rotation2<f64>> {
     let sides = [Vector2::x(), Vector2::y(), -Vector2::x(), -Vector2::y()];
+    // Files put panels in the plane of the shoulders; arms lean forward out of it.
+    let normal = placed.rotation * Vector3::z();
+    let up = (up - normal * normal.dot(up)).normalize();
     let leads = |side: &&Vector2<f64>| {
         let side = placed.up * **side;
-        (placed.rotation * Vector3::new(side.x, side.y, 0.0)).dot(up) >= ALIKE
+        (placed.rotation * Vector3::new(side.x, side.y, 0.0)).dot(&up) >= ALIKE
     };
     let side = sides.iter().find(leads)?;
     Some(Rotation2::new(FRAC_PI_2 - side.y.atan2(side.x)))
@@ -216,6 +232,8 @@ fn up_along(placed: &Placed, up: &Vector3<f64>) -> Option<Rotation2<f64>> {
 fn rolled(flat: &Placed, panel: &Panel, up: Rotation2<f64>, place: &LimbPlace) -> Placed {
     let [[left, right], [bottom, top]] = bounds(panel, &up);
     let center_y = 0.5 * (bottom + top);
+    let radius = ((right - left) / HALF).max(place.reach[0]);
+    let turned: Vec<_> = outline(panel).map(|uv| up * Vector2::from(uv)).collect();
     // The drawing's own +x once it is turned, as it lay in space, against that of the roll.
     let drawn = flat.up * (up.inverse() * Vector2::x());
     let lay = flat.rotation * Vector3::new(drawn.x, drawn.y, 0.0);
@@ -227,9 +245,10 @@ fn rolled(flat: &Placed, panel: &Panel, up: Rotation2<f64>, place: &LimbPlace) -
         sense: lay.dot(&runs).signum(),
         outward: place.outward,
         axis: place.axis,
-        radius: ((right - left) / HALF).max(place.least_radius),
+        radius,
         wrap: Wrap::Cylinder,
         cone: None,
+        taper: Taper::of(&turned, radius, place.reach),
         tilt: Some(place.tilt),
         rotation: Rotation3::identity(),
         offset: Vector3::zeros(),

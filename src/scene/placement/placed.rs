@@ -1,6 +1,7 @@
 //! The way of a panel from its drawing to its start in space.
 
 use super::cone::Cone;
+use super::taper::Taper;
 use crate::pattern::Wrap;
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 
@@ -26,6 +27,8 @@ pub struct Placed {
     pub(super) wrap: Wrap,
     /// The cone that it is rolled to in place of the cylinder.
     pub(super) cone: Option<Cone>,
+    /// Radii of a tube that narrows along a limb.
+    pub(super) taper: Option<Taper>,
     /// Turn about the key point that lays the axis along that of an arm; none about the trunk.
     pub(super) tilt: Option<Rotation3<f64>>,
     pub(super) rotation: Rotation3<f64>,
@@ -86,17 +89,18 @@ impl Placed {
     /// The point `along` the panel's width from its key point and `up` from it \[m\].
     fn rolled(&self, along: f64, up: f64) -> Vector3<f64> {
         // Outward is (sin, 0, cos); (cos, 0, -sin) runs along increasing angle.
+        let height = self.key[1] + up;
+        let (radius, along) = self.taper.map_or((self.radius, along), |taper| {
+            let aside = self.sense * taper.aside(height);
+            (taper.radius(self.radius, height), along - aside)
+        });
         let round = |angle: f64, flat: f64| {
             let (sin, cos) = angle.sin_cos();
-            Vector3::new(
-                self.radius * sin + flat * cos,
-                up,
-                self.radius * cos - flat * sin,
-            )
+            Vector3::new(radius * sin + flat * cos, up, radius * cos - flat * sin)
         };
         let from_key = match self.wrap {
             Wrap::Flat => round(self.outward, along),
-            Wrap::Cylinder => round(self.outward + along / self.radius, 0.0),
+            Wrap::Cylinder => round(self.outward + along / radius, 0.0),
             Wrap::Level => return self.axis + Vector3::new(along, 0.0, -up),
         };
         self.axis + self.tilt.map_or(from_key, |tilt| tilt * from_key)
