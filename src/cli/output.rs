@@ -16,6 +16,7 @@ pub(super) struct MeshOutput {
 enum MeshFormat {
     Glb,
     Obj,
+    Ply,
     Json,
 }
 
@@ -28,8 +29,9 @@ impl FromStr for MeshOutput {
         let format = match extension.map(str::to_ascii_lowercase).as_deref() {
             Some("glb") => MeshFormat::Glb,
             Some("obj") => MeshFormat::Obj,
+            Some("ply") => MeshFormat::Ply,
             Some("json") => MeshFormat::Json,
-            _ => return Err("its name must end in .glb, .obj or .json".to_owned()),
+            _ => return Err("its name must end in .glb, .obj, .ply or .json".to_owned()),
         };
         Ok(Self { path, format })
     }
@@ -44,6 +46,7 @@ impl MeshOutput {
         let bytes = match self.format {
             MeshFormat::Glb => export::glb(mesh),
             MeshFormat::Obj => export::obj(mesh).into_bytes(),
+            MeshFormat::Ply => export::ply(mesh),
             MeshFormat::Json => serde_json::to_vec(mesh).map_err(|error| error.to_string())?,
         };
         write(&self.path, &bytes)

@@ -26,4 +26,48 @@ pub struct DrapedPanel {
     pub uv: Vec<Point2>,
     /// Triangles, counter-clockwise seen from outside; `#T`.
     pub triangles: Vec<[u32; 3]>,
+    /// Maps that were asked for.
+    #[serde(default, skip_serializing_if = "VertexMaps::is_empty")]
+    pub maps: VertexMaps,
+}
+
+/// Maps on the vertices of a panel: each `#V`, or empty where it was not asked for.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(default)]
+pub struct VertexMaps {
+    /// Length along the warp over that on the pattern, less 1.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub strain_warp: Vec<f64>,
+    /// The same along the weft.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub strain_weft: Vec<f64>,
+    /// Share of the extension that the fabric gives in wear, in the direction in which it is
+    /// largest.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub strain_share: Vec<f64>,
+    /// Pressure of the body on the cloth \[kPa\].
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub pressure_kpa: Vec<f64>,
+    /// Distance from the body, negative within it \[mm\].
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub gap_mm: Vec<f64>,
+}
+
+impl VertexMaps {
+    /// Returns the maps that are there, by name.
+    pub fn named(&self) -> impl Iterator<Item = (&'static str, &[f64])> {
+        let all = [
+            ("strain_warp", &*self.strain_warp),
+            ("strain_weft", &*self.strain_weft),
+            ("strain_share", &*self.strain_share),
+            ("pressure_kpa", &*self.pressure_kpa),
+            ("gap_mm", &*self.gap_mm),
+        ];
+        all.into_iter().filter(|(_, values)| !values.is_empty())
+    }
+
+    /// Returns true if there are none.
+    pub fn is_empty(&self) -> bool {
+        self.named().next().is_none()
+    }
 }

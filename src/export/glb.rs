@@ -3,7 +3,7 @@
 //! Written by hand after the glTF 2.0 specification (Khronos Group, 2021), sections 3.6 (buffers,
 //! accessors), 3.7 (meshes), 3.9 (materials) and 4.4 (the binary container).
 
-use super::garment_mesh::{DrapedPanel, GarmentMesh};
+use super::garment_mesh::{DrapedPanel, GarmentMesh, VertexMaps};
 use super::normals;
 use crate::scene::TriangleMesh;
 use nalgebra::Vector3;
@@ -90,14 +90,46 @@ impl GlbWriter {
         let mut primitive = self.surface(&panel.positions, normals, &triangles);
         primitive["attributes"]["TEXCOORD_0"] = self.floats(&panel.uv, false).into();
         primitive["material"] = material.into();
+        let mut extras =
+            json!({"panel": panel.panel, "texcoord_0": "pattern coordinates in metres, v up"});
+        self.maps(&panel.maps, &mut primitive["attributes"], &mut extras);
         self.mesh(
             &panel.panel,
             json!({
                 "name": panel.panel,
                 "primitives": [primitive],
-                "extras": {"panel": panel.panel, "texcoord_0": "pattern coordinates in metres, v up"},
+                "extras": extras,
             }),
         );
+    }
+
+    /// Adds the maps of a panel as attributes of its own, and says in `extras` what they are.
+    fn maps(&mut self, maps: &VertexMaps, attributes: &mut Value, extras: &mut Value) {
+        if !maps.strain_warp.is_empty() {
+            let both = maps.strain_warp.iter().zip(&maps.strain_weft);
+            let both: Vec<[f64; 2]> = both.map(|(warp, weft)| [*warp, *weft]).collect();
+            attributes["_STRAIN"] = self.floats(&both, false).into();
+            extras["_strain"] = "strain along warp and weft".into();
+        }
+        for (name, values, meaning) in [
+            (
+                "_STRAIN_SHARE",
+                &maps.strain_share,
+                "share of the extension that the fabric gives",
+            ),
+            (
+                "_PRESSURE",
+                &maps.pressure_kpa,
+                "pressure of the body in kPa",
+            ),
+            ("_GAP", &maps.gap_mm, "distance from the body in mm"),
+        ] {
+            if !values.is_empty() {
+                let values: Vec<[f64; 1]> = values.iter().map(|value| [*value]).collect();
+                attributes[name] = self.floats(&values, false).into();
+                extras[name.to_ascii_lowercase()] = meaning.into();
+            }
+        }
     }
 
     fn avatar(&mut self, surface: &TriangleMesh) {
@@ -162,7 +194,7 @@ impl GlbWriter {
             "bufferView": self.view(start, ARRAY_BUFFER),
             "componentType": FLOAT,
             "count": vectors.len(),
-            "type": format!("VEC{N}"),
+            "type": if N == 1 { "SCALAR".to_owned() } else { format!("VEC{N}") },
         });
         if bounded {
             let bound = |pick: fn(f32, f32) -> f32, start: f32| {

@@ -1,6 +1,6 @@
 //! The garment file: all that a fit needs, as JSON (P6).
 
-use crate::pattern::{Pattern, Placement, SeamPair};
+use crate::pattern::{Pattern, Placement, Point2, SeamPair};
 use crate::scene::triples::{positions_schema, triangles_schema};
 use crate::scene::{BodySource, DressForm, Fabric, OwnBody};
 use crate::seam::FaceRequest;
@@ -59,9 +59,10 @@ pub struct Garment {
     /// Coulomb coefficient against the body; the fabrics' own if absent.
     #[serde(default)]
     pub friction: Option<f64>,
-    /// A fit to begin from.
+    /// The shape to begin from: the id of a fit that has succeeded. The saved file has its shape
+    /// instead.
     #[serde(default)]
-    pub start_from: Option<Uuid>,
+    pub start_from: Option<StartRef>,
     /// The garment that it is worn over: the id of a fit that has succeeded on the same avatar.
     /// The saved file has its surface instead.
     #[serde(default)]
@@ -241,6 +242,44 @@ pub struct InnerPanel {
     pub triangles: Vec<[u32; 3]>,
 }
 
+/// A shape to begin from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(untagged)]
+#[schema(as = StartAsked)]
+pub enum StartRef {
+    /// Id of a fit that has succeeded.
+    Id(Uuid),
+    /// The shape in which it ended, as a saved file has it.
+    Whole(Box<StartShape>),
+}
+
+/// The shape in which a fit ended.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StartShape {
+    /// Its energy \[J\].
+    pub energy_j: f64,
+    /// Its panels.
+    pub panels: Vec<StartPanel>,
+}
+
+/// A panel of a shape to begin from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StartPanel {
+    /// Id of the panel.
+    pub panel: String,
+    /// Positions \[m\], y up; `#V`.
+    #[schema(schema_with = positions_schema)]
+    pub positions: Vec<[f64; 3]>,
+    /// Pattern coordinates \[m\]; `#V`.
+    #[schema(value_type = Vec<[f64; 2]>)]
+    pub uv: Vec<Point2>,
+    /// Corners of its triangles; `#T`.
+    #[schema(schema_with = triangles_schema)]
+    pub triangles: Vec<[u32; 3]>,
+}
+
 /// A corner that does not move.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
@@ -280,10 +319,10 @@ pub enum SelfContact {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum MapKind {
-    /// Largest principal strain.
+    /// Strain along warp and weft, and as a share of what the fabric gives.
     Strain,
-    /// Contact pressure \[Pa\].
+    /// Pressure of the body on the cloth \[kPa\].
     Pressure,
-    /// Distance from the body \[m\].
+    /// Distance from the body \[mm\].
     Gap,
 }

@@ -42,6 +42,7 @@ pub(super) fn settle(
         return found;
     }
     let first = std::mem::replace(drape, again);
+    drape.coarser_shape = first.coarser_shape;
     join(&mut drape.report, first.report);
     found_again
 }

@@ -4,6 +4,7 @@ use super::garment::Garment;
 use crate::export::GarmentMesh;
 use crate::pattern::Pattern;
 use crate::scene::{self, BodySource, Fabric};
+use crate::solver::DrapeReport;
 use std::sync::Arc;
 use uuid::Uuid;
 
@@ -31,6 +32,8 @@ pub struct FinishedFit {
     pub garment: Garment,
     /// The shape that it ended in.
     pub mesh: GarmentMesh,
+    /// Its report.
+    pub report: DrapeReport,
 }
 
 /// The reason why there is no such finished fit.

@@ -11,6 +11,8 @@ mod json_schema;
 mod layers;
 mod library;
 mod limbs;
+mod maps;
+mod measures;
 mod over;
 mod panel_spec;
 mod picture;
@@ -23,21 +25,26 @@ mod schema_fault;
 mod seam_check;
 mod sewing_pattern;
 mod sides;
+mod start_from;
 mod starts;
 mod suggest;
 mod support;
 mod unsupported;
 mod validate;
 mod verdict;
+mod warm;
+mod zone;
 
 pub(crate) use ahead::size_warnings;
 pub use garment::{
     AvatarRef, DressFormSpec, Elastic, Garment, InnerGarment, InnerPanel, MapKind, OverRef,
     OwnBodySpec, PanelSpec, PatternRef, Pin, SCHEMA, SeamsKeyword, SeamsSpec, SelfContact,
-    WindSpec,
+    StartPanel, StartRef, StartShape, WindSpec,
 };
 pub use json_schema::garment_schema_json;
 pub use library::{AssetLibrary, FinishedFit, NoFinishedFit, ShippedAssets};
+pub use maps::{ShapeMap, shape_maps};
+pub use measures::{GarmentMeasures, GirthMeasures, PanelMeasures, SeamMeasures, measures};
 pub use picture::picture;
 pub(crate) use request_schema::RequestSchema;
 pub use request_schema::{ReadError, read_garment};

@@ -51,7 +51,7 @@ pub(super) fn inline_over(
 
 /// Finds the surface of a finished fit, and of all that it is worn over.
 fn found(id: Uuid, library: &dyn AssetLibrary) -> Result<InnerGarment, Fault> {
-    let FinishedFit { garment, mesh } =
+    let FinishedFit { garment, mesh, .. } =
         library.finished_fit(id).map_err(|none| refused(id, none))?;
     let mut panels = match garment.over {
         Some(OverRef::Whole(inner)) => inner.panels,

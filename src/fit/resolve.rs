@@ -1,5 +1,6 @@
 //! A garment resolved: every id it refers to replaced by its value, and everything checked.
 
+use super::garment::StartShape;
 use super::garment::{AvatarRef, Garment, PanelSpec, PatternRef, SeamsSpec, WindSpec};
 use super::layers;
 use super::library::AssetLibrary;
@@ -9,6 +10,7 @@ use super::panel_spec::{panel_specs, spell_out_copies};
 use super::references::{self, NamedFabric, PanelFabrics};
 use super::seam_check::{anchored_placements, check_faced};
 use super::sewing_pattern::{faces, with_copies, without_allowances};
+use super::start_from;
 use super::suggest::{self, ListedSeams};
 use super::validate::{self, PinnedCorner};
 use crate::config::Limits;
@@ -41,6 +43,8 @@ pub struct ResolvedGarment {
     pub(super) avatar: Option<BodySource>,
     /// The garments that it is worn over, if there are any.
     pub(super) over: Option<Arc<FixedCloth>>,
+    /// The shape that it starts from, if it does from one.
+    pub(super) start: Option<Arc<StartShape>>,
     /// Bodies made before.
     pub(super) bodies: Arc<AvatarCache>,
     /// The layer of each panel, counted from the body outwards; empty where they have no order.
@@ -102,6 +106,7 @@ pub fn resolve(
     references::inline_fabrics(&mut garment, library, &mut faults);
     let avatar = references::inline_avatar(&mut garment, library, &mut faults);
     let over = over::inline_over(&mut garment, library, limits, &mut faults);
+    let start = start_from::inline_start(&mut garment, library, limits, &mut faults);
     let mut pattern = references::find_pattern(garment.pattern.take(), library, limits)
         .map_err(|found| joined(&mut faults, found))?;
     let ListedSeams { pairs, suggested } = suggest::list_seams(&mut garment, &mut pattern, limits)
@@ -152,6 +157,7 @@ pub fn resolve(
         fabrics: fabrics.fabrics,
         avatar,
         over,
+        start,
         layers: layers::ranks(&specs),
         bodies: Arc::default(),
         pins,

@@ -5,16 +5,18 @@ use super::garment::{Garment, SelfContact};
 use super::girths;
 use super::harder;
 use super::layers;
+use super::maps;
 use super::resolve::ResolvedGarment;
 use super::starts;
 use super::support;
 use super::verdict::{Demands, verdict};
-use crate::export::{DrapedPanel, GarmentMesh};
+use super::warm;
+use crate::export::{DrapedPanel, GarmentMesh, VertexMaps};
 use crate::fault::{Faults, PlacementCode, Warning, quoted_list};
 use crate::memory;
 use crate::mesh::{self, ClothMesh, PanelRange};
 use crate::scene::{self, Avatar, Body, BodySource, Limbs, PanelParts, Parts, Scene};
-use crate::solver::{self, Analysis, Context, DrapeReport, SkippedTerm, SolverOptions};
+use crate::solver::{Analysis, Context, DrapeReport, SkippedTerm, SolverOptions};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -40,16 +42,25 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
     let meshed = (context.cpu_s)();
     let (mut scene, warnings) = assemble(garment, cloth)?;
     let assembled = (context.cpu_s)();
-    let mut drape = solver::drape(&scene, &less_spent(options, assembled - began), context);
     let names = garment.pattern.panels.iter().map(|panel| &*panel.id);
     let names: Vec<_> = names.collect();
+    let (mut drape, left_start) = warm::drape(
+        (&scene, &names),
+        garment.start.as_deref(),
+        &less_spent(options, assembled - began),
+        context,
+    );
     let mut found = None;
     if !drape.canceled {
         let left = less_spent(options, (context.cpu_s)() - began);
         found = harder::settle(&mut scene, (&mut drape, &names), &left, context);
     }
     let solved = (context.cpu_s)();
-    let mesh = garment_mesh(garment, &scene, &drape.positions);
+    let mut mesh = garment_mesh(garment, &scene, &drape.positions);
+    let kinds = &garment.garment().maps;
+    if !kinds.is_empty() {
+        drape.report.maps = maps::add(kinds, (&scene, &names), &drape, &mut mesh);
+    }
     let mut report = drape.report;
     if !drape.canceled {
         let pairs = context.limits.crossing_pairs;
@@ -66,6 +77,7 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
     report.plan.time_limit_s = options.time_limit_s;
     report.warnings = garment.warnings().to_vec();
     report.warnings.extend(warnings);
+    report.warnings.extend(left_start);
     report.warnings.extend(size_warnings(&scene));
     if !options.method.is_time_stepping() {
         report.warnings.extend(sewn_first(&scene, &names));
@@ -222,6 +234,7 @@ fn garment_mesh(
                 .collect(),
             uv: scene.mesh.uv[range.vertices.clone()].to_vec(),
             triangles: panel_triangles(&scene.mesh, range, panel.cut.face_down),
+            maps: VertexMaps::default(),
         });
     GarmentMesh {
         panels: panels.collect(),

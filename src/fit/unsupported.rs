@@ -32,7 +32,7 @@ fn fault(under: &str, (is_wrong, field, what, fix): StatedSetting) -> Option<Fau
     })
 }
 
-fn garment_settings(garment: &Garment) -> [StatedSetting; 4] {
+fn garment_settings(garment: &Garment) -> [StatedSetting; 3] {
     [
         (
             garment.over.is_some()
@@ -49,16 +49,10 @@ fn garment_settings(garment: &Garment) -> [StatedSetting; 4] {
             "give \"auto\" or \"off\", or the method \"newton\"",
         ),
         (
-            garment.start_from.is_some(),
+            garment.start_from.is_some() && garment.simulate.method.is_time_stepping(),
             "start_from",
-            "starting from another fit",
-            "leave it out or give null",
-        ),
-        (
-            !garment.maps.is_empty(),
-            "maps",
-            "a map on the mesh",
-            "leave it out",
+            "starting from another fit with a method that steps in time",
+            "leave it out, or give the method \"newton\"",
         ),
     ]
 }

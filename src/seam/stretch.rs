@@ -23,7 +23,7 @@ pub struct Stretch {
 
 impl Stretch {
     /// Arc length \[m\].
-    pub(super) fn length(&self, pattern: &Pattern) -> f64 {
+    pub(crate) fn length(&self, pattern: &Pattern) -> f64 {
         let panel = &pattern.panels[self.panel];
         (self.to - self.from).abs() * self.track.length(panel, self.edge)
     }

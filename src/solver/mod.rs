@@ -24,7 +24,7 @@ mod report;
 mod statistics;
 
 pub use crate::solver::context::Context;
-pub use crate::solver::drape::multilevel::{drape, drape_on};
+pub use crate::solver::drape::multilevel::{drape, drape_from, drape_on};
 pub use crate::solver::forces::contact::kept_distance;
 pub use crate::solver::forces::friction_anchors::FrictionAnchors;
 pub use crate::solver::integrate::{
@@ -32,11 +32,14 @@ pub use crate::solver::integrate::{
     trajectory,
 };
 pub use crate::solver::model::build::springs;
+pub(crate) use crate::solver::model::rest_shape::{cut_triangles, vertex_areas};
 pub use crate::solver::options::{Analysis, MembraneModel, Method, SeamClose, SolverOptions};
 pub use crate::solver::outcome::Drape;
 pub use crate::solver::report::contact_force::{contact_force, contact_pressure};
+pub(crate) use crate::solver::report::measure::metric;
 pub use crate::solver::report::measure::rms_distance;
 pub use crate::solver::report::schema::{
     Advice, CpuSeconds, DrapeReport, Energy, ErrorPoint, Intersection, IntersectionKind,
-    LevelReport, Plan, Shortcoming, SkippedTerm, Support, SupportOpening, TermTime, Verdict,
+    LevelReport, MapPart, MapSummary, Plan, Shortcoming, SkippedTerm, StartedFrom, Support,
+    SupportOpening, TermTime, Verdict,
 };

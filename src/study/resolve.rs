@@ -84,6 +84,7 @@ pub fn resolve(
     fill_in(&mut request, limits);
     let mut faults = validate::faults(&request, limits);
     request.garment.over = None;
+    request.garment.start_from = None;
     let options = std::mem::take(&mut request.garment.simulate);
     let [least, most] = limits.edge_length_m;
     let lengths = request.edge_lengths_m.iter().copied();

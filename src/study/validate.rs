@@ -6,10 +6,10 @@ use crate::fault::{Fault, GarmentCode, StudyCode};
 use crate::solver::{Analysis, Method, SolverOptions};
 
 /// Returns the faults of a request whose empty lists are filled in; its garment is not looked at,
-/// but for `over` and the options of a motion.
+/// but for `over`, `start_from` and the options of a motion.
 pub(super) fn faults(request: &StudyRequest, limits: &Limits) -> Vec<Fault> {
     let mut faults = list_faults(request, limits);
-    faults.extend(over_fault(request));
+    faults.extend(garment_faults(request));
     faults.extend(too_many_runs(request, limits));
     faults.extend(time_fault(request.time_limit_s, limits));
     if request.garment.simulate.analysis == Analysis::Transient {
@@ -20,13 +20,27 @@ pub(super) fn faults(request: &StudyRequest, limits: &Limits) -> Vec<Fault> {
     faults
 }
 
-/// Returns the fault of a garment that is worn over another: not all methods have contact of cloth
-/// with cloth, without which the other one is not there.
-fn over_fault(request: &StudyRequest) -> Option<Fault> {
-    request.garment.over.is_some().then(|| {
-        let detail = "a study of a garment worn over another one is not available in this version";
-        let fault = Fault::new(GarmentCode::NotAvailable, "/garment/over", detail);
-        fault.fix("leave it out, or sew it as a fit")
+/// Returns the faults of what a study cannot follow: a garment that is worn over another, since not
+/// all methods have contact of cloth with cloth, without which the other one is not there, and a
+/// shape to start from, which would be nearer to some of its ends than to others.
+fn garment_faults(request: &StudyRequest) -> impl Iterator<Item = Fault> {
+    let garment = &request.garment;
+    let asked = [
+        (garment.over.is_some(), "over", "worn over another one"),
+        (
+            garment.start_from.is_some(),
+            "start_from",
+            "that starts from another fit",
+        ),
+    ];
+    asked.into_iter().filter_map(|(is_asked, field, what)| {
+        let detail = format!("a study of a garment {what} is not available in this version");
+        let fault = Fault::new(
+            GarmentCode::NotAvailable,
+            format!("/garment/{field}"),
+            detail,
+        );
+        is_asked.then(|| fault.fix("leave it out, or sew it as a fit"))
     })
 }
 

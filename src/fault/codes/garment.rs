@@ -44,6 +44,18 @@ fault_codes! {
         PatternUnknown = "pattern_unknown":
             "No stored pattern has this id.",
             "Upload it first: `POST /v1/patterns`.";
+        StartLeft = "start_left":
+            "The garment was sewn from flat panels, not from the shape in `start_from`.",
+            "Nothing need be done: the detail says why.";
+        StartShape = "start_shape":
+            "The shape to start from is none.",
+            "Give the id of a fit that has succeeded, or `start_from` of a saved file as it is.";
+        StartUnfinished = "start_unfinished":
+            "The fit that this garment is to start from has not succeeded.",
+            "Wait for its end, or give the id of a fit that has succeeded.";
+        StartUnknown = "start_unknown":
+            "No fit has the id of the shape that this garment is to start from.",
+            "Leave it out, or give the id of a fit that has succeeded.";
         Schema = "schema":
             "The garment is of a format that this service does not read.",
             "Give the format that the fault names.";

@@ -17,12 +17,13 @@ use uuid::Uuid;
 
 const GLB: &str = "model/gltf-binary";
 const OBJ: &str = "model/obj";
+const PLY: &str = "model/ply";
 const JSON: &str = "application/json";
 const PNG: &str = "image/png";
 
 /// The shape, in the format that `Accept` names; GLB if none
 #[utoipa::path(get, path = "/v1/fits/{id}/mesh", tag = "results", params(("id" = Uuid, Path)), responses(
-    (status = 200, description = "The mesh", content((Vec<u8> = "model/gltf-binary"), (String = "model/obj"), (GarmentMesh = "application/json"))),
+    (status = 200, description = "The mesh", content((Vec<u8> = "model/gltf-binary"), (String = "model/obj"), (Vec<u8> = "model/ply"), (GarmentMesh = "application/json"))),
     (status = 206, description = "The part of it in `Range`"),
     (status = 304, description = "It is the one in `If-None-Match`"),
     (status = 404, description = "There is no such fit, or it left none", body = Problem, content_type = "application/problem+json"),
@@ -33,7 +34,7 @@ pub(super) async fn mesh(
     PathId(id): PathId,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
-    let offered = [GLB, OBJ, JSON];
+    let offered = [GLB, OBJ, PLY, JSON];
     let format = preferred_type(&headers, &offered);
     let format = format.ok_or_else(|| Problem::not_acceptable(&offered.join(", ")))?;
     let mut response = mesh_as(&state, id, format, &headers).await?;
@@ -63,6 +64,17 @@ pub(super) async fn mesh_obj(
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
     mesh_as(&state, id, OBJ, &headers).await
+}
+
+/// The shape as binary PLY: one list of vertices, with the maps that were asked for
+#[utoipa::path(get, path = "/v1/fits/{id}/mesh.ply", tag = "results", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The mesh", content_type = "model/ply", body = Vec<u8>)))]
+pub(super) async fn mesh_ply(
+    State(state): State<AppState>,
+    PathId(id): PathId,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    mesh_as(&state, id, PLY, &headers).await
 }
 
 /// The shape as JSON
@@ -95,10 +107,10 @@ fn convert_mesh(json: Vec<u8>, format: &str) -> Result<Vec<u8>, Problem> {
     }
     let mesh: GarmentMesh =
         serde_json::from_slice(&json).map_err(|cause| StoreError::new("reading a mesh", cause))?;
-    Ok(if format == GLB {
-        export::glb(&mesh)
-    } else {
-        export::obj(&mesh).into_bytes()
+    Ok(match format {
+        GLB => export::glb(&mesh),
+        PLY => export::ply(&mesh),
+        _ => export::obj(&mesh).into_bytes(),
     })
 }
 
@@ -132,6 +144,25 @@ fn read_result<T: DeserializeOwned>(app: &App, id: Uuid, file: ResultFile) -> Re
     let json = jobs::result_file(app, JobKind::Fit, id, file)?;
     Ok(serde_json::from_slice(&json)
         .map_err(|cause| StoreError::new("reading the result of a fit", cause))?)
+}
+
+/// Measures of the garment: areas, lengths of seams, girths beside those of the body
+#[utoipa::path(get, path = "/v1/fits/{id}/measures", tag = "results", params(("id" = Uuid, Path)), responses(
+    (status = 200, description = "The measures", body = fit::GarmentMeasures),
+    (status = 404, description = "There is no such fit, or it left no shape", body = Problem, content_type = "application/problem+json"),
+    (status = 409, description = "The fit has not ended yet", body = Problem, content_type = "application/problem+json")))]
+pub(super) async fn measures(
+    State(state): State<AppState>,
+    PathId(id): PathId,
+    headers: HeaderMap,
+) -> Result<Response, Problem> {
+    let make = move |app: &App| {
+        let mesh: GarmentMesh = read_result(app, id, ResultFile::Mesh)?;
+        let measures = fit::measures(&resolved(app, id)?, &mesh)?;
+        let json = serde_json::to_vec(&measures);
+        Ok::<_, Problem>(json.expect("lists of numbers always serialize"))
+    };
+    respond_computed(&state, &headers, JSON, make).await
 }
 
 /// Report of a fit: how far to trust the shape

@@ -19,7 +19,7 @@ use crate::solver::outcome::{
 };
 use crate::solver::report::cost_model;
 use crate::solver::report::describe::describe;
-use crate::solver::report::measure::{measure_shape, rms_distance};
+use crate::solver::report::measure::{measure_shape, rms_distance, seam_gap};
 use crate::solver::statistics::{Fallback, SolveStatistics};
 use nalgebra::Vector3;
 
@@ -32,6 +32,9 @@ const COARSE_TOLERANCE: f64 = 1e-3;
 const FLOOR_MULTIPLE: f64 = 10.0;
 /// The same of a drape that is continued.
 const CONTINUED_FLOOR_MULTIPLE: f64 = 3.0;
+/// Gap of a seam up to which it is closed at once, not sewn \[m\]: what ease leaves between two
+/// meshes.
+const WELDED_GAP: f64 = 5e-3;
 
 /// Sews and drapes.
 ///
@@ -73,6 +76,22 @@ pub fn drape_on(
     )
 }
 
+/// Drapes on from any shape of the scene \[m; `#V`\], on its own mesh alone: seams that are open there
+/// are sewn first.
+pub fn drape_from(
+    scene: &Scene,
+    options: &SolverOptions,
+    positions: &[Vector3<f64>],
+    context: &mut Context<'_>,
+) -> Drape {
+    let stitches: Vec<_> = scene.mesh.stitches.iter().map(|s| (s.a, s.b)).collect();
+    let hierarchy = MeshHierarchy::single(scene);
+    let from = Drape::of_shape(positions);
+    let mut solve = MultilevelSolve::new(&hierarchy, options, Some(&from), context);
+    solve.is_sewn = seam_gap(&stitches, positions) < WELDED_GAP;
+    describe(scene, solve.run())
+}
+
 /// A drape from level to level.
 struct MultilevelSolve<'a, 's, 'c, 'w> {
     hierarchy: &'a MeshHierarchy<'s>,
@@ -87,7 +106,13 @@ struct MultilevelSolve<'a, 's, 'c, 'w> {
     /// True if the seams are closed.
     is_sewn: bool,
     /// The shape that the finest level began with, if it was one at rest.
-    handed_on: Option<Vec<Vector3<f64>>>,
+    handed_on: Option<HandedOn>,
+}
+
+/// The shape of a level, as it is and as the finest level began with it \[m\].
+struct HandedOn {
+    coarse: Vec<Vector3<f64>>,
+    refined: Vec<Vector3<f64>>,
 }
 
 /// A shape, the number of its level (0 is the finest), and how the levels ended.
@@ -236,16 +261,19 @@ impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
     /// Carries the shape of level `number` to the next finer one, and keeps it if it is to tell the
     /// mesh error.
     fn refine(&mut self, number: usize, x: &[Vector3<f64>], is_at_rest: bool) -> Vec<Vector3<f64>> {
-        let x = self.hierarchy.refine(number, x);
+        let refined = self.hierarchy.refine(number, x);
         if self.hierarchy.is_softer(number) {
             self.statistics.fallbacks.insert(Fallback::SofterCloth);
             // What a coarser mesh of softer cloth handed on tells of both.
             self.handed_on = None;
         } else {
-            let is_whole = x.len() == self.hierarchy.scene(0).start.len();
-            self.handed_on = (is_at_rest && is_whole).then(|| x.clone());
+            let is_whole = refined.len() == self.hierarchy.scene(0).start.len();
+            self.handed_on = (is_at_rest && is_whole).then(|| HandedOn {
+                coarse: x.to_vec(),
+                refined: refined.clone(),
+            });
         }
-        x
+        refined
     }
 
     /// Measures the last shape on the finest mesh.
@@ -261,7 +289,7 @@ impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
             .and_then(|level| level.relaxation.as_ref().ok());
         let (balance, estimate) = self.assess(relaxed, last.level, &x);
         let measures = measure_shape(scene, &x);
-        let handed_on = self.handed_on.as_ref().filter(|_| last.end.is_ok());
+        let handed_on = self.handed_on.filter(|_| last.end.is_ok());
         let to_finest = |level, x| self.hierarchy.to_finest(level, x);
         let sunk = self
             .levels
@@ -275,7 +303,10 @@ impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
             end: last.end,
             balance,
             estimate,
-            mesh_error_m: handed_on.map(|coarse| rms_distance(coarse, &x)),
+            mesh_error_m: handed_on
+                .as_ref()
+                .map(|shape| rms_distance(&shape.refined, &x)),
+            coarser_shape: handed_on.map(|shape| shape.coarse),
             measures,
             sunk_m: sunk.fold(0.0, |sum, relaxed| sum + relaxed.sunk_m),
             halving_s: relaxed.and_then(|relaxed| relaxed.remaining?.halving_s),

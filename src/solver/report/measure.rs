@@ -37,6 +37,20 @@ pub fn rms_distance(x: &[Vector3<f64>], y: &[Vector3<f64>]) -> f64 {
     rms(x.len(), |i| x[i] - y[i])
 }
 
+/// Returns the metric of a triangle, whose entries are the scalar products of the images of the two
+/// unit vectors of its rest positions, and its area at rest \[m²\]; none if it has none.
+pub(crate) fn metric(
+    [p, q, r]: [[f64; 2]; 3],
+    [a, b, c]: [Vector3<f64>; 3],
+) -> Option<(Matrix2<f64>, f64)> {
+    let sides = Matrix2::new(q[0] - p[0], r[0] - p[0], q[1] - p[1], r[1] - p[1]);
+    let rest = sides.try_inverse()?;
+    let (e, f) = (b - a, c - a);
+    let products = Matrix2::new(e.dot(&e), e.dot(&f), e.dot(&f), f.dot(&f));
+    let area = 0.5 * sides.determinant().abs();
+    Some((rest.transpose() * products * rest, area))
+}
+
 /// Returns the largest principal stretch of any triangle, less 1; the largest strain of any given
 /// spring where there are no triangles.
 fn strain(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
@@ -48,17 +62,9 @@ fn strain(scene: &Scene, x: &[Vector3<f64>]) -> f64 {
             .unwrap_or(0.0);
     }
     let stretch = |t: &[usize; 3]| {
-        let [p, q, r] = t.map(|v| scene.mesh.uv[v]);
-        let rest =
-            Matrix2::new(q[0] - p[0], r[0] - p[0], q[1] - p[1], r[1] - p[1]).try_inverse()?;
-        let (e, f) = (x[t[1]] - x[t[0]], x[t[2]] - x[t[0]]);
-        let metric =
-            rest.transpose() * Matrix2::new(e.dot(&e), e.dot(&f), e.dot(&f), f.dot(&f)) * rest;
-        let (mean, half) = (
-            0.5 * metric.trace(),
-            0.5 * (metric[(0, 0)] - metric[(1, 1)]),
-        );
-        Some((mean + half.hypot(metric[(0, 1)])).sqrt())
+        let (metric, _) = metric(t.map(|v| scene.mesh.uv[v]), t.map(|v| x[v]))?;
+        let half = 0.5 * (metric[(0, 0)] - metric[(1, 1)]);
+        Some((0.5 * metric.trace() + half.hypot(metric[(0, 1)])).sqrt())
     };
     scene
         .mesh

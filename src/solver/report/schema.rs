@@ -63,6 +63,12 @@ pub struct DrapeReport {
     /// Verdict on how the body carries the garment.
     #[serde(rename = "worn")]
     pub support: Support,
+    /// The shape that it was begun with; null where it was sewn from flat panels.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub started_from: Option<StartedFrom>,
+    /// Maps that were asked for, in short.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub maps: Vec<MapSummary>,
     /// Vertices of the mesh.
     pub vertices: usize,
     /// Triangles of the mesh.
@@ -99,6 +105,45 @@ pub struct DrapeReport {
     /// Warnings about the seams that were sewn.
     #[serde(default)]
     pub warnings: Vec<Warning>,
+}
+
+/// The shape of an earlier fit that a drape began with.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct StartedFrom {
+    /// Energy of the earlier fit at its end \[J\], beside the one of this fit in `energy_j`.
+    pub energy_j: f64,
+}
+
+/// A map in short: its values on panels and beside zones of the body.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
+#[schema(as = Map)]
+pub struct MapSummary {
+    /// `strain_warp`, `strain_weft`, `strain_share`, `pressure` or `gap`.
+    pub name: String,
+    /// Unit of its values.
+    pub unit: String,
+    /// Error of its values by the mesh: RMS difference from those of the mesh of a third of the
+    /// vertices; null where that did not come to rest.
+    pub error: Option<f64>,
+    /// Its values on each panel.
+    pub panels: Vec<MapPart>,
+    /// Its values beside each zone of the body; none without an avatar.
+    pub zones: Vec<MapPart>,
+}
+
+/// Values of a map on a part of the cloth, in the unit of the map.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
+pub struct MapPart {
+    /// Id of the panel, or name of the zone.
+    pub name: String,
+    /// Area of the part on the pattern \[m²\].
+    pub area_m2: f64,
+    /// Mean by area.
+    pub mean: f64,
+    /// Largest value.
+    pub max: f64,
+    /// Place of the largest value \[m\].
+    pub max_at_m: [f64; 3],
 }
 
 /// Verdict on a garment, at rest or not; whether it is worn is judged only at rest.
@@ -173,6 +218,13 @@ pub struct Energy {
     pub seam: f64,
     /// Contact with the body.
     pub contact: f64,
+}
+
+impl Energy {
+    /// Returns the sum of all terms \[J\].
+    pub fn total(&self) -> f64 {
+        self.stretch + self.bend + self.gravity + self.seam + self.contact
+    }
 }
 
 /// Support of the garment by the body.

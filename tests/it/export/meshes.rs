@@ -3,7 +3,9 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on has failed")]
 
 use nalgebra::Vector3;
-use seamster::export::{DrapedPanel, GarmentMesh, avatar_glb, garment_with_avatar_glb, glb, obj};
+use seamster::export::{
+    DrapedPanel, GarmentMesh, VertexMaps, avatar_glb, garment_with_avatar_glb, glb, obj, ply,
+};
 use seamster::scene::TriangleMesh;
 use std::path::Path;
 use std::process::Command;
@@ -171,6 +173,109 @@ fn garments_without_cloth_are_valid_files() {
     }
 }
 
+/// Two panels, each with maps whose values tell the vertex.
+fn mapped() -> GarmentMesh {
+    let panels = [
+        half_pipe("front", "denim", 1.0),
+        half_pipe("back", "jersey", -1.0),
+    ];
+    let panels = panels.map(|panel| {
+        let values = |from: f64| {
+            (0..panel.positions.len())
+                .map(|v| from + v as f64)
+                .collect()
+        };
+        let maps = VertexMaps {
+            strain_warp: values(0.0),
+            strain_weft: values(1000.0),
+            strain_share: values(2000.0),
+            pressure_kpa: values(3000.0),
+            gap_mm: values(4000.0),
+        };
+        DrapedPanel { maps, ..panel }
+    });
+    GarmentMesh {
+        panels: panels.to_vec(),
+    }
+}
+
+#[test]
+fn maps_are_attributes_of_glb() {
+    let garment = mapped();
+    let (document, buffer) = read(&glb(&garment));
+    for (mesh, panel) in document.meshes().zip(&garment.panels) {
+        let primitive = mesh.primitives().next().unwrap();
+        let floats = |name: &str| -> Vec<f32> {
+            let semantic = gltf::Semantic::Extras(name.to_owned());
+            let accessor = primitive.get(&semantic).unwrap();
+            let view = accessor.view().unwrap();
+            let bytes = &buffer[view.offset()..view.offset() + view.length()];
+            let floats = bytes.chunks_exact(4);
+            floats
+                .map(|b| f32::from_le_bytes(b.try_into().unwrap()))
+                .collect()
+        };
+        let strains = floats("STRAIN");
+        for v in 0..panel.positions.len() {
+            let value = v as f32;
+            assert_eq!(strains[2 * v..2 * v + 2], [value, 1000.0 + value]);
+            assert_eq!(floats("STRAIN_SHARE")[v], 2000.0 + value);
+            assert_eq!(floats("PRESSURE")[v], 3000.0 + value);
+            assert_eq!(floats("GAP")[v], 4000.0 + value);
+        }
+    }
+}
+
+/// The file is a PLY that the reader of bodies takes as it is, and its vertices hold the maps.
+#[test]
+fn ply_holds_the_surface_and_the_maps() {
+    let garment = mapped();
+    let file = ply(&garment);
+    let end = b"end_header\n";
+    let at = file.windows(end.len()).position(|w| w == end).unwrap() + end.len();
+    let header = std::str::from_utf8(&file[..at]).unwrap();
+    for line in [
+        "comment panel 1 back",
+        "element vertex 224",
+        "element face 364",
+        "property float pressure_kpa",
+    ] {
+        assert!(header.lines().any(|l| l == line), "{line} in {header}");
+    }
+    let columns = header
+        .lines()
+        .filter(|l| l.starts_with("property float "))
+        .count();
+    assert_eq!(columns, 13);
+    let count = garment.panels[0].positions.len();
+    let row = |v: usize| -> Vec<f32> {
+        let bytes = &file[at + 4 * columns * v..][..4 * columns];
+        let floats = bytes.chunks_exact(4);
+        floats
+            .map(|b| f32::from_le_bytes(b.try_into().unwrap()))
+            .collect()
+    };
+    for (number, panel) in garment.panels.iter().enumerate() {
+        for (v, p) in panel.positions.iter().enumerate() {
+            let row = row(number * count + v);
+            assert!((f64::from(row[1]) - p[1]).abs() < 1e-7);
+            assert_eq!(
+                row[8..],
+                [0.0, 1e3, 2e3, 3e3, 4e3].map(|from| from + v as f32)
+            );
+        }
+    }
+    let faces = &file[at + 4 * columns * 2 * count..];
+    assert_eq!(faces.len(), 364 * 17);
+    // The first triangle of the second panel: its vertices come after those of the first.
+    let first: Vec<u32> = faces[182 * 17 + 1..182 * 17 + 17]
+        .chunks_exact(4)
+        .map(|b| u32::from_le_bytes(b.try_into().unwrap()))
+        .collect();
+    let [a, b, c] = garment.panels[1].triangles[0].map(|v| v + u32::try_from(count).unwrap());
+    assert_eq!(first, [a, b, c, 1]);
+}
+
 #[test]
 fn khronos_validator_finds_nothing_to_fault() {
     let folder = tempfile::tempdir().unwrap();
@@ -179,6 +284,7 @@ fn khronos_validator_finds_nothing_to_fault() {
         ("dressed.glb", garment_with_avatar_glb(&garment(), &body())),
         ("avatar.glb", avatar_glb(&body())),
         ("nothing.glb", glb(&GarmentMesh::default())),
+        ("maps.glb", glb(&mapped())),
     ]
     .map(|(name, bytes)| {
         let path = folder.path().join(name);
@@ -191,7 +297,7 @@ fn khronos_validator_finds_nothing_to_fault() {
     let text = String::from_utf8_lossy(&output.stdout);
     let faults = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{text}{faults}");
-    assert_eq!(text.matches(" 0 errors, 0 warnings").count(), 4, "{text}");
+    assert_eq!(text.matches(" 0 errors, 0 warnings").count(), 5, "{text}");
 }
 
 #[test]
@@ -282,6 +388,7 @@ fn square(panel: &str, far: [f64; 2], triangles: [[u32; 3]; 2]) -> DrapedPanel {
         positions: positions.to_vec(),
         uv: vec![[0.0, 0.0], [0.1, 0.0], [0.1, 0.1], [0.0, 0.1]],
         triangles: triangles.to_vec(),
+        ..DrapedPanel::default()
     }
 }
 

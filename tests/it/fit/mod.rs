@@ -5,6 +5,7 @@ mod format_page;
 mod garmentcode;
 mod laid;
 mod layers;
+mod maps;
 mod over;
 mod samples;
 mod seams;

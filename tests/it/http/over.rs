@@ -2,11 +2,11 @@
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
+use super::{mesh, sewn};
 use nalgebra::Vector3;
 use seamster_fixtures::panels::{pattern, trapezoid};
 use seamster_fixtures::server::{Server, config};
 use serde_json::{Value, json};
-use std::time::Duration;
 
 /// A tube about the hips, so much wider than the tightest one \[m\], that hangs by its narrow top.
 fn tube(wider: f64, over: Option<&str>) -> Value {
@@ -20,26 +20,6 @@ fn tube(wider: f64, over: Option<&str>) -> Value {
         "simulate": {"edge_length_m": 0.04, "tolerance": 1e-3},
         "over": over,
     })
-}
-
-/// Sews a garment, which must succeed, and returns its id.
-fn sewn(server: &Server, garment: &Value) -> String {
-    let queued = server.post_json("/v1/fits", garment);
-    assert_eq!(queued.status, 202, "{}", queued.text());
-    let at = queued.header("location");
-    let is_under_way = |fit: &Value| fit["status"] == "queued" || fit["status"] == "running";
-    let mut fit = queued.json();
-    // However slow the machine is: one request that waited could time out.
-    while is_under_way(&fit) {
-        std::thread::sleep(Duration::from_millis(100));
-        fit = server.get(at).json();
-    }
-    assert_eq!(fit["status"], "succeeded", "{fit}");
-    fit["id"].as_str().unwrap().to_owned()
-}
-
-fn mesh(server: &Server, id: &str) -> Value {
-    server.get(&format!("/v1/fits/{id}/mesh.json")).json()
 }
 
 type Triangles = Vec<[Vector3<f64>; 3]>;

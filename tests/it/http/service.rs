@@ -1070,7 +1070,11 @@ fn results_are_whole(server: &Server, at: &str) {
         ("model/gltf-binary", &b"glTF"[..])
     );
     assert_eq!(server.get(&format!("{at}/mesh")).bytes, glb.bytes);
-    for (accept, part) in [("model/obj", "mesh.obj"), ("application/json", "mesh.json")] {
+    for (accept, part) in [
+        ("model/obj", "mesh.obj"),
+        ("model/ply", "mesh.ply"),
+        ("application/json", "mesh.json"),
+    ] {
         let chosen = server.request("GET", &format!("{at}/mesh"), &[("accept", accept)]);
         assert_eq!(chosen.header("content-type"), accept);
         assert_eq!(chosen.bytes, server.get(&format!("{at}/{part}")).bytes);

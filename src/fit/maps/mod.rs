@@ -1,0 +1,128 @@
+//! Maps on a draped garment (P11): how far the cloth is stretched, how hard the body presses on it,
+//! how far it stands off; each with its error from the mesh levels.
+
+mod strain;
+mod summary;
+
+use super::garment::MapKind;
+use crate::export::{GarmentMesh, VertexMaps};
+use crate::scene::{self, Body, Scene};
+use crate::solver::{self, Drape, MapSummary, kept_distance};
+use nalgebra::Vector3;
+use strain::Strains;
+
+/// A map of a shape.
+#[derive(Clone, Debug)]
+pub struct ShapeMap {
+    /// `strain_warp`, `strain_weft`, `strain_share`, `pressure` or `gap`.
+    pub name: &'static str,
+    /// Unit of its values.
+    pub unit: &'static str,
+    /// RMS difference from the map of the next coarser mesh, where that came to rest.
+    pub error: Option<f64>,
+    /// Values at the vertices; `#V`.
+    pub values: Vec<f64>,
+    /// Its place in the maps of a panel.
+    place: fn(&mut VertexMaps) -> &mut Vec<f64>,
+}
+
+/// Adds the maps that are asked for of a drape of a scene, whose panels have these names, to its
+/// mesh, and returns their summaries.
+pub(super) fn add(
+    kinds: &[MapKind],
+    (scene, names): (&Scene, &[&str]),
+    drape: &Drape,
+    mesh: &mut GarmentMesh,
+) -> Vec<MapSummary> {
+    let maps = shape_maps(kinds, scene, drape);
+    let summary = |map| summary::summary(map, (scene, names), &drape.positions);
+    let summaries = maps.iter().map(summary).collect();
+    for (panel, range) in mesh.panels.iter_mut().zip(&scene.mesh.panels) {
+        for map in &maps {
+            let values = map.values[range.vertices.clone()].to_vec();
+            *(map.place)(&mut panel.maps) = values;
+        }
+    }
+    summaries
+}
+
+/// Returns the maps of a drape of a scene, those of each kind once, with their errors; those of the
+/// body only where there is one.
+///
+/// The error of a map is how much it differs from that of the next coarser mesh, carried over to
+/// this one.
+pub fn shape_maps(kinds: &[MapKind], scene: &Scene, drape: &Drape) -> Vec<ShapeMap> {
+    let mut maps = maps(kinds, scene, &drape.positions);
+    let coarser = drape.coarser_shape.as_ref();
+    if let Some(coarser) = coarser.and_then(|shape| coarser_maps(kinds, scene, shape)) {
+        for (map, coarser) in maps.iter_mut().zip(&coarser) {
+            map.error = rms(&map.values, coarser);
+        }
+    }
+    maps
+}
+
+/// Returns the maps of a shape \[m; `#V`\] without their errors.
+fn maps(kinds: &[MapKind], scene: &Scene, positions: &[Vector3<f64>]) -> Vec<ShapeMap> {
+    let mut maps = vec![];
+    let mut map = |name, unit, place, values| {
+        maps.push(ShapeMap {
+            name,
+            unit,
+            error: None,
+            values,
+            place,
+        });
+    };
+    if kinds.contains(&MapKind::Strain) {
+        let Strains { warp, weft, share } = Strains::of(scene, positions);
+        map("strain_warp", "1", |maps| &mut maps.strain_warp, warp);
+        map("strain_weft", "1", |maps| &mut maps.strain_weft, weft);
+        map("strain_share", "1", |maps| &mut maps.strain_share, share);
+    }
+    if let Some(body) = &scene.body {
+        if kinds.contains(&MapKind::Pressure) {
+            let pressure = solver::contact_pressure(scene, positions);
+            let in_kpa = pressure.into_iter().map(|p| 1e-3 * p).collect();
+            map("pressure", "kPa", |maps| &mut maps.pressure_kpa, in_kpa);
+        }
+        if kinds.contains(&MapKind::Gap) {
+            let gaps = gaps(scene, body, positions);
+            map("gap", "mm", |maps| &mut maps.gap_mm, gaps);
+        }
+    }
+    maps
+}
+
+/// Returns the distance of each vertex from the body, less the one that contact keeps, negative
+/// within the body \[mm\].
+fn gaps(scene: &Scene, body: &Body, positions: &[Vector3<f64>]) -> Vec<f64> {
+    let kept = kept_distance(scene);
+    let gap = |p: &Vector3<f64>| {
+        let distance = body.exact_distance(p);
+        1e3 * if distance < 0.0 {
+            distance
+        } else {
+            (distance - kept).max(0.0)
+        }
+    };
+    positions.iter().map(gap).collect()
+}
+
+/// Returns the maps of a shape of the next coarser mesh, carried over to this one.
+fn coarser_maps(kinds: &[MapKind], scene: &Scene, shape: &[Vector3<f64>]) -> Option<Vec<Vec<f64>>> {
+    let coarser = scene::coarser(scene).filter(|c| c.scene.start.len() == shape.len())?;
+    let carried = |map: ShapeMap| {
+        let at =
+            |corners: &[(usize, f64); 3]| corners.iter().map(|(v, w)| map.values[*v] * w).sum();
+        coarser.weights.iter().map(at).collect()
+    };
+    let maps = maps(kinds, &coarser.scene, shape);
+    Some(maps.into_iter().map(carried).collect())
+}
+
+/// Returns the RMS difference of two maps; none of empty ones.
+fn rms(a: &[f64], b: &[f64]) -> Option<f64> {
+    let sum: f64 = a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum();
+    (!a.is_empty()).then(|| (sum / a.len() as f64).sqrt())
+}

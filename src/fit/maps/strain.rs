@@ -1,0 +1,110 @@
+//! Strain along warp and weft, and as a share of what the fabric gives.
+
+use crate::scene::{Fabric, Scene};
+use crate::solver::{cut_triangles, metric};
+use nalgebra::{Matrix2, Vector3};
+use std::f64::consts::FRAC_PI_2;
+
+/// Strains at the vertices: means over the triangles of each, weighted by their areas; `#V`.
+pub(super) struct Strains {
+    /// Length along the warp over that on the pattern, less 1.
+    pub(super) warp: Vec<f64>,
+    /// The same along the weft.
+    pub(super) weft: Vec<f64>,
+    /// Share of the extension that the fabric gives in wear, in the direction in which it is
+    /// largest; 0 where nothing is stretched.
+    pub(super) share: Vec<f64>,
+}
+
+impl Strains {
+    /// Returns the strains of a shape \[m; `#V`\].
+    pub(super) fn of(scene: &Scene, positions: &[Vector3<f64>]) -> Self {
+        let mut sums = vec![[0.0; 3]; positions.len()];
+        let mut areas = vec![0.0; positions.len()];
+        for (triangle, fabric, rest) in cut_triangles(scene) {
+            let Some((metric, area)) = metric(rest, triangle.map(|v| positions[v])) else {
+                continue;
+            };
+            let values = strains(&metric, fabric);
+            for v in triangle {
+                areas[v] += area;
+                for (sum, value) in sums[v].iter_mut().zip(values) {
+                    *sum += area * value;
+                }
+            }
+        }
+        let mean = |k: usize| {
+            let means = sums.iter().zip(&areas);
+            means
+                .map(|(sum, area)| if *area > 0.0 { sum[k] / area } else { 0.0 })
+                .collect()
+        };
+        Self {
+            warp: mean(0),
+            weft: mean(1),
+            share: mean(2),
+        }
+    }
+}
+
+/// Returns the strains along warp and weft and the share of the extension that `fabric` gives, of
+/// a triangle whose squared lengths in those directions are `metric`.
+fn strains(metric: &Matrix2<f64>, fabric: &Fabric) -> [f64; 3] {
+    let [warp, weft] = [0, 1].map(|k| metric[(k, k)].max(0.0).sqrt() - 1.0);
+    let half = 0.5 * (metric[(0, 0)] - metric[(1, 1)]);
+    let most = 0.5 * metric.trace() + half.hypot(metric[(0, 1)]);
+    let from_warp = 0.5 * metric[(0, 1)].atan2(half);
+    let directions = [
+        (warp, 0.0),
+        (weft, FRAC_PI_2),
+        (most.sqrt() - 1.0, from_warp),
+    ];
+    let shares = directions.map(|(strain, angle)| strain / fabric.extension(angle));
+    [warp, weft, shares.into_iter().fold(0.0, f64::max)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::library;
+
+    /// The metric of a cloth that is longer by these shares along two directions at this angle from
+    /// warp and weft.
+    fn stretched([along, across]: [f64; 2], angle: f64) -> Matrix2<f64> {
+        let (sin, cos) = angle.sin_cos();
+        let turn = Matrix2::new(cos, -sin, sin, cos);
+        let squared = [along, across].map(|strain| (1.0 + strain) * (1.0 + strain));
+        turn * Matrix2::from_diagonal(&squared.into()) * turn.transpose()
+    }
+
+    #[test]
+    fn strains_are_those_along_the_threads() {
+        let fabric = library().remove("cotton-poplin").expect("a shipped fabric");
+        let [warp, weft, share] = strains(&stretched([0.015, 0.02], 0.0), &fabric);
+        assert!((warp - 0.015).abs() < 1e-12 && (weft - 0.02).abs() < 1e-12);
+        // Of the 3 and 8 % that it gives.
+        let expected = (0.015 / fabric.extension(0.0)).max(0.02 / fabric.extension(FRAC_PI_2));
+        assert!((share - expected).abs() < 1e-9, "{share}");
+    }
+
+    #[test]
+    fn on_the_bias_the_share_is_of_what_the_bias_gives() {
+        let fabric = library().remove("cotton-poplin").expect("a shipped fabric");
+        let bias = 0.5 * FRAC_PI_2;
+        let [warp, weft, share] = strains(&stretched([0.1, -0.1], bias), &fabric);
+        // Squares of lengths along the threads: the mean of 1.1² and 0.9².
+        let expected = (0.5 * (1.21_f64 + 0.81)).sqrt() - 1.0;
+        assert!((warp - expected).abs() < 1e-12 && (weft - expected).abs() < 1e-12);
+        let least = [
+            0.1 / fabric.extension(bias),
+            expected / fabric.extension(0.0),
+        ];
+        assert!((share - least[0].max(least[1])).abs() < 1e-9, "{share}");
+    }
+
+    #[test]
+    fn slack_cloth_has_no_share() {
+        let fabric = library().remove("denim-11oz").expect("a shipped fabric");
+        assert!(strains(&stretched([-0.1, -0.2], 0.3), &fabric)[2].abs() < 1e-12);
+    }
+}

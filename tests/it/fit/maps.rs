@@ -1,0 +1,130 @@
+//! Maps on a draped garment agree with its shape, its report and each other.
+
+use seamster::export::DrapedPanel;
+use seamster::fit::FitOutcome;
+use seamster::solver::MapSummary;
+use seamster_fixtures::samples;
+use serde_json::{Value, json};
+
+/// The sample skirt with all maps and these changes.
+fn skirt(mut changes: Value) -> FitOutcome {
+    changes["maps"] = json!(["gap", "pressure", "strain", "strain"]);
+    changes["simulate"] = json!({"edge_length_m": 0.03});
+    super::sewn(samples::garment("skirt", changes))
+}
+
+fn map<'a>(outcome: &'a FitOutcome, name: &str) -> &'a MapSummary {
+    let maps = &outcome.report.maps;
+    let found = maps.iter().find(|map| map.name == name);
+    found.expect("it was asked for")
+}
+
+/// Area of the triangles at each vertex, as they lie, a third of each \[m²\].
+fn areas(panel: &DrapedPanel) -> Vec<f64> {
+    let mut areas = vec![0.0; panel.positions.len()];
+    for triangle in &panel.triangles {
+        let corners = triangle.map(|v| v as usize);
+        let [p, q, r] = corners.map(|v| nalgebra::Vector3::from(panel.positions[v]));
+        let third = (q - p).cross(&(r - p)).norm() / 6.0;
+        corners.iter().for_each(|&v| areas[v] += third);
+    }
+    areas
+}
+
+#[test]
+fn maps_of_a_skirt_are_those_of_its_shape() {
+    let outcome = skirt(json!({}));
+    let units = outcome.report.maps.iter();
+    let units: Vec<_> = units.map(|map| (&*map.name, &*map.unit)).collect();
+    let expected = [
+        ("strain_warp", "1"),
+        ("strain_weft", "1"),
+        ("strain_share", "1"),
+        ("pressure", "kPa"),
+        ("gap", "mm"),
+    ];
+    assert_eq!(units, expected);
+    for panel in &outcome.mesh.panels {
+        let maps: Vec<_> = panel.maps.named().collect();
+        assert_eq!(maps.len(), 5);
+        assert!(
+            maps.iter()
+                .all(|(_, values)| values.len() == panel.positions.len())
+        );
+        for (pressure, gap) in panel.maps.pressure_kpa.iter().zip(&panel.maps.gap_mm) {
+            assert!(
+                *gap >= 0.0 && (*gap < 2.0 || *pressure == 0.0),
+                "{pressure} {gap}"
+            );
+        }
+        for strain in panel.maps.strain_warp.iter().chain(&panel.maps.strain_weft) {
+            // A mean of triangles is no more than the most stretched one.
+            assert!(*strain <= outcome.report.strain_max + 1e-12);
+        }
+    }
+    // It hangs from the waist: there it is pressed, and its hem stands off.
+    let zone = |map: &MapSummary, name: &str| {
+        let found = map.zones.iter().find(|zone| zone.name == name);
+        found.map_or((0.0, 0.0), |zone| (zone.mean, zone.max))
+    };
+    let pressure = map(&outcome, "pressure");
+    assert!(zone(pressure, "waist").1 > 0.0, "{:?}", pressure.zones);
+    let gap = map(&outcome, "gap");
+    assert!(
+        zone(gap, "left leg").0 > zone(gap, "waist").0,
+        "{:?}",
+        gap.zones
+    );
+    for map in &outcome.report.maps {
+        let of = |parts: &[seamster::solver::MapPart]| -> f64 {
+            parts.iter().map(|part| part.area_m2).sum()
+        };
+        assert!((of(&map.panels) - of(&map.zones)).abs() < 1e-9);
+        assert!(map.error.is_some_and(f64::is_finite), "{}", map.name);
+    }
+    // The mean pressure of the waist is the force there over the area.
+    let panels = outcome.mesh.panels.iter();
+    let force: f64 = panels
+        .flat_map(|panel| {
+            areas(panel)
+                .into_iter()
+                .zip(panel.maps.pressure_kpa.clone())
+        })
+        .map(|(area, pressure)| 1e3 * area * pressure)
+        .sum();
+    let summed: f64 = pressure
+        .panels
+        .iter()
+        .map(|p| 1e3 * p.mean * p.area_m2)
+        .sum();
+    // Areas of the pattern here, of the shape there: they differ by the strain.
+    assert!((force / summed - 1.0).abs() < 2.0 * outcome.report.strain_max.max(0.01));
+}
+
+#[test]
+fn without_a_body_cloth_has_strain_alone() {
+    let pins = json!([{"panel": "front", "corner": 0}, {"panel": "front", "corner": 1}]);
+    let outcome = skirt(json!({"avatar": null, "pins": pins}));
+    let names: Vec<_> = outcome.report.maps.iter().map(|map| &*map.name).collect();
+    assert_eq!(names, ["strain_warp", "strain_weft", "strain_share"]);
+    assert!(
+        outcome
+            .mesh
+            .panels
+            .iter()
+            .all(|panel| panel.maps.gap_mm.is_empty())
+    );
+    assert!(map(&outcome, "strain_warp").zones.is_empty());
+}
+
+#[test]
+fn what_is_not_asked_for_is_not_there() {
+    let outcome = super::sewn(samples::garment(
+        "skirt",
+        json!({"simulate": {"edge_length_m": 0.04}}),
+    ));
+    let report = serde_json::to_value(&outcome.report).expect("plain data");
+    assert!(report.get("maps").is_none());
+    let mesh = serde_json::to_value(&outcome.mesh).expect("plain data");
+    assert!(mesh["panels"][0].get("maps").is_none());
+}
