@@ -25,6 +25,22 @@ pub struct Limits {
     pub suggested_panels: usize,
     /// Bytes of one JSON request.
     pub json_bytes: usize,
+    /// Memory that one JSON request may take while it is read, and all of them together \[bytes\].
+    pub json_memory_bytes: usize,
+    /// Items of a list and fields of an object of a JSON request that have no limit of their own.
+    pub list_items: usize,
+    /// Characters of a text of a JSON request, and of the name of a field.
+    pub text_chars: usize,
+    /// Runs of one side of a seam.
+    pub seam_runs: usize,
+    /// Pins of one garment.
+    pub pins: usize,
+    /// Fabrics that one garment holds, those of the library that it uses included.
+    pub garment_fabrics: usize,
+    /// Elastic edges of one panel.
+    pub elastic_edges: usize,
+    /// Maps on one mesh.
+    pub maps: usize,
     /// Bytes of the file of a body.
     pub body_bytes: usize,
     /// Vertices of the file of a body, copies at seams of its texture included.
@@ -79,6 +95,14 @@ impl Default for Limits {
             seams: 2_000,
             suggested_panels: 100,
             json_bytes: 32 << 20,
+            json_memory_bytes: 256 << 20,
+            list_items: 10_000,
+            text_chars: 4_096,
+            seam_runs: 64,
+            pins: 2_000,
+            garment_fabrics: 1_200,
+            elastic_edges: 1_000,
+            maps: 16,
             body_bytes: 64 << 20,
             body_vertices: 1_000_000,
             body_triangles: 500_000,

@@ -99,7 +99,7 @@ pub fn resolve(
     limits: &Limits,
 ) -> Result<ResolvedGarment, Faults> {
     let mut faults = validate::own_faults(&garment, limits);
-    references::inline_fabrics(&mut garment, library, &mut faults);
+    references::inline_fabrics(&mut garment, library, limits, &mut faults);
     let avatar = references::inline_avatar(&mut garment, library, &mut faults);
     let over = over::inline_over(&mut garment, library, limits, &mut faults);
     let mut pattern = references::find_pattern(garment.pattern.take(), library, limits)

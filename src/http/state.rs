@@ -11,6 +11,14 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 /// Most connections that follow a job or wait for one at the same time.
 const STREAMS: usize = 256;
 
+/// Memory that one permit stands for \[bytes\].
+const MEMORY_UNIT: usize = 64 << 10;
+
+/// Returns the number of permits for so many bytes.
+fn memory_units(bytes: usize) -> usize {
+    bytes.div_ceil(MEMORY_UNIT)
+}
+
 /// A cheap handle on the state that all handlers share.
 #[derive(Clone)]
 pub(super) struct AppState(Arc<App>);
@@ -26,6 +34,8 @@ pub(super) struct App {
     /// A permit for each computation that a request may wait for.
     compute_permits: Arc<Semaphore>,
     stream_permits: Arc<Semaphore>,
+    /// A permit for every [`MEMORY_UNIT`] that JSON may take while it is read.
+    json_memory: Arc<Semaphore>,
 }
 
 impl Deref for AppState {
@@ -58,6 +68,9 @@ impl AppState {
             metrics: RequestMetrics::default(),
             compute_permits: Arc::new(Semaphore::new(cores)),
             stream_permits: Arc::new(Semaphore::new(STREAMS)),
+            json_memory: Arc::new(Semaphore::new(memory_units(
+                config.limits.json_memory_bytes,
+            ))),
         }))
     }
 
@@ -85,6 +98,14 @@ impl AppState {
             work(app)
         })
         .await
+    }
+
+    /// Waits until so much memory is free for JSON that is to be read, and takes it; `bytes` are at
+    /// most those of [`Limits::json_memory_bytes`].
+    pub(super) async fn json_memory(&self, bytes: usize) -> Option<OwnedSemaphorePermit> {
+        let units = u32::try_from(memory_units(bytes)).unwrap_or(u32::MAX);
+        let permits = Arc::clone(&self.0.json_memory);
+        permits.acquire_many_owned(units).await.ok()
     }
 
     /// Returns a permit to follow a job or to wait for one, while there is one.

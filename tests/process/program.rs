@@ -142,6 +142,15 @@ impl Service {
         is_one.then_some(record)
     }
 
+    /// Largest memory of the process so far \[bytes\].
+    pub(crate) fn peak_memory(&self) -> u64 {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", self.child.id()));
+        let status = status.unwrap();
+        let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        let kilobytes = peak.and_then(|peak| peak.trim().strip_suffix(" kB"));
+        1024 * kilobytes.unwrap().trim().parse::<u64>().unwrap()
+    }
+
     /// Sends a signal, named as `kill` names it.
     pub(crate) fn signal(&self, name: &str) {
         let id = self.child.id().to_string();

@@ -10,20 +10,7 @@ use axum::http::StatusCode;
 
 impl From<Faults> for Problem {
     fn from(faults: Faults) -> Self {
-        let detail = match faults.0.as_slice() {
-            [one] => one.detail.clone(),
-            many => format!(
-                "The request has {} faults; `errors` lists them all.",
-                many.len()
-            ),
-        };
-        Self::new(
-            StatusCode::UNPROCESSABLE_ENTITY,
-            "invalid",
-            "Invalid request",
-            detail,
-        )
-        .with_faults(faults)
+        Self::invalid(faults)
     }
 }
 
@@ -83,6 +70,7 @@ impl From<ReadError> for Problem {
         match misshapen {
             ReadError::Syntax(fault) => Self::unreadable(fault),
             ReadError::Schema(faults) => faults.into(),
+            ReadError::Many(faults) => Self::invalid_uncounted(faults),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Tests of `http`: the service over its own socket.
 
+mod bounds;
 mod over;
 mod own_bodies;
 mod service;
