@@ -5,11 +5,12 @@
 //! - `extract`: requests, checked: a handler can only receive a valid value.
 //! - `routes`: one file a resource. Handlers extract, call the domain and wrap.
 //! - `respond`: answers: problems, representations with entity tags and ranges.
-//! - `middleware`: access control, log, counters.
+//! - `middleware`: access control, log, counters. `readiness`: the look behind the readiness probe.
 
 mod extract;
 mod middleware;
 mod openapi;
+mod readiness;
 mod respond;
 mod router;
 mod routes;

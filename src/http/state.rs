@@ -1,6 +1,7 @@
 //! The state that all handlers share.
 
 use super::middleware::{AccessPolicy, RequestMetrics};
+use super::readiness::Readiness;
 use super::respond::Problem;
 use crate::config::{Config, Limits};
 use crate::job::{Catalogue, Queue};
@@ -31,6 +32,8 @@ pub(super) struct App {
     pub(super) access: AccessPolicy,
     /// Counts of requests.
     pub(super) metrics: RequestMetrics,
+    /// The last look at the store.
+    pub(super) readiness: Readiness,
     /// A permit for each computation that a request may wait for.
     compute_permits: Arc<Semaphore>,
     stream_permits: Arc<Semaphore>,
@@ -66,6 +69,7 @@ impl AppState {
             queue,
             access: AccessPolicy::new(&config.hosts, &config.tokens),
             metrics: RequestMetrics::default(),
+            readiness: Readiness::default(),
             compute_permits: Arc::new(Semaphore::new(cores)),
             stream_permits: Arc::new(Semaphore::new(STREAMS)),
             json_memory: Arc::new(Semaphore::new(memory_units(

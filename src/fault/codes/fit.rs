@@ -38,8 +38,8 @@ fault_codes! {
             "The stored garment has faults; `errors` lists them.",
             "Mend them and submit the garment again.";
         Storage = "storage":
-            "The garment or the result could not be read or written.",
-            "Look into the log of the service.";
+            "What the service keeps of the fit is gone or cannot be read.",
+            "Submit it again; the log of the service says why.";
         Strain = "strain":
             "The garment came to rest, but is stretched further than any cloth bears.",
             "Look for seams of very unlike sides and a garment too small for the body.";

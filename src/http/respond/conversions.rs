@@ -22,7 +22,12 @@ impl From<Fault> for Problem {
 
 impl From<StoreError> for Problem {
     fn from(error: StoreError) -> Self {
-        Self::internal(error)
+        if error.is_passing() {
+            tracing::error!(%error, "the store does not answer");
+            Self::store_unavailable()
+        } else {
+            Self::internal(error)
+        }
     }
 }
 
@@ -47,6 +52,7 @@ impl From<QueueError> for Problem {
 /// The failure of a job as the answer that it would have been.
 impl From<JobFailure> for Problem {
     fn from(failure: JobFailure) -> Self {
+        let failure = failure.public();
         let status = if failure.is_internal() {
             StatusCode::INTERNAL_SERVER_ERROR
         } else {
@@ -90,5 +96,22 @@ impl From<MultipartRejection> for Problem {
 impl From<MultipartError> for Problem {
     fn from(error: MultipartError) -> Self {
         Self::unreadable_body(error.body_text())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_failure_that_an_older_version_kept_names_no_file() {
+        for code in ["fit/storage", "study/storage"] {
+            let kept = serde_json::json!({
+                "code": code, "detail": "writing /srv/data/blobs/results/x: No space left on device",
+            });
+            let failure: JobFailure = serde_json::from_value(kept).unwrap();
+            let problem = serde_json::to_string(&Problem::from(failure)).unwrap();
+            assert!(!problem.contains("/srv"), "{problem}");
+        }
     }
 }

@@ -93,8 +93,8 @@ fn convert_mesh(json: Vec<u8>, format: &str) -> Result<Vec<u8>, Problem> {
     if format == JSON {
         return Ok(json);
     }
-    let mesh: GarmentMesh =
-        serde_json::from_slice(&json).map_err(|cause| StoreError::new("reading a mesh", cause))?;
+    let mesh: GarmentMesh = serde_json::from_slice(&json)
+        .map_err(|cause| StoreError::of_data("reading a mesh", cause))?;
     Ok(if format == GLB {
         export::glb(&mesh)
     } else {
@@ -131,7 +131,7 @@ fn draw(app: &App, id: Uuid, query: PictureQuery) -> Result<Vec<u8>, Problem> {
 fn read_result<T: DeserializeOwned>(app: &App, id: Uuid, file: ResultFile) -> Result<T, Problem> {
     let json = jobs::result_file(app, JobKind::Fit, id, file)?;
     Ok(serde_json::from_slice(&json)
-        .map_err(|cause| StoreError::new("reading the result of a fit", cause))?)
+        .map_err(|cause| StoreError::of_data("reading the result of a fit", cause))?)
 }
 
 /// Report of a fit: how far to trust the shape
@@ -191,7 +191,7 @@ fn assemble_scene(app: &App, id: Uuid, cancel: &CancelToken) -> Result<Vec<u8>, 
 fn resolved(app: &App, id: Uuid) -> Result<ResolvedGarment, Problem> {
     let garment = jobs::request(app, JobKind::Fit, id)?;
     let garment = serde_json::from_slice(&garment)
-        .map_err(|cause| StoreError::new("reading a garment", cause))?;
+        .map_err(|cause| StoreError::of_data("reading a garment", cause))?;
     Ok(fit::resolve(garment, app.catalogue(), app.limits())?)
 }
 

@@ -49,7 +49,15 @@ impl Submission {
             {
                 return Ok::<_, Problem>(same);
             }
-            Ok(app.queue.submit(&prepare(app)?, key.as_ref())?)
+            let failed_reads = app.catalogue().failed_reads();
+            let request = match prepare(app) {
+                // What the request refers to may be there all the same.
+                Err(_) if app.catalogue().failed_reads() != failed_reads => {
+                    return Err(Problem::store_unavailable());
+                }
+                prepared => prepared?,
+            };
+            Ok(app.queue.submit(&request, key.as_ref())?)
         };
         let record = state.run_compute(submit).await??;
         match self.wait {

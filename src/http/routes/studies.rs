@@ -94,7 +94,7 @@ impl StudyJob {
         let report = report.map(|json| serde_json::from_slice(&json));
         let report = report
             .transpose()
-            .map_err(|cause| StoreError::new("reading a study", cause))?;
+            .map_err(|cause| StoreError::of_data("reading a study", cause))?;
         Ok(Self {
             report: Some(report.unwrap_or_default()),
             ..record.into()
@@ -207,8 +207,8 @@ pub(super) async fn plot(
 
 fn draw_plot(app: &App, id: Uuid) -> Result<String, Problem> {
     let json = jobs::result_file(app, JobKind::Study, id, ResultFile::Report)?;
-    let report: Study =
-        serde_json::from_slice(&json).map_err(|cause| StoreError::new("reading a study", cause))?;
+    let report: Study = serde_json::from_slice(&json)
+        .map_err(|cause| StoreError::of_data("reading a study", cause))?;
     Ok(study::plot_svg(&report))
 }
 

@@ -16,9 +16,13 @@ use jiff::Timestamp;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
+use uuid::Uuid;
 
 /// Shortest time between two reports of progress within a stage: a person cannot read faster.
 const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
+
+/// Time between two lines of the log while the store does not answer.
+const TELL_INTERVAL: Duration = Duration::from_secs(60);
 
 /// CPU time after which a study is stopped from outside, over its limit: it keeps to the limit
 /// itself, run by run.
@@ -47,14 +51,57 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
         return Ok(());
     }
     let mut progress = Progress::default();
-    let ran = run_request(context, &record, flag, &mut progress);
-    let mut result = RunResult::of(record.kind, ran, flag.reason());
-    if let Some(files) = &result.files
-        && let Err(error) = store_files(context, &record, files)
-    {
-        result = RunResult::failed(JobFailure::storage(record.kind, error.to_string()));
+    let request = patiently(context, flag, record.id, || read_request(context, &record))?;
+    let ran = request.map(|request| match request {
+        Ok(request) => run_request(context, &record, flag, request, &mut progress),
+        Err(failure) => Err(failure),
+    });
+    let mut result = match ran {
+        Ok(ran) => RunResult::of(record.kind, ran, flag.reason()),
+        Err(stop) => RunResult::stopped(stop),
+    };
+    if let Some(files) = &result.files {
+        let store = || store_files(context, &record, files);
+        if let Err(stop) = patiently(context, flag, record.id, store)? {
+            result = RunResult::stopped(stop);
+        }
     }
-    end(context, &record, &result, &progress)
+    let write = || end(context, &record, &result, &progress);
+    // If it was asked to stop, the record stays as it is: the next start finds that it ran.
+    let _ = patiently(context, flag, record.id, write)?;
+    Ok(())
+}
+
+/// Does `work` until it succeeds or the run is asked to stop, and returns the reason for that: the
+/// disk may be full for a while, or no file can be opened. What was solved meanwhile is kept.
+///
+/// # Errors
+/// If trying again cannot help.
+fn patiently<T>(
+    context: &WorkerContext,
+    flag: &StopFlag,
+    job: Uuid,
+    work: impl Fn() -> Result<T, StoreError>,
+) -> Result<Result<T, StopReason>, StoreError> {
+    let mut told: Option<Instant> = None;
+    loop {
+        let error = match work() {
+            Ok(value) => return Ok(Ok(value)),
+            Err(error) if error.is_passing() => error,
+            Err(error) => return Err(error),
+        };
+        if told.is_none_or(|at| at.elapsed() >= TELL_INTERVAL) {
+            tracing::error!(%error, %job, "waiting for the store");
+            told = Some(Instant::now());
+        }
+        match flag.reason() {
+            Some(stop @ (StopReason::Canceled | StopReason::LeaseLost)) => return Ok(Err(stop)),
+            _ if context.active_runs.is_closed() => return Ok(Err(StopReason::Shutdown)),
+            _ => {}
+        }
+        let signal = &context.wake_signal;
+        signal.wait(signal.generation(), RETRY_DELAY);
+    }
 }
 
 /// Writes into the record that the job runs, or that it will not. Returns `None` if the job has
@@ -100,9 +147,9 @@ fn run_request(
     context: &WorkerContext,
     record: &JobRecord,
     flag: &StopFlag,
+    request: JobRequest,
     latest: &mut Progress,
 ) -> Result<JobOutcome, JobFailure> {
-    let request = read_request(context, record)?;
     let cpu_limit_s = cpu_limit_s(context, record.kind);
     let mut published: Option<Instant> = None;
     let mut on_progress = |progress: Progress| {
@@ -136,15 +183,18 @@ fn cpu_limit_s(context: &WorkerContext, kind: JobKind) -> f64 {
     }
 }
 
-/// Reads the stored request of a job.
-fn read_request(context: &WorkerContext, record: &JobRecord) -> Result<JobRequest, JobFailure> {
-    let failure = |detail: String| JobFailure::storage(record.kind, detail);
+/// Reads the stored request of a job, or finds that it is lost.
+fn read_request(
+    context: &WorkerContext,
+    record: &JobRecord,
+) -> Result<Result<JobRequest, JobFailure>, StoreError> {
     let key = request_key(record.kind, record.id);
-    let bytes = context.queue.blobs.get(&key);
-    let bytes = bytes.map_err(|error| failure(error.to_string()))?;
-    let bytes = bytes.ok_or_else(|| failure("what was asked is gone".to_owned()))?;
-    JobRequest::read(record.kind, &bytes)
-        .map_err(|error| failure(format!("what was asked cannot be read: {error}")))
+    let Some(bytes) = context.queue.blobs.get(&key)? else {
+        let failure = JobFailure::storage(record.kind, format_args!("{key} is gone"));
+        return Ok(Err(failure));
+    };
+    Ok(JobRequest::read(record.kind, &bytes)
+        .map_err(|error| JobFailure::storage(record.kind, format_args!("{key}: {error}"))))
 }
 
 fn store_files(

@@ -43,6 +43,15 @@ impl RunResult {
         }
     }
 
+    /// Returns the end of a run whose result could not be kept before it was asked to stop.
+    pub(super) fn stopped(stop: StopReason) -> Self {
+        Self::without_files(match stop {
+            StopReason::Canceled => RunEnd::Canceled,
+            StopReason::LeaseLost => RunEnd::LeaseLost,
+            StopReason::Shutdown | StopReason::TimeLimit => RunEnd::Released,
+        })
+    }
+
     /// Returns the end of a run that left nothing.
     pub(super) fn failed(failure: JobFailure) -> Self {
         Self::without_files(RunEnd::Failed(failure))
@@ -64,7 +73,7 @@ impl RunResult {
                 files: Some(files),
                 end: failure.map_or(RunEnd::Succeeded, RunEnd::Failed),
             },
-            Err(error) => Self::failed(JobFailure::storage(outcome.kind(), error.to_string())),
+            Err(error) => Self::failed(JobFailure::storage(outcome.kind(), error)),
         }
     }
 

@@ -3,5 +3,6 @@
 mod bounds;
 mod over;
 mod own_bodies;
+mod readiness;
 mod service;
 mod studies;

@@ -837,3 +837,70 @@ fn attempt_that_lost_its_lease_has_no_effect() {
     assert!(!results.join(first.attempts.to_string()).exists());
     pool.shutdown(TIMEOUT);
 }
+
+/// The folder without which no file can be written.
+fn disk(folder: &Path) -> std::path::PathBuf {
+    folder.join("blobs").join("tmp")
+}
+
+/// A job that came to its end and could not be kept for longer than it takes to try again.
+fn unkept(queue: &Arc<Queue>, folder: &Path) -> (Uuid, WorkerPool) {
+    let id = submit(queue, "sew");
+    std::fs::remove_dir_all(disk(folder)).unwrap();
+    let pool = start(queue, 1);
+    wait_for(queue, id, |record| record.status == JobStatus::Running);
+    sleep(Duration::from_millis(1_500));
+    let record = get(queue, id);
+    assert_eq!((record.status, record.error), (JobStatus::Running, None));
+    (id, pool)
+}
+
+#[test]
+fn a_result_is_kept_until_it_can_be_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let (id, pool) = unkept(&queue, folder.path());
+    std::fs::create_dir(disk(folder.path())).unwrap();
+    let record = finished(&queue, id);
+    assert_eq!((record.status, record.attempts), (JobStatus::Succeeded, 1));
+    assert!(queue.file(&record, ResultFile::Mesh).unwrap().is_some());
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
+fn a_job_whose_result_waits_for_the_disk_can_be_canceled() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let (id, pool) = unkept(&queue, folder.path());
+    queue.cancel(JobKind::Fit, id).unwrap().unwrap();
+    assert_eq!(finished(&queue, id).status, JobStatus::Canceled);
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
+fn a_result_that_could_not_be_written_before_the_end_is_made_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let (id, pool) = unkept(&queue, folder.path());
+    pool.shutdown(TIMEOUT);
+    std::fs::create_dir(disk(folder.path())).unwrap();
+    let pool = start(&queue, 1);
+    let record = finished(&queue, id);
+    assert_eq!((record.status, record.attempts), (JobStatus::Succeeded, 2));
+    assert_eq!(record.released, 1);
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
+fn a_request_that_is_gone_fails_without_names_of_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let id = submit(&queue, "sew");
+    std::fs::remove_dir_all(folder.path().join("blobs/garments")).unwrap();
+    let pool = start(&queue, 1);
+    let record = finished(&queue, id);
+    assert_eq!(error_code(&record), "fit/storage");
+    let detail = record.error.unwrap().detail;
+    assert!(!detail.contains('/'), "{detail}");
+    pool.shutdown(TIMEOUT);
+}
