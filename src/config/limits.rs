@@ -79,6 +79,19 @@ pub struct Limits {
     pub attempts: u32,
     /// Longest wait of one request that asks to wait \[s\].
     pub wait_s: f64,
+    /// Connections open at the same time; further ones wait to be taken.
+    pub connections: usize,
+    /// Requests worked on at the same time, those whose body still comes not counted.
+    pub requests: usize,
+    /// Time in which the head of a request must come, also of the next one on a connection \[s\].
+    pub head_timeout_s: f64,
+    /// Time that a client may leave a connection waiting, to send a body or to take an answer \[s\]:
+    /// every 4 KiB that get through give it a second back.
+    pub stall_timeout_s: f64,
+    /// Bytes of bodies that are held at the same time.
+    pub upload_bytes_in_flight: usize,
+    /// Bytes of answers that wait for their clients at the same time.
+    pub answer_bytes_in_flight: usize,
 }
 
 impl Default for Limits {
@@ -95,7 +108,7 @@ impl Default for Limits {
             seams: 2_000,
             suggested_panels: 100,
             json_bytes: 32 << 20,
-            json_memory_bytes: 256 << 20,
+            json_memory_bytes: 192 << 20,
             list_items: 10_000,
             text_chars: 4_096,
             seam_runs: 64,
@@ -122,6 +135,12 @@ impl Default for Limits {
             queued_jobs: 1_000,
             attempts: 3,
             wait_s: 60.0,
+            connections: 4_096,
+            requests: 512,
+            head_timeout_s: 15.0,
+            stall_timeout_s: 20.0,
+            upload_bytes_in_flight: 160 << 20,
+            answer_bytes_in_flight: 96 << 20,
         }
     }
 }

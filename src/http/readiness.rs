@@ -31,7 +31,7 @@ impl AppState {
         let state = self.clone();
         // A task of its own: who gives up leaves the lock with it, and nobody begins another.
         let look = tokio::spawn(async move {
-            let probed = state.run_blocking(|app| app.queue.probe()).await;
+            let probed = state.run_unbounded(|app| app.queue.probe()).await;
             let is_ready = match probed {
                 Ok(Ok(())) => true,
                 Ok(Err(error)) => {

@@ -31,7 +31,8 @@ impl FromRequest<AppState> for FitRequest {
         }
         let limits = state.limits();
         let max_bytes = limits.dxf_bytes + limits.json_bytes;
-        let [pattern, garment] = read_form(request, max_bytes, ["pattern", "garment"]).await?;
+        let [pattern, garment] =
+            read_form(state, request, max_bytes, ["pattern", "garment"]).await?;
         let pattern = pattern.ok_or_else(|| missing_part("pattern"))?;
         let garment = garment.ok_or_else(|| missing_part("garment"))?;
         let pattern = pattern.within(limits.dxf_bytes)?;

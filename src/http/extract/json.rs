@@ -87,7 +87,7 @@ impl<T: JsonBody> FromRequest<AppState> for ValidatedJson<T> {
 
     async fn from_request(request: Request, state: &AppState) -> Result<Self, Problem> {
         require_json(request.headers())?;
-        let bytes = read_body(request, T::max_bytes(state.limits())).await?;
+        let bytes = read_body(state, request, T::max_bytes(state.limits())).await?;
         Ok(Self(read_json(state, bytes).await?))
     }
 }
@@ -100,7 +100,7 @@ impl<T: JsonBody> FromRequest<AppState> for JsonWithDigest<T> {
 
     async fn from_request(request: Request, state: &AppState) -> Result<Self, Problem> {
         require_json(request.headers())?;
-        let bytes = read_body(request, T::max_bytes(state.limits())).await?;
+        let bytes = read_body(state, request, T::max_bytes(state.limits())).await?;
         let text = bytes.clone();
         let value = read_json(state, bytes).await?;
         let digest = state.run_compute(move |_| Sha256::digest(&text).into());
@@ -116,7 +116,7 @@ impl<T: JsonBody + Default> FromRequest<AppState> for OptionalJson<T> {
 
     async fn from_request(request: Request, state: &AppState) -> Result<Self, Problem> {
         let json = require_json(request.headers());
-        let bytes = read_body(request, T::max_bytes(state.limits())).await?;
+        let bytes = read_body(state, request, T::max_bytes(state.limits())).await?;
         if bytes.is_empty() {
             return Ok(Self(T::default()));
         }

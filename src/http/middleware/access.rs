@@ -38,7 +38,7 @@ pub(in crate::http) async fn require_token(
     request: Request,
     next: Next,
 ) -> Response {
-    if state.access.is_authorized(request.headers()) {
+    if state.access.client(request.headers()).is_some() {
         next.run(request).await
     } else {
         Problem::unauthorized().into_response()

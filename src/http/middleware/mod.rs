@@ -2,6 +2,7 @@
 
 pub(super) mod access;
 mod access_policy;
+pub(super) mod answer_bytes;
 pub(super) mod observe;
 mod request_metrics;
 

@@ -191,6 +191,13 @@ impl Problem {
         )
     }
 
+    /// Returns the problem of a body that comes too slowly.
+    pub(in crate::http) fn too_slow() -> Self {
+        let detail = "The body came too slowly; send it again over a faster line.";
+        Self::new(StatusCode::REQUEST_TIMEOUT, "timeout", "Timed out", detail)
+            .with_header(header::CONNECTION, "close")
+    }
+
     /// Returns the problem of a request that took too long.
     pub(in crate::http) fn timed_out() -> Self {
         let detail = "The request took longer than this service allows.";
@@ -263,6 +270,12 @@ impl Problem {
     pub(in crate::http) fn overloaded() -> Self {
         let detail = "The service has as many requests as it can work on.";
         Self::unavailable(detail, RETRY_OVERLOADED_S)
+    }
+
+    /// Returns the problem of a service that holds as many bytes of bodies and answers as it may.
+    pub(in crate::http) fn too_many_bytes() -> Self {
+        let detail = "The service sends and receives as much at once as it may.";
+        Self::unavailable(detail, RETRY_LATER_S)
     }
 
     /// Returns the problem of a service that has as many followers of jobs as it can serve.

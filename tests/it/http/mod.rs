@@ -5,4 +5,5 @@ mod over;
 mod own_bodies;
 mod readiness;
 mod service;
+mod slow_clients;
 mod studies;
