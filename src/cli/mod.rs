@@ -13,7 +13,7 @@ mod study;
 
 use clap::{Parser, Subcommand};
 use exit::{print, refuse};
-use seamster::config::{Config, Logging};
+use seamster::config::{Config, LogFormat, Logging};
 use std::io::IsTerminal;
 use std::process::ExitCode;
 use tracing_subscriber::EnvFilter;
@@ -55,11 +55,13 @@ pub(crate) fn run() -> ExitCode {
         Ok(filter) => filter,
         Err(error) => return refuse(&format!("--log: {error}")),
     };
-    tracing_subscriber::fmt()
+    let log = tracing_subscriber::fmt()
         .with_env_filter(filter)
-        .with_writer(std::io::stderr)
-        .with_ansi(std::io::stderr().is_terminal())
-        .init();
+        .with_writer(std::io::stderr);
+    match cli.logging.log_format {
+        LogFormat::Text => log.with_ansi(std::io::stderr().is_terminal()).init(),
+        LogFormat::Json => log.json().init(),
+    }
     match cli.command {
         CliCommand::Serve(config) => serve::serve(*config),
         CliCommand::Worker => refuse(

@@ -1,6 +1,6 @@
 //! All routes with their middleware.
 
-use super::middleware::{access, answer_bytes, observe};
+use super::middleware::{access, answer_bytes, observe, unread_body};
 use super::respond::Problem;
 use super::routes::{self, openapi, page};
 use super::state::AppState;
@@ -8,7 +8,7 @@ use crate::config::Config;
 use crate::job::Queue;
 use axum::error_handling::HandleErrorLayer;
 use axum::http::{Method, Uri};
-use axum::middleware::from_fn_with_state;
+use axum::middleware::{from_fn, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
 use axum::{BoxError, Router};
 use std::any::Any;
@@ -38,10 +38,12 @@ pub fn router(config: &Config, queue: Arc<Queue>) -> Router {
                 .timeout(REQUEST_TIMEOUT),
         );
     let outermost = ServiceBuilder::new()
+        .layer(from_fn(observe::bound_request_id))
         .layer(SetRequestIdLayer::x_request_id(MakeRequestUuid))
         .layer(PropagateRequestIdLayer::x_request_id())
         .layer(from_fn_with_state(state.clone(), observe::observe))
         .layer(CatchPanicLayer::custom(panicked))
+        .layer(from_fn(unread_body::close_after_unread_body))
         .layer(from_fn_with_state(state.clone(), access::require_own_site))
         .layer(from_fn_with_state(
             state.clone(),

@@ -114,7 +114,9 @@ impl AppState {
         work: impl FnOnce(&App) -> T + Send + 'static,
     ) -> Result<T, Problem> {
         let app = Arc::clone(&self.0);
-        tokio::task::spawn_blocking(move || work(&app))
+        // What the work logs belongs to its request.
+        let span = tracing::Span::current();
+        tokio::task::spawn_blocking(move || span.in_scope(|| work(&app)))
             .await
             .map_err(Problem::internal)
     }

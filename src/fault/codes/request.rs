@@ -14,6 +14,9 @@ fault_codes! {
         Format = "format":
             "A text does not have the required format.",
             "Write it as the schema says.";
+        Host = "host":
+            "The request has two `Host` headers.",
+            "Send one.";
         Key = "key":
             "The `Idempotency-Key` is empty, too long or not visible ASCII.",
             "Send a shorter key, such as a UUID.";

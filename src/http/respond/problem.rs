@@ -121,6 +121,12 @@ impl Problem {
         Self::unreadable(Fault::new(RequestCode::Body, "", reason.to_string()))
     }
 
+    /// Returns the problem of a request that names its host twice (RFC 9112, 3.2).
+    pub(in crate::http) fn two_hosts() -> Self {
+        let detail = "The request has two `Host` headers.";
+        Self::unreadable(Fault::new(RequestCode::Host, "", detail))
+    }
+
     /// Returns the problem of a request without a token of this service.
     pub(in crate::http) fn unauthorized() -> Self {
         let detail = "This call needs the header `Authorization: Bearer <token>` with a token of this service.";

@@ -133,11 +133,11 @@ pub(super) async fn create(
         let resolved = study::resolve(request, app.catalogue(), app.limits())?;
         Ok(JobRequest::Study(Box::new(resolved.request().clone())))
     });
-    let record = record.await?;
+    let jobs::Waited { record, wait } = record.await?;
     state
         .run_blocking(move |app| {
             let whole = StudyJob::with_report(app, record.clone())?;
-            Ok(jobs::respond(&record, &whole, submission.wait))
+            Ok(jobs::respond(&record, &whole, wait))
         })
         .await?
 }

@@ -1,6 +1,7 @@
 //! Tests of `http`: the service over its own socket.
 
 mod bounds;
+mod manners;
 mod over;
 mod own_bodies;
 mod readiness;
