@@ -1,5 +1,6 @@
 //! The command line.
 
+mod child;
 mod exit;
 mod faults;
 mod health;
@@ -32,6 +33,9 @@ struct Cli {
 enum CliCommand {
     /// Serve over HTTP and run fits and studies
     Serve(Box<Config>),
+    /// Run one job for `serve`, told on standard input
+    #[command(hide = true)]
+    RunJob,
     /// Run fits for a store that many processes share
     Worker,
     /// Read a pattern file: print its panels and what was decided, write its drawing or other files
@@ -64,6 +68,7 @@ pub(crate) fn run() -> ExitCode {
     }
     match cli.command {
         CliCommand::Serve(config) => serve::serve(*config),
+        CliCommand::RunJob => child::run_job(),
         CliCommand::Worker => refuse(
             "the sqlite store is for one process: its workers run inside `seamster serve` (see --workers)",
         ),

@@ -1,5 +1,6 @@
 //! The command `serve`: serves over HTTP and runs jobs, until it is asked to end.
 
+use super::child::ServiceRunner;
 use super::exit::{fail, refuse};
 use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
 use seamster::config::Config;
@@ -34,9 +35,8 @@ fn start(config: &Config) -> Result<(), Box<dyn std::error::Error>> {
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()?;
-    let runner = SolverRunner {
-        catalogue: Arc::clone(queue.catalogue()),
-        limits: config.limits.clone(),
+    let runner = ServiceRunner {
+        solver: SolverRunner::of(&queue),
     };
     raise_file_limit();
     let listener = runtime.block_on(http::listen(config))?;

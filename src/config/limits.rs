@@ -75,8 +75,11 @@ pub struct Limits {
     pub study_cpu_s: f64,
     /// Fits and studies waiting in the queue.
     pub queued_jobs: usize,
-    /// Number of times that a fit or a study is begun again after its worker died.
-    pub attempts: u32,
+    /// Number of times that the process of a fit or a study may die that has one of its own; at the
+    /// last it has failed.
+    pub crashes: u32,
+    /// Memory of the process of a fit or a study that has one of its own \[bytes\].
+    pub process_memory_bytes: u64,
     /// Longest wait of one request that asks to wait \[s\].
     pub wait_s: f64,
     /// Connections open at the same time; further ones wait to be taken.
@@ -133,7 +136,8 @@ impl Default for Limits {
             study_list: 16,
             study_cpu_s: 7_200.0,
             queued_jobs: 1_000,
-            attempts: 3,
+            crashes: 2,
+            process_memory_bytes: 8 << 30,
             wait_s: 60.0,
             connections: 4_096,
             requests: 512,

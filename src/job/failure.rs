@@ -1,6 +1,7 @@
 //! The reason why a job failed, in a code and a sentence.
 
 use super::kind::JobKind;
+use super::process_death::ProcessDeath;
 use crate::fault::{Fault, FaultCode, Faults, FitCode, StudyCode};
 use crate::solver::{Shortcoming, Verdict};
 use serde::{Deserialize, Serialize};
@@ -113,9 +114,11 @@ impl JobFailure {
         self
     }
 
-    /// Returns the failure of a job whose processes died `deaths` times.
-    pub(super) fn abandoned(kind: JobKind, deaths: u32) -> Self {
-        let detail = format!("the process that ran it died {deaths} times; it is not begun again");
+    /// Returns the failure of a job whose own processes died `deaths` times, the last for `cause`.
+    pub(super) fn abandoned(kind: JobKind, deaths: u32, cause: ProcessDeath) -> Self {
+        let detail = format!(
+            "it ran in a process of its own, which died {deaths} times: {cause}; a coarser mesh takes less memory"
+        );
         Self::of_kind(kind, (FitCode::Abandoned, StudyCode::Abandoned), detail)
     }
 

@@ -20,7 +20,15 @@ pub(crate) fn seamster(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_seamster"));
     command.args(arguments);
     for name in [
-        "LISTEN", "DATA", "STORE", "BLOBS", "WORKERS", "TOKENS", "HOSTS", "LOG",
+        "LISTEN",
+        "DATA",
+        "STORE",
+        "BLOBS",
+        "WORKERS",
+        "TOKENS",
+        "HOSTS",
+        "LOG",
+        "LOG_FORMAT",
     ] {
         command.env_remove(format!("SEAMSTER_{name}"));
     }
@@ -149,6 +157,11 @@ impl Service {
         let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
         let kilobytes = peak.and_then(|peak| peak.trim().strip_suffix(" kB"));
         1024 * kilobytes.unwrap().trim().parse::<u64>().unwrap()
+    }
+
+    /// Id of the process.
+    pub(crate) fn id(&self) -> u32 {
+        self.child.id()
     }
 
     /// Sends a signal, named as `kill` names it.

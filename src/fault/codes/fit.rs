@@ -6,7 +6,7 @@ fault_codes! {
     /// The codes of fits: of requests, and of fits that failed.
     FitCode in "fit" {
         Abandoned = "abandoned":
-            "The processes that ran the fit died, one after the other.",
+            "The fit ran in a process of its own, which died twice; the detail says of what.",
             "Use a coarser mesh; look into the log of the service.";
         Body = "body":
             "The garment came to rest, but passes through the body; its report says where.",

@@ -141,6 +141,7 @@ impl SqliteStore {
             for mut record in rows::jobs_of_status(transaction, JobStatus::Running)? {
                 record.status = JobStatus::Queued;
                 record.started_at = None;
+                record.runs_apart = true;
                 rows::update_job(transaction, &record)?;
             }
             Ok(())

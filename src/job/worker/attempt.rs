@@ -2,7 +2,8 @@
 
 use super::active_runs::{StopFlag, StopReason};
 use super::context::{RETRY_DELAY, WorkerContext};
-use super::run_result::RunResult;
+use super::run_result::{RunFailure, RunResult};
+use super::runner::RunError;
 use crate::job::failure::JobFailure;
 use crate::job::kind::JobKind;
 use crate::job::queue::{RecordUpdate, update_record};
@@ -52,12 +53,16 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
     }
     let mut progress = Progress::default();
     let request = patiently(context, flag, record.id, || read_request(context, &record))?;
-    let ran = request.map(|request| match request {
-        Ok(request) => run_request(context, &record, flag, request, &mut progress),
-        Err(failure) => Err(failure),
-    });
-    let mut result = match ran {
-        Ok(ran) => RunResult::of(record.kind, ran, flag.reason()),
+    let mut result = match request {
+        Ok(Ok(request)) => {
+            let ran = run_request(context, &record, flag, request, &mut progress);
+            RunResult::of(
+                record.kind,
+                ran,
+                (flag.reason(), context.queue.limits.crashes),
+            )
+        }
+        Ok(Err(failure)) => RunResult::failed(failure),
         Err(stop) => RunResult::stopped(stop),
     };
     if let Some(files) = &result.files {
@@ -107,19 +112,13 @@ fn patiently<T>(
 /// Writes into the record that the job runs, or that it will not. Returns `None` if the job has
 /// ended already.
 fn begin(context: &WorkerContext, lease: Lease) -> Result<Option<Box<JobRecord>>, StoreError> {
-    let limit = context.queue.limits.attempts;
     let update = update_record(&*context.queue.store, lease.job, |record| {
-        let deaths = record.attempts.saturating_sub(record.released);
         if record.status.is_final() {
             return false;
         }
         if record.cancel_requested {
             record.status = JobStatus::Canceled;
             record.finished_at = Some(Timestamp::now());
-        } else if deaths > limit {
-            record.status = JobStatus::Failed;
-            record.finished_at = Some(Timestamp::now());
-            record.error = Some(JobFailure::abandoned(record.kind, deaths));
         } else {
             record.status = JobStatus::Running;
             record.started_at = Some(Timestamp::now());
@@ -142,14 +141,14 @@ fn published(context: &WorkerContext, update: RecordUpdate) -> Option<Box<JobRec
     }
 }
 
-/// Runs the job; a panic is a failure of this job only.
+/// Runs the job; a panic is a failure of this job only, and so is the death of its own process.
 fn run_request(
     context: &WorkerContext,
     record: &JobRecord,
     flag: &StopFlag,
     request: JobRequest,
     latest: &mut Progress,
-) -> Result<JobOutcome, JobFailure> {
+) -> Result<JobOutcome, RunFailure> {
     let cpu_limit_s = cpu_limit_s(context, record.kind);
     let mut published: Option<Instant> = None;
     let mut on_progress = |progress: Progress| {
@@ -169,10 +168,35 @@ fn run_request(
             });
         }
     };
-    let run = || context.runner.run(request, &flag.cancel, &mut on_progress);
-    match catch_unwind(AssertUnwindSafe(run)) {
-        Ok(ran) => ran.map_err(|faults| JobFailure::refused(record.kind, faults)),
-        Err(panic) => Err(panic_failure(record.kind, &*panic)),
+    // A lock whose holder panicked is as good as any: it guards no data.
+    let ran = if record.runs_apart {
+        let _alone = context.alone.write();
+        let run = || {
+            context
+                .runner
+                .run_apart(request, &flag.cancel, &mut on_progress)
+        };
+        catch_unwind(AssertUnwindSafe(run))
+    } else {
+        let _shared = context.alone.read();
+        let run = || context.runner.run(request, &flag.cancel, &mut on_progress);
+        catch_unwind(AssertUnwindSafe(run)).map(|ran| ran.map_err(RunError::Refused))
+    };
+    match ran {
+        Ok(ran) => ran.map_err(|error| run_failure(record.kind, error)),
+        Err(panic) => Err(panic_failure(record.kind, &*panic).into()),
+    }
+}
+
+fn run_failure(kind: JobKind, error: RunError) -> RunFailure {
+    match error {
+        RunError::Refused(faults) => JobFailure::refused(kind, faults).into(),
+        RunError::Panicked => JobFailure::panicked(kind).into(),
+        RunError::Died(death) => RunFailure::Died(death),
+        RunError::NotStarted(cause) => {
+            tracing::error!(%cause, "no process can be started");
+            RunFailure::NotRun
+        }
     }
 }
 
