@@ -10,6 +10,7 @@
 //!
 //! - [`fault`], [`config`], [`progress`], [`memory`]: what every module shares: faults, limits,
 //!   cancelling, peak memory.
+//! - `json`: requests measured before they are read.
 //! - [`pattern`]: DXF bytes to a [`pattern::Pattern`] of panels.
 //! - [`seam`]: seam pairs as asked to checked [`seam::Seam`]s.
 //! - [`mesh`]: panels to a [`mesh::ClothMesh`] whose boundary points match across seams.
@@ -27,6 +28,7 @@ pub mod fault;
 pub mod fit;
 pub mod http;
 pub mod job;
+mod json;
 pub mod memory;
 pub mod mesh;
 pub mod pattern;

@@ -95,6 +95,8 @@ export async function* events(path, { lastId, signal } = {}) {
   const headers = { Accept: "text/event-stream" };
   if (lastId) headers["Last-Event-ID"] = lastId;
   const response = await call(path, { headers, signal });
+  // The last event was read before.
+  if (response.status === 204) return;
   const reader = response.body.pipeThrough(new TextDecoderStream()).getReader();
   let rest = "";
   for (;;) {

@@ -163,7 +163,7 @@ fn read_garment(file: &Path, limits: &Limits) -> Result<Garment, Faults> {
         let fix = "give the garment file after the pattern; {\"seams\": \"suggest\"} is the least that it holds";
         return Err(Fault::new(FitCode::NoGarment, "", detail).fix(fix).into());
     }
-    fit::read_garment(&bytes).map_err(Faults::from)
+    fit::read_garment(&bytes, limits).map_err(Faults::from)
 }
 
 /// Reads a file of at most `limit` bytes.

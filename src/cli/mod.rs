@@ -1,5 +1,6 @@
 //! The command line.
 
+mod child;
 mod exit;
 mod faults;
 mod health;
@@ -13,7 +14,7 @@ mod study;
 
 use clap::{Parser, Subcommand};
 use exit::{print, refuse};
-use seamster::config::{Config, Logging};
+use seamster::config::{Config, LogFormat, Logging};
 use std::io::IsTerminal;
 use std::process::ExitCode;
 use tracing_subscriber::EnvFilter;
@@ -32,6 +33,9 @@ struct Cli {
 enum CliCommand {
     /// Serve over HTTP and run fits and studies
     Serve(Box<Config>),
+    /// Run one job for `serve`, told on standard input
+    #[command(hide = true)]
+    RunJob,
     /// Run fits for a store that many processes share
     Worker,
     /// Read a pattern file: print its panels and what was decided, write its drawing or other files
@@ -55,13 +59,16 @@ pub(crate) fn run() -> ExitCode {
         Ok(filter) => filter,
         Err(error) => return refuse(&format!("--log: {error}")),
     };
-    tracing_subscriber::fmt()
+    let log = tracing_subscriber::fmt()
         .with_env_filter(filter)
-        .with_writer(std::io::stderr)
-        .with_ansi(std::io::stderr().is_terminal())
-        .init();
+        .with_writer(std::io::stderr);
+    match cli.logging.log_format {
+        LogFormat::Text => log.with_ansi(std::io::stderr().is_terminal()).init(),
+        LogFormat::Json => log.json().init(),
+    }
     match cli.command {
         CliCommand::Serve(config) => serve::serve(*config),
+        CliCommand::RunJob => child::run_job(),
         CliCommand::Worker => refuse(
             "the sqlite store is for one process: its workers run inside `seamster serve` (see --workers)",
         ),

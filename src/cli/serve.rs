@@ -1,6 +1,8 @@
 //! The command `serve`: serves over HTTP and runs jobs, until it is asked to end.
 
+use super::child::ServiceRunner;
 use super::exit::{fail, refuse};
+use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
 use seamster::config::Config;
 use seamster::http;
 use seamster::job::{Queue, SolverRunner, WorkerPool};
@@ -8,6 +10,7 @@ use std::io;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Duration;
+use tokio::net::TcpListener;
 use tokio::signal::unix::{SignalKind, signal};
 use tokio::sync::oneshot;
 use tokio::time::timeout;
@@ -32,13 +35,14 @@ fn start(config: &Config) -> Result<(), Box<dyn std::error::Error>> {
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()?;
-    let runner = SolverRunner {
-        catalogue: Arc::clone(queue.catalogue()),
-        limits: config.limits.clone(),
+    let runner = ServiceRunner {
+        solver: SolverRunner::of(&queue),
     };
+    raise_file_limit();
+    let listener = runtime.block_on(http::listen(config))?;
     let pool = WorkerPool::start(&queue, runner, config.worker_count())?;
     tracing::info!(workers = config.worker_count(), data = %config.data.display(), "started");
-    let served = runtime.block_on(serve_until_signal(config, queue, pool));
+    let served = runtime.block_on(serve_until_signal(config, queue, (listener, pool)));
     // Threads that still wait for a client must not hold the process up.
     runtime.shutdown_timeout(Duration::from_millis(100));
     Ok(served?)
@@ -48,30 +52,37 @@ fn start(config: &Config) -> Result<(), Box<dyn std::error::Error>> {
 async fn serve_until_signal(
     config: &Config,
     queue: Arc<Queue>,
-    pool: WorkerPool,
+    (listener, pool): (TcpListener, WorkerPool),
 ) -> io::Result<()> {
     let mut terminate = signal(SignalKind::terminate())?;
     let mut interrupt = signal(SignalKind::interrupt())?;
     let (end, ended) = oneshot::channel::<()>();
-    let server = http::serve(config, queue, async {
+    let server = http::serve(listener, config, queue, async {
         // An error means that nobody can ask any more: then it is time too.
         let _ = ended.await;
     });
     tokio::pin!(server);
-    let served = tokio::select! {
-        served = &mut server => Some(served),
-        _ = terminate.recv() => None,
-        _ = interrupt.recv() => None,
-    };
+    tokio::select! {
+        () = &mut server => {}
+        _ = terminate.recv() => {}
+        _ = interrupt.recv() => {}
+    }
+    tracing::info!("ending");
     drop(end);
     let workers = tokio::task::spawn_blocking(move || pool.shutdown(SHUTDOWN_TIMEOUT));
-    let served = match served {
-        Some(served) => served,
-        None => {
-            tracing::info!("ending");
-            timeout(SHUTDOWN_TIMEOUT, server).await.unwrap_or(Ok(()))
-        }
+    // Requests that do not end in this time are cut off.
+    let _ = timeout(SHUTDOWN_TIMEOUT, server).await;
+    workers.await.map_err(io::Error::other)
+}
+
+/// Lets the process open as many files as the system allows it: each connection is one.
+fn raise_file_limit() {
+    let limit = getrlimit(Resource::Nofile);
+    let raised = Rlimit {
+        current: limit.maximum,
+        ..limit
     };
-    workers.await.map_err(io::Error::other)?;
-    served
+    if let Err(error) = setrlimit(Resource::Nofile, raised) {
+        tracing::warn!(%error, "the number of open files stays as it was");
+    }
 }

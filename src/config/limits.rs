@@ -25,6 +25,22 @@ pub struct Limits {
     pub suggested_panels: usize,
     /// Bytes of one JSON request.
     pub json_bytes: usize,
+    /// Memory that one JSON request may take while it is read, and all of them together \[bytes\].
+    pub json_memory_bytes: usize,
+    /// Items of a list and fields of an object of a JSON request that have no limit of their own.
+    pub list_items: usize,
+    /// Characters of a text of a JSON request, and of the name of a field.
+    pub text_chars: usize,
+    /// Runs of one side of a seam.
+    pub seam_runs: usize,
+    /// Pins of one garment.
+    pub pins: usize,
+    /// Fabrics that one garment holds, those of the library that it uses included.
+    pub garment_fabrics: usize,
+    /// Elastic edges of one panel.
+    pub elastic_edges: usize,
+    /// Maps on one mesh.
+    pub maps: usize,
     /// Bytes of the file of a body.
     pub body_bytes: usize,
     /// Vertices of the file of a body, copies at seams of its texture included.
@@ -59,10 +75,26 @@ pub struct Limits {
     pub study_cpu_s: f64,
     /// Fits and studies waiting in the queue.
     pub queued_jobs: usize,
-    /// Number of times that a fit or a study is begun again after its worker died.
-    pub attempts: u32,
+    /// Number of times that the process of a fit or a study may die that has one of its own; at the
+    /// last it has failed.
+    pub crashes: u32,
+    /// Memory of the process of a fit or a study that has one of its own \[bytes\].
+    pub process_memory_bytes: u64,
     /// Longest wait of one request that asks to wait \[s\].
     pub wait_s: f64,
+    /// Connections open at the same time; further ones wait to be taken.
+    pub connections: usize,
+    /// Requests worked on at the same time, those whose body still comes not counted.
+    pub requests: usize,
+    /// Time in which the head of a request must come, also of the next one on a connection \[s\].
+    pub head_timeout_s: f64,
+    /// Time that a client may leave a connection waiting, to send a body or to take an answer \[s\]:
+    /// every 4 KiB that get through give it a second back.
+    pub stall_timeout_s: f64,
+    /// Bytes of bodies that are held at the same time.
+    pub upload_bytes_in_flight: usize,
+    /// Bytes of answers that wait for their clients at the same time.
+    pub answer_bytes_in_flight: usize,
 }
 
 impl Default for Limits {
@@ -79,6 +111,14 @@ impl Default for Limits {
             seams: 2_000,
             suggested_panels: 100,
             json_bytes: 32 << 20,
+            json_memory_bytes: 192 << 20,
+            list_items: 10_000,
+            text_chars: 4_096,
+            seam_runs: 64,
+            pins: 2_000,
+            garment_fabrics: 1_200,
+            elastic_edges: 1_000,
+            maps: 16,
             body_bytes: 64 << 20,
             body_vertices: 1_000_000,
             body_triangles: 500_000,
@@ -96,8 +136,15 @@ impl Default for Limits {
             study_list: 16,
             study_cpu_s: 7_200.0,
             queued_jobs: 1_000,
-            attempts: 3,
+            crashes: 2,
+            process_memory_bytes: 8 << 30,
             wait_s: 60.0,
+            connections: 4_096,
+            requests: 512,
+            head_timeout_s: 15.0,
+            stall_timeout_s: 20.0,
+            upload_bytes_in_flight: 160 << 20,
+            answer_bytes_in_flight: 96 << 20,
         }
     }
 }

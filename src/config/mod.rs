@@ -5,4 +5,4 @@ mod limits;
 mod settings;
 
 pub use limits::Limits;
-pub use settings::{BlobKind, Config, ConfigError, Logging, StoreKind};
+pub use settings::{BlobKind, Config, ConfigError, LogFormat, Logging, StoreKind};

@@ -1,7 +1,7 @@
 //! The settings of the service, from flags and the environment; nothing else reads the environment.
 
 use super::limits::Limits;
-use clap::Args;
+use clap::{Args, ValueEnum};
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -46,6 +46,23 @@ pub struct Logging {
     /// Level of the log on stderr: error, warn, info, debug, or target=level, separated by commas
     #[arg(long, env = "SEAMSTER_LOG", default_value = "info", global = true)]
     pub log: String,
+    /// Form of the log: text, or json with one object a line
+    #[arg(
+        long,
+        env = "SEAMSTER_LOG_FORMAT",
+        default_value = "text",
+        global = true
+    )]
+    pub log_format: LogFormat,
+}
+
+/// Form of the log.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum LogFormat {
+    /// Lines for a person.
+    Text,
+    /// An object a line, for programs.
+    Json,
 }
 
 /// Settings that cannot be served.

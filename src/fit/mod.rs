@@ -5,6 +5,7 @@
 mod ahead;
 mod crossings;
 mod garment;
+mod garment_bounds;
 mod girths;
 mod harder;
 mod json_schema;
@@ -24,6 +25,7 @@ mod scene_json;
 mod schema_fault;
 mod seam_check;
 mod sewing_pattern;
+mod shape_faults;
 mod sides;
 mod start_from;
 mod starts;
@@ -41,13 +43,14 @@ pub use garment::{
     OwnBodySpec, PanelSpec, PatternRef, Pin, SCHEMA, SeamsKeyword, SeamsSpec, SelfContact,
     StartPanel, StartRef, StartShape, WindSpec,
 };
+pub(crate) use garment_bounds::garment_bounds;
 pub use json_schema::garment_schema_json;
 pub use library::{AssetLibrary, FinishedFit, NoFinishedFit, ShippedAssets};
 pub use maps::{ShapeMap, shape_maps};
 pub use measures::{GarmentMeasures, GirthMeasures, PanelMeasures, SeamMeasures, measures};
 pub use picture::picture;
-pub(crate) use request_schema::RequestSchema;
 pub use request_schema::{ReadError, read_garment};
+pub(crate) use request_schema::{RequestSchema, garment_schema};
 pub use resolve::{ResolvedGarment, resolve};
 pub use run::{FitOutcome, run, scene};
 pub use scene_json::scene_json;

@@ -4,7 +4,7 @@ use super::garment::{AvatarRef, Garment, PanelSpec, PatternRef};
 use super::library::AssetLibrary;
 use super::unsupported::escape;
 use crate::config::Limits;
-use crate::fault::{Fault, Faults, GarmentCode};
+use crate::fault::{Fault, Faults, GarmentCode, RequestCode};
 use crate::pattern::{self, Pattern};
 use crate::scene::{BodySource, Fabric};
 use std::sync::Arc;
@@ -92,6 +92,7 @@ fn given(body: BodySource, faults: &mut Vec<Fault>) -> BodySource {
 pub(super) fn inline_fabrics(
     garment: &mut Garment,
     library: &dyn AssetLibrary,
+    limits: &Limits,
     faults: &mut Vec<Fault>,
 ) {
     for (id, fabric) in &garment.fabrics {
@@ -102,6 +103,12 @@ pub(super) fn inline_fabrics(
             continue;
         }
         match library.fabric(&id) {
+            Some(_) if garment.fabrics.len() >= limits.garment_fabrics => {
+                let most = limits.garment_fabrics;
+                let detail = format!("the garment has more than {most} fabrics");
+                let fault = Fault::new(RequestCode::WrongLength, pointer, detail);
+                faults.push(fault.fix("leave out those that no panel is cut from"));
+            }
             Some(fabric) => {
                 garment.fabrics.insert(id, fabric);
             }

@@ -1,23 +1,25 @@
-//! Requests read from JSON: all faults against their schema at once, before serde, which stops at
-//! the first.
+//! Requests read from JSON: measured, then all faults against their schema at once, before serde,
+//! which stops at the first.
 
 use super::garment::Garment;
-use super::{json_schema, schema_fault};
+use super::garment_bounds::garment_bounds;
+use super::json_schema;
+use super::shape_faults::{LeafValidators, shape_faults};
+use crate::config::Limits;
 use crate::fault::{Fault, Faults, RequestCode};
+use crate::json::{JsonBounds, MOST_LISTED, measure};
 use jsonschema::Validator;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::sync::LazyLock;
 use utoipa::ToSchema;
 
-/// The most faults of one request that are listed; a file of another kind has one at every line.
-const MOST_LISTED: usize = 100;
-
 /// The schema of a request type, ready to check with.
 #[derive(Debug)]
 pub(crate) struct RequestSchema {
     schema: Value,
     validator: Validator,
+    leaves: LeafValidators,
 }
 
 /// The reason why bytes could not be read as a request.
@@ -25,8 +27,11 @@ pub(crate) struct RequestSchema {
 pub enum ReadError {
     /// They are not JSON.
     Syntax(Fault),
-    /// They are JSON, but not as the schema says.
+    /// They are JSON, but not as the schema and the limits say: every fault.
     Schema(Faults),
+    /// They are JSON, but not as the schema and the limits say: the first faults, at which the
+    /// search ended.
+    Many(Faults),
 }
 
 impl From<ReadError> for Faults {
@@ -34,6 +39,11 @@ impl From<ReadError> for Faults {
         match error {
             ReadError::Syntax(fault) => fault.into(),
             ReadError::Schema(faults) => faults,
+            ReadError::Many(mut faults) => {
+                let detail = "the search for faults ended here; there may be more";
+                faults.0.push(Fault::new(RequestCode::More, "", detail));
+                faults
+            }
         }
     }
 }
@@ -41,52 +51,83 @@ impl From<ReadError> for Faults {
 /// Reads a garment from its JSON; [`resolve`](super::resolve()) checks its meaning.
 ///
 /// # Errors
-/// Where it is not JSON, or every field that is missing, unknown or of the wrong kind.
-pub fn read_garment(bytes: &[u8]) -> Result<Garment, ReadError> {
+/// Where it is not JSON or larger than the limits, or every field that is missing, unknown or of
+/// the wrong kind.
+pub fn read_garment(bytes: &[u8], limits: &Limits) -> Result<Garment, ReadError> {
+    RequestSchema::measure(bytes, &garment_bounds(limits))?;
+    garment_schema().read(bytes)
+}
+
+/// Returns the schema of garments.
+pub(crate) fn garment_schema() -> &'static RequestSchema {
     // Made from the type alone, once.
     static SCHEMA: LazyLock<RequestSchema> = LazyLock::new(RequestSchema::of::<Garment>);
-    SCHEMA.read(bytes)
+    &SCHEMA
+}
+
+/// Makes the validator of a schema.
+pub(super) fn validator(schema: &Value) -> Validator {
+    jsonschema::draft202012::options()
+        .should_validate_formats(true)
+        .build(schema)
+        .expect("a generated schema is a schema; a test builds every one")
 }
 
 impl RequestSchema {
     /// Returns the schema of `T`.
     pub(crate) fn of<T: ToSchema>() -> Self {
         let schema = json_schema::of::<T>();
-        let validator = jsonschema::draft202012::options()
-            .should_validate_formats(true)
-            .build(&schema)
-            .expect("a generated schema is a schema; a test builds every one");
-        Self { schema, validator }
+        Self {
+            validator: validator(&schema),
+            schema,
+            leaves: LeafValidators::default(),
+        }
     }
 
-    /// Reads a value.
+    /// Returns the memory that reading a request takes \[bytes\].
+    ///
+    /// # Errors
+    /// Every list and text that is longer than its bound.
+    pub(crate) fn measure(bytes: &[u8], bounds: &JsonBounds) -> Result<usize, ReadError> {
+        let size = measure(bytes, bounds);
+        if size.is_cut {
+            return Err(ReadError::Many(Faults(size.faults)));
+        }
+        Faults(size.faults)
+            .or(size.memory)
+            .map_err(ReadError::Schema)
+    }
+
+    /// Reads a value whose size was measured before.
     ///
     /// # Errors
     /// Where it is not JSON, or every place where it differs from the schema.
     pub(crate) fn read<T: DeserializeOwned>(&self, bytes: &[u8]) -> Result<T, ReadError> {
         let mut value = parse(bytes).map_err(ReadError::Syntax)?;
-        let faults = self.faults(&value);
-        faults.or(()).map_err(ReadError::Schema)?;
+        if !self.validator.is_valid(&value) {
+            return Err(self.read_error(&value));
+        }
         make_whole_numbers_integers(&mut value);
         serde_json::from_value(value).map_err(|error| {
             ReadError::Schema(Fault::new(RequestCode::Shape, "", error.to_string()).into())
         })
     }
 
-    /// Returns a fault for every place where `value` differs from the schema.
-    fn faults(&self, value: &Value) -> Faults {
-        let mut faults = vec![];
-        for error in self.validator.iter_errors(value) {
-            faults.extend(schema_fault::faults(&self.schema, &error));
-            if faults.len() > MOST_LISTED {
-                faults.truncate(MOST_LISTED);
-                let detail =
-                    format!("there are more than {MOST_LISTED} faults; the rest is not listed");
-                faults.push(Fault::new(RequestCode::More, "", detail));
-                break;
-            }
+    /// Returns a fault for every place where `value` differs from the schema, at most as many as
+    /// are listed.
+    fn read_error(&self, value: &Value) -> ReadError {
+        let mut faults = shape_faults(&self.schema, &self.leaves, value);
+        if faults.is_empty() {
+            let detail = "the request does not have the shape that the schema requires";
+            faults.push(Fault::new(RequestCode::Shape, "", detail));
         }
-        Faults(faults)
+        let is_cut = faults.len() > MOST_LISTED;
+        faults.truncate(MOST_LISTED);
+        if is_cut {
+            ReadError::Many(Faults(faults))
+        } else {
+            ReadError::Schema(Faults(faults))
+        }
     }
 }
 
@@ -120,9 +161,19 @@ mod tests {
     use super::*;
     use serde_json::json;
 
-    fn faults(value: &Value) -> Vec<(String, String)> {
-        let Faults(faults) = RequestSchema::of::<Garment>().faults(value);
+    fn found(value: &Value) -> Vec<Fault> {
+        let schema = garment_schema();
+        if schema.validator.is_valid(value) {
+            return vec![];
+        }
+        let ReadError::Schema(Faults(faults)) = schema.read_error(value) else {
+            panic!("there are few");
+        };
         faults
+    }
+
+    fn faults(value: &Value) -> Vec<(String, String)> {
+        found(value)
             .into_iter()
             .map(|f| (f.code.to_string(), f.pointer))
             .collect()
@@ -191,7 +242,7 @@ mod tests {
 
     #[test]
     fn no_alternative_of_that_kind_names_all_of_them() {
-        let Faults(found) = RequestSchema::of::<Garment>().faults(&seam(json!("first")));
+        let found = found(&seam(json!("first")));
         assert_eq!(found.len(), 1, "{found:?}");
         assert_eq!(found[0].pointer, "/seams/0/a/from");
         assert_eq!(
@@ -202,8 +253,7 @@ mod tests {
 
     #[test]
     fn a_misspelt_field_or_word_is_answered_with_the_nearest() {
-        let Faults(found) = RequestSchema::of::<Garment>()
-            .faults(&json!({"seams": [], "simulate": {"metod": 1, "want": "drap"}}));
+        let found = found(&json!({"seams": [], "simulate": {"metod": 1, "want": "drap"}}));
         let fixes: Vec<_> = found.iter().filter_map(|f| f.fix.as_deref()).collect();
         assert!(fixes.contains(&"did you mean \"method\"?"), "{found:?}");
         assert!(fixes.contains(&"did you mean \"drape\"?"), "{found:?}");
@@ -226,7 +276,7 @@ mod tests {
 
     #[test]
     fn syntax_is_reported_by_line_and_column() {
-        let read = RequestSchema::of::<Garment>().read::<Garment>(b"{\n  \"seams\": [,]\n}");
+        let read = garment_schema().read::<Garment>(b"{\n  \"seams\": [,]\n}");
         let Err(ReadError::Syntax(fault)) = read else {
             panic!("{read:?}");
         };
@@ -235,7 +285,7 @@ mod tests {
 
     #[test]
     fn what_the_schema_accepts_serde_accepts() {
-        let shape = RequestSchema::of::<Garment>();
+        let shape = garment_schema();
         let texts = [
             r#"{"seams": "suggest"}"#,
             r#"{"seams": [], "avatar": null, "wind": null, "start_from": null}"#,
@@ -250,7 +300,8 @@ mod tests {
 
     #[test]
     fn a_saved_garment_is_read_back_bit_for_bit() {
-        let mut garment = read_garment(br#"{"seams": [], "avatar": null}"#).expect("it is right");
+        let text = br#"{"seams": [], "avatar": null}"#;
+        let mut garment: Garment = garment_schema().read(text).expect("it is right");
         // Doubles of every magnitude: a linear congruential generator's bits (Knuth, MMIX), where
         // they are a number.
         let mut state = 1_u64;
@@ -269,7 +320,7 @@ mod tests {
             garment.panels.insert(i.to_string(), panel);
         }
         let saved = serde_json::to_vec(&garment).expect("it is JSON");
-        let read = read_garment(&saved).expect("it was right");
+        let read: Garment = garment_schema().read(&saved).expect("it was right");
         for (id, panel) in &garment.panels {
             let (saved, read) = (panel.seam_allowance_m, read.panels[id].seam_allowance_m);
             assert_eq!(saved.to_bits(), read.to_bits(), "{saved:e}");
@@ -280,6 +331,36 @@ mod tests {
     #[test]
     fn a_hostile_list_gives_a_bounded_answer() {
         let garment = json!({"seams": vec![7; 10_000]});
-        assert_eq!(faults(&garment).len(), MOST_LISTED + 1);
+        let ReadError::Many(Faults(faults)) = garment_schema().read_error(&garment) else {
+            panic!("there are more than are listed");
+        };
+        assert_eq!(faults.len(), MOST_LISTED);
+        assert_eq!(faults[99].pointer, "/seams/99");
+    }
+
+    #[test]
+    fn as_many_faults_as_are_listed_are_all() {
+        let garment = json!({"seams": vec![7; MOST_LISTED]});
+        assert_eq!(faults(&garment).len(), MOST_LISTED);
+    }
+
+    #[test]
+    fn lists_are_counted_before_they_are_read() {
+        let limits = Limits::default();
+        let read = |garment: &Value| read_garment(garment.to_string().as_bytes(), &limits);
+        let garment =
+            json!({"seams": vec![json!({}); limits.seams + 1], "schema": "x".repeat(5000)});
+        let Err(ReadError::Schema(Faults(faults))) = read(&garment) else {
+            panic!("it is too large");
+        };
+        let found: Vec<_> = faults
+            .iter()
+            .map(|f| (f.code.as_str(), f.pointer.as_str()))
+            .collect();
+        let expected = [
+            ("request/wrong_length", "/seams"),
+            ("request/too_long", "/schema"),
+        ];
+        assert_eq!(found, expected);
     }
 }

@@ -103,7 +103,7 @@ pub fn resolve(
     limits: &Limits,
 ) -> Result<ResolvedGarment, Faults> {
     let mut faults = validate::own_faults(&garment, limits);
-    references::inline_fabrics(&mut garment, library, &mut faults);
+    references::inline_fabrics(&mut garment, library, limits, &mut faults);
     let avatar = references::inline_avatar(&mut garment, library, &mut faults);
     let over = over::inline_over(&mut garment, library, limits, &mut faults);
     let start = start_from::inline_start(&mut garment, library, limits, &mut faults);

@@ -5,6 +5,7 @@ use crate::fault::{Fault, RequestCode, nearest};
 use jsonschema::ValidationError;
 use jsonschema::error::{TypeKind, ValidationErrorKind as Kind};
 use serde_json::Value;
+use std::fmt::{self, Write};
 
 /// Returns the faults that one violation of `schema` comes to.
 pub(super) fn faults(schema: &Value, error: &ValidationError<'_>) -> Vec<Fault> {
@@ -43,7 +44,7 @@ fn properties<'a>(schema: &'a Value, error: &ValidationError<'_>) -> Vec<&'a str
         .unwrap_or_default()
 }
 
-fn unknown_field(at: &str, name: &str, known: &[&str]) -> Fault {
+pub(super) fn unknown_field(at: &str, name: &str, known: &[&str]) -> Fault {
     let fault = Fault::new(
         RequestCode::UnknownField,
         format!("{at}/{}", escape(name)),
@@ -56,7 +57,7 @@ fn unknown_field(at: &str, name: &str, known: &[&str]) -> Fault {
     }
 }
 
-fn missing_field(at: &str, property: &Value) -> Fault {
+pub(super) fn missing_field(at: &str, property: &Value) -> Fault {
     let name = property.as_str().unwrap_or_default();
     Fault::new(
         RequestCode::MissingField,
@@ -170,12 +171,51 @@ fn code(kind: &Kind) -> RequestCode {
     }
 }
 
-/// Returns the value as JSON, short enough for a sentence.
-fn excerpt(value: &Value) -> String {
-    let whole = value.to_string();
-    if whole.chars().count() <= 60 {
-        return whole;
+/// Characters of a value in a sentence.
+const EXCERPT: usize = 60;
+
+/// Returns the value as JSON, short enough for a sentence; no more of it is written.
+pub(super) fn excerpt(value: &Value) -> String {
+    let mut start = Excerpt::default();
+    if write!(start, "{value}").is_ok() {
+        return start.text;
     }
-    let start: String = whole.chars().take(57).collect();
+    let start: String = start.text.chars().take(EXCERPT - 3).collect();
     format!("{start}...")
+}
+
+/// Text that takes the characters of an excerpt and refuses more.
+#[derive(Default)]
+struct Excerpt {
+    text: String,
+    count: usize,
+}
+
+impl fmt::Write for Excerpt {
+    fn write_str(&mut self, part: &str) -> fmt::Result {
+        for character in part.chars() {
+            if self.count == EXCERPT {
+                return Err(fmt::Error);
+            }
+            self.text.push(character);
+            self.count += 1;
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn a_long_value_is_cut() {
+        assert_eq!(excerpt(&json!([1, "a"])), "[1,\"a\"]");
+        let whole = json!("é".repeat(EXCERPT - 2));
+        assert_eq!(excerpt(&whole), whole.to_string());
+        let cut = excerpt(&json!(vec![7; 100_000]));
+        assert!(cut.starts_with("[7,7,") && cut.ends_with("..."), "{cut}");
+        assert_eq!(cut.chars().count(), EXCERPT);
+    }
 }

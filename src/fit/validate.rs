@@ -5,12 +5,16 @@ use super::garment::{Garment, PanelSpec, Pin, SCHEMA, WindSpec};
 use super::unsupported::{self, escape};
 use crate::config::Limits;
 use crate::fault::{Fault, GarmentCode};
+use crate::json::MOST_LISTED;
 use crate::pattern::Pattern;
 use crate::solver::SolverOptions;
 use std::collections::BTreeSet;
 
 /// Largest offset \[m\] or angle \[degrees\] that a garment may state.
 const LARGEST: f64 = 1e4;
+
+/// Panels that a fault names at most.
+const MOST_NAMED: usize = 20;
 
 /// A corner that does not move, by the index of its panel and its own.
 #[derive(Clone, Copy, Debug)]
@@ -121,7 +125,8 @@ pub(super) fn panel_faults(garment: &Garment, pattern: &Pattern) -> Vec<Fault> {
     for (id, spec) in &garment.panels {
         let pointer = format!("/panels/{}", escape(id));
         if pattern.panel_index(id).is_none() {
-            faults.push(unknown_panel(pointer.clone(), id, pattern));
+            let known = (pattern, faults.len());
+            faults.push(unknown_panel(pointer.clone(), id, known));
         }
         if !has_plausible_numbers(spec) {
             let detail = "an offset, a rotation or a grain angle is not a plausible number";
@@ -147,11 +152,8 @@ pub(super) fn find_pins(
     let mut found = Vec::new();
     for (i, pin) in pins.iter().enumerate() {
         let Some(panel) = pattern.panel_index(&pin.panel) else {
-            faults.push(unknown_panel(
-                format!("/pins/{i}/panel"),
-                &pin.panel,
-                pattern,
-            ));
+            let (pointer, known) = (format!("/pins/{i}/panel"), (pattern, faults.len()));
+            faults.push(unknown_panel(pointer, &pin.panel, known));
             continue;
         };
         let count = pattern.panels[panel].corners.len();
@@ -171,9 +173,20 @@ pub(super) fn find_pins(
     found
 }
 
-fn unknown_panel(pointer: String, id: &str, pattern: &Pattern) -> Fault {
-    let known: BTreeSet<&str> = pattern.panels.iter().map(|p| p.id.as_str()).collect();
-    let names = known.into_iter().collect::<Vec<_>>().join(", ");
+/// Returns the fault of a panel that the pattern does not have; `earlier` faults were found before.
+fn unknown_panel(pointer: String, id: &str, (pattern, earlier): (&Pattern, usize)) -> Fault {
     let detail = format!("the pattern has no panel {id}");
-    Fault::new(GarmentCode::PanelUnknown, pointer, detail).fix(format!("its panels are {names}"))
+    let fault = Fault::new(GarmentCode::PanelUnknown, pointer, detail);
+    if earlier >= MOST_LISTED {
+        // It is counted, not listed.
+        return fault;
+    }
+    let known: BTreeSet<&str> = pattern.panels.iter().map(|p| p.id.as_str()).collect();
+    let names: Vec<&str> = known.iter().copied().take(MOST_NAMED).collect();
+    let more = if known.len() > MOST_NAMED {
+        ", ..."
+    } else {
+        ""
+    };
+    fault.fix(format!("its panels are {}{more}", names.join(", ")))
 }

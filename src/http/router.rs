@@ -1,6 +1,6 @@
 //! All routes with their middleware.
 
-use super::middleware::{access, observe};
+use super::middleware::{access, answer_bytes, observe, unread_body};
 use super::respond::Problem;
 use super::routes::{self, openapi, page};
 use super::state::AppState;
@@ -8,21 +8,19 @@ use crate::config::Config;
 use crate::job::Queue;
 use axum::error_handling::HandleErrorLayer;
 use axum::http::{Method, Uri};
-use axum::middleware::from_fn_with_state;
+use axum::middleware::{from_fn, from_fn_with_state};
 use axum::response::{IntoResponse, Response};
 use axum::{BoxError, Router};
 use std::any::Any;
 use std::sync::Arc;
 use std::time::Duration;
 use tower::ServiceBuilder;
-use tower::limit::GlobalConcurrencyLimitLayer;
 use tower_http::catch_panic::CatchPanicLayer;
 use tower_http::request_id::{MakeRequestUuid, PropagateRequestIdLayer, SetRequestIdLayer};
 
-/// Most requests worked on at the same time; further ones are turned away at once.
-const CONCURRENT_REQUESTS: usize = 512;
-/// Time limit of a request beside the wait that it asks for: an upload over a slow line.
-const REQUEST_TIMEOUT: Duration = Duration::from_secs(60);
+/// Time limit of a request: the largest upload over a slow line. Who stands still is cut off long
+/// before.
+const REQUEST_TIMEOUT: Duration = Duration::from_secs(1_800);
 
 /// Builds the router of the service.
 pub fn router(config: &Config, queue: Arc<Queue>) -> Router {
@@ -36,17 +34,21 @@ pub fn router(config: &Config, queue: Arc<Queue>) -> Router {
         .method_not_allowed_fallback(method_not_allowed)
         .layer(
             ServiceBuilder::new()
-                .layer(HandleErrorLayer::new(overloaded))
-                .load_shed()
-                .layer(GlobalConcurrencyLimitLayer::new(CONCURRENT_REQUESTS))
-                .timeout(REQUEST_TIMEOUT + Duration::from_secs_f64(state.limits().wait_s)),
+                .layer(HandleErrorLayer::new(given_up))
+                .timeout(REQUEST_TIMEOUT),
         );
     let outermost = ServiceBuilder::new()
+        .layer(from_fn(observe::bound_request_id))
         .layer(SetRequestIdLayer::x_request_id(MakeRequestUuid))
         .layer(PropagateRequestIdLayer::x_request_id())
         .layer(from_fn_with_state(state.clone(), observe::observe))
         .layer(CatchPanicLayer::custom(panicked))
-        .layer(from_fn_with_state(state.clone(), access::require_own_site));
+        .layer(from_fn(unread_body::close_after_unread_body))
+        .layer(from_fn_with_state(state.clone(), access::require_own_site))
+        .layer(from_fn_with_state(
+            state.clone(),
+            answer_bytes::count_answer_bytes,
+        ));
     // Probes are answered even where requests are turned away.
     bounded
         .merge(Router::from(routes::probes()))
@@ -58,11 +60,11 @@ async fn method_not_allowed(method: Method, uri: Uri) -> Problem {
     Problem::method_not_allowed(method.as_str(), uri.path())
 }
 
-async fn overloaded(error: BoxError) -> Problem {
+async fn given_up(error: BoxError) -> Problem {
     if error.is::<tower::timeout::error::Elapsed>() {
         Problem::timed_out()
     } else {
-        Problem::overloaded()
+        Problem::internal(error)
     }
 }
 

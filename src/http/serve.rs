@@ -1,29 +1,103 @@
-//! The listening socket of the service.
+//! The listening socket of the service, and its connections.
 
+use super::connection::{Patience, PatientStream};
 use super::router::router;
-use crate::config::Config;
+use crate::config::{Config, Limits};
 use crate::job::Queue;
+use axum::Router;
+use hyper::server::conn::http1;
+use hyper_util::rt::{TokioIo, TokioTimer};
+use hyper_util::server::graceful::{GracefulShutdown, Watcher};
+use hyper_util::service::TowerToHyperService;
 use std::io;
+use std::pin::pin;
 use std::sync::Arc;
-use tokio::net::TcpListener;
+use std::time::Duration;
+use tokio::net::{TcpListener, TcpStream};
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
-/// Serves until `shutdown`, then lets requests end.
+/// Wait after a connection could not be taken: there is no file handle left.
+const ACCEPT_DELAY: Duration = Duration::from_millis(100);
+
+/// Listens where the settings say.
 ///
 /// # Errors
 /// If the address cannot be listened on.
-pub async fn serve(
-    config: &Config,
-    queue: Arc<Queue>,
-    shutdown: impl Future<Output = ()> + Send + 'static,
-) -> io::Result<()> {
+pub async fn listen(config: &Config) -> io::Result<TcpListener> {
     let listener = TcpListener::bind(config.listen).await?;
     tracing::info!("listening on http://{}", listener.local_addr()?);
+    Ok(listener)
+}
+
+/// Serves until `shutdown`, then lets requests end.
+pub async fn serve(
+    listener: TcpListener,
+    config: &Config,
+    queue: Arc<Queue>,
+    shutdown: impl Future<Output = ()> + Send,
+) {
     let router = router(config, Arc::clone(&queue));
-    let shutdown = async move {
-        shutdown.await;
-        queue.close();
-    };
-    axum::serve(listener, router)
-        .with_graceful_shutdown(shutdown)
-        .await
+    let limits = queue.limits();
+    let permits = Arc::new(Semaphore::new(limits.connections));
+    let open = GracefulShutdown::new();
+    let mut shutdown = pin!(shutdown);
+    loop {
+        let accepted = tokio::select! {
+            accepted = accept(&listener, &permits) => accepted,
+            () = &mut shutdown => break,
+        };
+        match accepted {
+            Ok((stream, permit)) => {
+                let connection = Connection {
+                    router: router.clone(),
+                    watcher: open.watcher(),
+                    _permit: permit,
+                };
+                tokio::spawn(connection.serve(stream, limits.clone()));
+            }
+            Err(error) => {
+                tracing::warn!(%error, "a connection is not taken");
+                tokio::time::sleep(ACCEPT_DELAY).await;
+            }
+        }
+    }
+    drop(listener);
+    queue.close();
+    open.shutdown().await;
+}
+
+/// Takes the next connection once there is a permit for it.
+async fn accept(
+    listener: &TcpListener,
+    permits: &Arc<Semaphore>,
+) -> io::Result<(TcpStream, OwnedSemaphorePermit)> {
+    let permit = Arc::clone(permits).acquire_owned().await;
+    let permit = permit.map_err(io::Error::other)?;
+    let (stream, _) = listener.accept().await?;
+    Ok((stream, permit))
+}
+
+/// An open connection.
+struct Connection {
+    router: Router,
+    watcher: Watcher,
+    _permit: OwnedSemaphorePermit,
+}
+
+impl Connection {
+    async fn serve(self, stream: TcpStream, limits: Limits) {
+        // Answers are written whole; events are small and must not wait for each other.
+        if let Err(error) = stream.set_nodelay(true) {
+            tracing::debug!(%error, "a connection delays small packets");
+        }
+        let stream = PatientStream::new(stream, Patience::new(limits.stall_timeout_s));
+        let mut http = http1::Builder::new();
+        http.timer(TokioTimer::new());
+        http.header_read_timeout(Duration::from_secs_f64(limits.head_timeout_s));
+        let service = TowerToHyperService::new(self.router);
+        let connection = http.serve_connection(TokioIo::new(stream), service);
+        if let Err(error) = self.watcher.watch(connection).await {
+            tracing::debug!(%error, "a connection ended");
+        }
+    }
 }

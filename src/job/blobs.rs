@@ -25,7 +25,16 @@ pub trait Blobs: Send + Sync {
     /// # Errors
     /// If something could not be removed.
     fn delete(&self, prefix: &str) -> Result<(), StoreError>;
+
+    /// Writes bytes, makes them survive a crash, reads and removes them.
+    ///
+    /// # Errors
+    /// If any of this fails.
+    fn probe(&self) -> Result<(), StoreError>;
 }
+
+/// Bytes of a probe: a block of most file systems.
+const PROBE_BYTES: usize = 4_096;
 
 /// Bytes in files of one folder.
 #[derive(Clone, Debug)]
@@ -56,23 +65,42 @@ impl FileBlobs {
 
     fn write(&self, path: &Path, bytes: &[u8]) -> std::io::Result<()> {
         let folder = path.parent().unwrap_or(&self.root);
-        fs::create_dir_all(folder)?;
-        let temporary = self.root.join("tmp").join(Uuid::now_v7().to_string());
-        let mut file = File::create_new(&temporary)?;
-        let written = file
-            .write_all(bytes)
-            .and_then(|()| file.sync_all())
-            .and_then(|()| fs::rename(&temporary, path));
-        if written.is_err() {
+        let temporary = self.write_temporary(bytes)?;
+        let moved = fs::create_dir_all(folder).and_then(|()| fs::rename(&temporary, path));
+        if moved.is_err() {
             // The first error is the one to report; what is left in tmp harms nobody.
             let _ = fs::remove_file(&temporary);
         }
-        written?;
+        moved?;
         // The names must survive a crash too: the file's, and those of folders just made.
         for folder in path.ancestors().skip(1).take(3) {
             File::open(folder)?.sync_all()?;
         }
         Ok(())
+    }
+
+    /// Writes bytes to a new file, whole and flushed. The root is not made anew: if it is gone, so
+    /// is what was kept.
+    fn write_temporary(&self, bytes: &[u8]) -> std::io::Result<PathBuf> {
+        let temporary = self.root.join("tmp").join(Uuid::now_v7().to_string());
+        let mut file = File::create_new(&temporary)?;
+        let written = file.write_all(bytes).and_then(|()| file.sync_all());
+        if written.is_err() {
+            let _ = fs::remove_file(&temporary);
+        }
+        written.map(|()| temporary)
+    }
+
+    fn write_and_read(&self) -> std::io::Result<()> {
+        let temporary = self.write_temporary(&[b'0'; PROBE_BYTES])?;
+        let read = fs::read(&temporary);
+        fs::remove_file(&temporary)?;
+        if read?.len() == PROBE_BYTES {
+            return Ok(());
+        }
+        Err(std::io::Error::other(
+            "a file is shorter than it was written",
+        ))
     }
 }
 
@@ -113,5 +141,11 @@ impl Blobs for FileBlobs {
             )),
             _ => Ok(()),
         }
+    }
+
+    fn probe(&self) -> Result<(), StoreError> {
+        self.write_and_read().map_err(|cause| {
+            StoreError::new(format!("trying to write in {}", self.root.display()), cause)
+        })
     }
 }

@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 use utoipa::ToSchema;
 use uuid::Uuid;
 
@@ -76,6 +77,7 @@ pub struct Stored<T> {
 pub struct Catalogue {
     documents: Arc<dyn Documents>,
     bodies: Arc<AvatarCache>,
+    failed_reads: AtomicU64,
 }
 
 impl Catalogue {
@@ -84,7 +86,23 @@ impl Catalogue {
         Self {
             documents,
             bodies: Arc::default(),
+            failed_reads: AtomicU64::new(0),
         }
+    }
+
+    /// Returns how often something could not be read that a garment refers to: where that grew, a
+    /// refusal of the garment is not to be trusted.
+    pub fn failed_reads(&self) -> u64 {
+        self.failed_reads.load(Ordering::Relaxed)
+    }
+
+    /// Returns what was found; an error of the store is logged and counted.
+    pub(super) fn noted<T>(&self, found: Result<Option<T>, StoreError>) -> Option<T> {
+        found.unwrap_or_else(|error| {
+            tracing::error!(%error, "the catalogue cannot be read");
+            self.failed_reads.fetch_add(1, Ordering::Relaxed);
+            None
+        })
     }
 
     /// Returns the bodies made lately.
@@ -126,7 +144,7 @@ impl Catalogue {
     ) -> Result<Stored<AvatarRecord>, StoreError> {
         let body = &import.body;
         let bytes = serde_json::to_vec(body)
-            .map_err(|cause| StoreError::new("writing a body".to_owned(), cause))?;
+            .map_err(|cause| StoreError::of_data("writing a body".to_owned(), cause))?;
         let surface = content_id(&bytes);
         if self.documents.get(DocumentKind::Body, surface)?.is_none() {
             self.documents.put(DocumentKind::Body, surface, &bytes)?;
@@ -156,11 +174,11 @@ impl Catalogue {
         if let Some(form) = avatar.form {
             return Ok(BodySource::Form(form));
         }
-        let lost = || StoreError::new("reading an avatar".to_owned(), "it has no surface");
+        let lost = || StoreError::of_data("reading an avatar".to_owned(), "it has no surface");
         let key = avatar.file.as_ref().ok_or_else(lost)?.surface;
         let bytes = self.documents.get(DocumentKind::Body, key)?;
         let body: OwnBody = serde_json::from_slice(&bytes.ok_or_else(lost)?)
-            .map_err(|cause| StoreError::new(format!("reading the body {key}"), cause))?;
+            .map_err(|cause| StoreError::of_data(format!("reading the body {key}"), cause))?;
         Ok(BodySource::Own(Arc::new(body)))
     }
 
@@ -269,7 +287,7 @@ impl Catalogue {
             value,
         };
         let body = serde_json::to_vec(&stored)
-            .map_err(|cause| StoreError::new(format!("writing {kind:?} {id}"), cause))?;
+            .map_err(|cause| StoreError::of_data(format!("writing {kind:?} {id}"), cause))?;
         self.documents.put(kind, id, &body)?;
         Ok(stored)
     }
@@ -317,18 +335,19 @@ fn read<T: DeserializeOwned>(
     body: &[u8],
 ) -> Result<Stored<T>, StoreError> {
     serde_json::from_slice(body)
-        .map_err(|cause| StoreError::new(format!("reading {kind:?} {id}"), cause))
+        .map_err(|cause| StoreError::of_data(format!("reading {kind:?} {id}"), cause))
 }
 
-/// The store's errors are logged here: to a garment, what cannot be read is not there.
+/// The store's errors are logged and counted: to a garment, what cannot be read is not there.
 impl AssetLibrary for Catalogue {
     fn pattern(&self, id: Uuid) -> Option<Arc<Pattern>> {
-        logged(self.find_pattern(id)).map(|stored| Arc::new(stored.value))
+        let found = self.noted(self.find_pattern(id));
+        found.map(|stored| Arc::new(stored.value))
     }
 
     fn body(&self, id: Uuid) -> Option<BodySource> {
-        let stored = logged(self.find_avatar(id))?;
-        logged(self.source(&stored.value).map(Some))
+        let stored = self.noted(self.find_avatar(id))?;
+        self.noted(self.source(&stored.value).map(Some))
     }
 
     fn fabric(&self, id: &str) -> Option<Fabric> {
@@ -336,14 +355,7 @@ impl AssetLibrary for Catalogue {
             return Some(fabric);
         }
         let id = Uuid::parse_str(id).ok()?;
-        logged(self.find(DocumentKind::Fabric, id)).map(|stored| stored.value)
+        let found = self.noted(self.find(DocumentKind::Fabric, id));
+        found.map(|stored| stored.value)
     }
-}
-
-/// Returns what was found; the error of the store is logged.
-pub(super) fn logged<T>(found: Result<Option<T>, StoreError>) -> Option<T> {
-    found.unwrap_or_else(|error| {
-        tracing::error!(%error, "the catalogue cannot be read");
-        None
-    })
 }

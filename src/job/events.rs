@@ -78,6 +78,11 @@ impl JobEvents {
         }
     }
 
+    /// Returns true if no event will come: the job has ended, and its last event was read before.
+    pub fn is_over(&self) -> bool {
+        self.past.is_empty() && self.live.is_none()
+    }
+
     /// Adds the current state as the first event if none is kept and all are requested.
     pub(super) fn or_current(mut self, record: JobRecord, after: Option<u64>) -> Self {
         if self.past.is_empty() && after.is_none() {

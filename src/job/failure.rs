@@ -1,9 +1,11 @@
 //! The reason why a job failed, in a code and a sentence.
 
 use super::kind::JobKind;
+use super::process_death::ProcessDeath;
 use crate::fault::{Fault, FaultCode, Faults, FitCode, StudyCode};
 use crate::solver::{Shortcoming, Verdict};
 use serde::{Deserialize, Serialize};
+use std::fmt::Display;
 use utoipa::ToSchema;
 
 /// The reason why a job failed.
@@ -23,7 +25,13 @@ pub struct JobFailure {
     pub errors: Vec<Fault>,
 }
 
+/// What clients learn of a request or a result that is lost.
+const STORAGE_DETAIL: &str =
+    "what the service keeps of it is gone or cannot be read; its log says why; submit it again";
+
 impl JobFailure {
+    const STORAGE: (FitCode, StudyCode) = (FitCode::Storage, StudyCode::Storage);
+
     fn new(code: impl Into<FaultCode>, detail: impl Into<String>) -> Self {
         Self {
             code: code.into(),
@@ -88,14 +96,29 @@ impl JobFailure {
         Self::of_kind(kind, (FitCode::TimeLimit, StudyCode::TimeLimit), detail)
     }
 
-    /// Returns the failure of a job whose request or result could not be read or written.
-    pub(super) fn storage(kind: JobKind, detail: impl Into<String>) -> Self {
-        Self::of_kind(kind, (FitCode::Storage, StudyCode::Storage), detail)
+    /// Returns the failure of a job whose stored request is gone or cannot be read, or whose result
+    /// cannot be written as JSON; `cause` goes to the log only.
+    pub(super) fn storage(kind: JobKind, cause: impl Display) -> Self {
+        tracing::error!(%cause, "a {} cannot be read or kept", kind.as_str());
+        Self::of_kind(kind, Self::STORAGE, STORAGE_DETAIL)
     }
 
-    /// Returns the failure of a job whose processes died `deaths` times.
-    pub(super) fn abandoned(kind: JobKind, deaths: u32) -> Self {
-        let detail = format!("the process that ran it died {deaths} times; it is not begun again");
+    /// Returns the failure as clients see it. Those that an older version kept name the files of
+    /// the service.
+    #[must_use]
+    pub fn public(mut self) -> Self {
+        let (fit, study) = Self::STORAGE;
+        if self.code == fit || self.code == study {
+            STORAGE_DETAIL.clone_into(&mut self.detail);
+        }
+        self
+    }
+
+    /// Returns the failure of a job whose own processes died `deaths` times, the last for `cause`.
+    pub(super) fn abandoned(kind: JobKind, deaths: u32, cause: ProcessDeath) -> Self {
+        let detail = format!(
+            "it ran in a process of its own, which died {deaths} times: {cause}; a coarser mesh takes less memory"
+        );
         Self::of_kind(kind, (FitCode::Abandoned, StudyCode::Abandoned), detail)
     }
 

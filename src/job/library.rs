@@ -1,6 +1,5 @@
 //! Assets that a garment refers to by id, the fits of the queue among them.
 
-use super::catalogue::logged;
 use super::kind::JobKind;
 use super::queue::Queue;
 use super::result::ResultFile;
@@ -12,7 +11,7 @@ use crate::scene::{BodySource, Fabric};
 use std::sync::Arc;
 use uuid::Uuid;
 
-/// The store's errors are logged: to a garment, what cannot be read is not there.
+/// The store's errors are logged and counted: to a garment, what cannot be read is not there.
 impl AssetLibrary for Queue {
     fn pattern(&self, id: Uuid) -> Option<Arc<Pattern>> {
         self.catalogue().pattern(id)
@@ -27,7 +26,8 @@ impl AssetLibrary for Queue {
     }
 
     fn finished_fit(&self, id: Uuid) -> Result<FinishedFit, NoFinishedFit> {
-        let record = logged(self.job(JobKind::Fit, id)).ok_or(NoFinishedFit::Unknown)?;
+        let record = self.catalogue().noted(self.job(JobKind::Fit, id));
+        let record = record.ok_or(NoFinishedFit::Unknown)?;
         if record.status != JobStatus::Succeeded {
             return Err(NoFinishedFit::NotSucceeded(record.status.as_str()));
         }
@@ -38,13 +38,13 @@ impl AssetLibrary for Queue {
             let (Some(garment), Some(mesh), Some(report)) = (garment, mesh, report) else {
                 return Ok(None);
             };
-            let unreadable = |cause| StoreError::new(format!("reading fit {id}"), cause);
+            let unreadable = |cause| StoreError::of_data(format!("reading fit {id}"), cause);
             Ok(Some(FinishedFit {
                 garment: serde_json::from_slice(&garment).map_err(unreadable)?,
                 mesh: serde_json::from_slice(&mesh).map_err(unreadable)?,
                 report: serde_json::from_slice(&report).map_err(unreadable)?,
             }))
         };
-        logged(read()).ok_or(NoFinishedFit::Unknown)
+        self.catalogue().noted(read()).ok_or(NoFinishedFit::Unknown)
     }
 }

@@ -9,7 +9,8 @@
 //!   [`FileBlobs`] keep all in one folder.
 //! - [`Catalogue`]: stored patterns, avatars and fabrics.
 //! - [`Queue`]: submits, finds, lists, cancels and follows jobs; the service is built on it.
-//! - [`WorkerPool`]: threads that take jobs from the store and run them by a [`Runner`].
+//! - [`WorkerPool`]: threads that take jobs from the store and run them by a [`Runner`];
+//!   [`run_child`] and [`follow_child`]: both ends of a run in a process of its own.
 
 mod blobs;
 mod catalogue;
@@ -22,6 +23,7 @@ mod events;
 mod failure;
 mod kind;
 mod library;
+mod process_death;
 mod queue;
 mod record;
 mod request;
@@ -37,6 +39,7 @@ pub use clock::{Clock, ManualClock, SystemClock, thread_cpu_s};
 pub use events::{JobEvent, JobEventKind, JobEvents};
 pub use failure::JobFailure;
 pub use kind::JobKind;
+pub use process_death::ProcessDeath;
 pub use queue::{Queue, QueueError};
 pub use record::JobRecord;
 pub use request::JobRequest;
@@ -47,4 +50,4 @@ pub use store::{
     DocumentKind, Documents, IdempotencyKey, JobCounts, JobNotice, JobStore, Lease, NewJob, Page,
     PageRequest, StoreError, Submitted,
 };
-pub use worker::{Runner, SolverRunner, WorkerPool};
+pub use worker::{RunError, Runner, SolverRunner, WorkerPool, follow_child, run_child};

@@ -122,12 +122,14 @@ impl Queue {
         let record = JobRecord::queued(kind, Uuid::now_v7(), Timestamp::now());
         let body = request
             .json()
-            .map_err(|cause| StoreError::new("writing what is asked", cause))?;
-        self.blobs.put(&request_key(kind, record.id), &body)?;
-        let submitted = self.store.submit(&NewJob {
-            record: &record,
-            key,
-            queue_limit: self.limits.queued_jobs,
+            .map_err(|cause| StoreError::of_data("writing what is asked", cause))?;
+        let kept = self.blobs.put(&request_key(kind, record.id), &body);
+        let submitted = kept.and_then(|()| {
+            self.store.submit(&NewJob {
+                record: &record,
+                key,
+                queue_limit: self.limits.queued_jobs,
+            })
         });
         if !matches!(submitted, Ok(Submitted::New)) {
             self.blobs.delete(&request_folder(kind, record.id))?;
@@ -252,8 +254,17 @@ impl Queue {
         }
     }
 
-    /// Counts the jobs of a kind by status. Fails where the store cannot serve: the readiness
-    /// probe.
+    /// Checks that jobs can be kept and found now: the readiness probe. A full queue is no reason
+    /// against it.
+    ///
+    /// # Errors
+    /// If nothing could be written or read.
+    pub fn probe(&self) -> Result<(), StoreError> {
+        self.blobs.probe()?;
+        self.store.probe()
+    }
+
+    /// Counts the jobs of a kind by status.
     ///
     /// # Errors
     /// If nothing could be read.

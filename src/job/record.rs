@@ -27,9 +27,15 @@ pub struct JobRecord {
     pub finished_at: Option<Timestamp>,
     /// Number of attempts begun.
     pub attempts: u32,
-    /// Number of these attempts that were given back in good order, as at shutdown; they do not
-    /// count against the limit.
+    /// Number of these attempts that were given back in good order, as at shutdown.
     pub released: u32,
+    /// True if the service died while it ran: from then on it runs in a process of its own, since
+    /// it may be the cause.
+    #[serde(default)]
+    pub runs_apart: bool,
+    /// Number of processes of its own that died though nobody had asked them to end.
+    #[serde(default)]
+    pub crashes: u32,
     /// Its progress.
     pub progress: Progress,
     /// The reason why it failed.
@@ -55,6 +61,8 @@ impl JobRecord {
             finished_at: None,
             attempts: 0,
             released: 0,
+            runs_apart: false,
+            crashes: 0,
             progress: Progress::default(),
             error: None,
             result: None,

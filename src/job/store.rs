@@ -20,6 +20,7 @@ pub struct StoreError {
     /// The reason.
     #[source]
     pub cause: Box<dyn std::error::Error + Send + Sync>,
+    is_of_data: bool,
 }
 
 impl StoreError {
@@ -31,7 +32,25 @@ impl StoreError {
         Self {
             doing: doing.into(),
             cause: cause.into(),
+            is_of_data: false,
         }
+    }
+
+    /// Creates the error of data that is not there or cannot be read: the same each time.
+    pub fn of_data(
+        doing: impl Into<String>,
+        cause: impl Into<Box<dyn std::error::Error + Send + Sync>>,
+    ) -> Self {
+        Self {
+            is_of_data: true,
+            ..Self::new(doing, cause)
+        }
+    }
+
+    /// Returns true if the machine is at fault, so that the same may succeed later: the disk is
+    /// full, no file can be opened.
+    pub fn is_passing(&self) -> bool {
+        !self.is_of_data
     }
 }
 
@@ -197,6 +216,12 @@ pub trait JobStore: Send + Sync {
     /// # Errors
     /// If the store does not answer; the lease runs out by itself.
     fn end(&self, lease: &Lease) -> Result<(), StoreError>;
+
+    /// Checks that the store can be used now: reads from where the data is, not from memory.
+    ///
+    /// # Errors
+    /// If it cannot be used.
+    fn probe(&self) -> Result<(), StoreError>;
 
     /// Listens to notices from now on, those of this process included.
     fn listen(&self) -> Receiver<JobNotice>;

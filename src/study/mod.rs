@@ -32,6 +32,7 @@ pub use report::{
     StudyStability,
 };
 pub use request::{StudyRequest, read_study};
+pub(crate) use request::{study_bounds, study_schema};
 pub use resolve::{ResolvedStudy, resolve};
 pub use rest_shape::RestShape;
 pub use run::{run, run_scenes};

@@ -1,6 +1,8 @@
 //! The request for a study: a garment, and the settings to vary.
 
-use crate::fit::{Garment, ReadError, RequestSchema};
+use crate::config::Limits;
+use crate::fit::{Garment, ReadError, RequestSchema, garment_bounds};
+use crate::json::JsonBounds;
 use crate::solver::Method;
 use serde::{Deserialize, Serialize};
 use std::sync::LazyLock;
@@ -47,11 +49,23 @@ pub struct StudyRequest {
 /// Reads the request for a study from its JSON; [`resolve`](super::resolve()) checks its meaning.
 ///
 /// # Errors
-/// Where it is not JSON, or every field that is missing, unknown or of the wrong kind.
-pub fn read_study(bytes: &[u8]) -> Result<StudyRequest, ReadError> {
+/// Where it is not JSON or larger than the limits, or every field that is missing, unknown or of
+/// the wrong kind.
+pub fn read_study(bytes: &[u8], limits: &Limits) -> Result<StudyRequest, ReadError> {
+    RequestSchema::measure(bytes, &study_bounds(limits))?;
+    study_schema().read(bytes)
+}
+
+/// Returns the schema of requests for studies.
+pub(crate) fn study_schema() -> &'static RequestSchema {
     // Made from the type alone, once.
     static SCHEMA: LazyLock<RequestSchema> = LazyLock::new(RequestSchema::of::<StudyRequest>);
-    SCHEMA.read(bytes)
+    &SCHEMA
+}
+
+/// Returns the bounds of the JSON of requests for studies.
+pub(crate) fn study_bounds(limits: &Limits) -> JsonBounds {
+    garment_bounds(limits).under("garment")
 }
 
 #[cfg(test)]
@@ -63,7 +77,7 @@ mod tests {
         let text =
             br#"{"garment": {"seams": []}, "methods": ["newton", "verlet"], "tolerances": [1e-2],
             "edge_lengths_m": [0.03, 0.02, 0.015, 0.012]}"#;
-        let request = read_study(text).expect("it is right");
+        let request = read_study(text, &Limits::default()).expect("it is right");
         assert_eq!(request.methods, [Method::Newton, Method::Verlet]);
         assert_eq!(
             (request.tolerances.len(), request.edge_lengths_m.len()),
@@ -76,7 +90,7 @@ mod tests {
     fn all_faults_of_shape_come_at_once() {
         let text =
             br#"{"garment": {"seams": 7}, "methods": ["newtin"], "tolerance": [1], "steps_s": 3}"#;
-        let Err(ReadError::Schema(faults)) = read_study(text) else {
+        let Err(ReadError::Schema(faults)) = read_study(text, &Limits::default()) else {
             panic!("it is of another shape");
         };
         let mut at: Vec<&str> = faults.0.iter().map(|f| f.pointer.as_str()).collect();

@@ -7,6 +7,7 @@
 
 mod api_examples;
 mod commands;
+mod hostile;
 mod import_memory;
 mod program;
 mod service;

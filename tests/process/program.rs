@@ -20,7 +20,15 @@ pub(crate) fn seamster(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_seamster"));
     command.args(arguments);
     for name in [
-        "LISTEN", "DATA", "STORE", "BLOBS", "WORKERS", "TOKENS", "HOSTS", "LOG",
+        "LISTEN",
+        "DATA",
+        "STORE",
+        "BLOBS",
+        "WORKERS",
+        "TOKENS",
+        "HOSTS",
+        "LOG",
+        "LOG_FORMAT",
     ] {
         command.env_remove(format!("SEAMSTER_{name}"));
     }
@@ -140,6 +148,20 @@ impl Service {
         let record = self.get(fit);
         let is_one = statuses.contains(&record["status"].as_str().unwrap());
         is_one.then_some(record)
+    }
+
+    /// Largest memory of the process so far \[bytes\].
+    pub(crate) fn peak_memory(&self) -> u64 {
+        let status = std::fs::read_to_string(format!("/proc/{}/status", self.child.id()));
+        let status = status.unwrap();
+        let peak = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+        let kilobytes = peak.and_then(|peak| peak.trim().strip_suffix(" kB"));
+        1024 * kilobytes.unwrap().trim().parse::<u64>().unwrap()
+    }
+
+    /// Id of the process.
+    pub(crate) fn id(&self) -> u32 {
+        self.child.id()
     }
 
     /// Sends a signal, named as `kill` names it.

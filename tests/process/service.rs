@@ -81,3 +81,66 @@ fn second_service_on_the_same_folder_is_refused() {
     assert_eq!(code(&output), Some(1));
     assert!(stderr(&output).contains("another process"));
 }
+
+/// Process ids of the processes that a service started.
+fn children(service: &Service) -> Vec<String> {
+    let id = service.id();
+    let tasks = std::fs::read_dir(format!("/proc/{id}/task")).unwrap();
+    let children = tasks.filter_map(|task| {
+        let list = task.ok()?.path().join("children");
+        std::fs::read_to_string(list).ok()
+    });
+    let ids = children.flat_map(|list| {
+        list.split_whitespace()
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    });
+    ids.collect()
+}
+
+#[test]
+fn a_fit_that_ran_through_many_deaths_of_its_service_succeeds() {
+    let data = tempfile::tempdir().unwrap();
+    let mut service = Service::start(data.path());
+    let fit = service.submit();
+    for _ in 0..5 {
+        until("it runs", || {
+            service.has_status(&fit, &["running", "succeeded"])
+        });
+        service.signal("KILL");
+        drop(service);
+        service = Service::start(data.path());
+    }
+    let record = until("it ends", || service.has_status(&fit, &FINAL));
+    assert_eq!(record["status"], "succeeded", "{record}");
+}
+
+#[test]
+fn a_fit_whose_own_process_dies_twice_fails_with_its_cause() {
+    let data = tempfile::tempdir().unwrap();
+    let service = Service::start(data.path());
+    let fit = service.submit();
+    until("it runs", || service.has_status(&fit, &["running"]));
+    service.signal("KILL");
+    drop(service);
+    let service = Service::start(data.path());
+    let record = until("it ends", || {
+        for child in children(&service) {
+            // It may have ended by itself meanwhile.
+            let _ = std::process::Command::new("kill")
+                .args(["-s", "ABRT", &child])
+                .status();
+        }
+        service.has_status(&fit, &FINAL)
+    });
+    assert_eq!(record["status"], "failed", "{record}");
+    let detail = record["error"]["detail"].as_str().unwrap();
+    assert!(
+        detail.contains("died 2 times") && detail.contains("signal 6"),
+        "{detail}"
+    );
+    // The service itself lives, and serves on.
+    let fit = service.submit();
+    let record = until("it ends", || service.has_status(&fit, &FINAL));
+    assert_eq!(record["status"], "succeeded", "{record}");
+}

@@ -6,7 +6,7 @@ fault_codes! {
     /// The codes of fits: of requests, and of fits that failed.
     FitCode in "fit" {
         Abandoned = "abandoned":
-            "The processes that ran the fit died, one after the other.",
+            "The fit ran in a process of its own, which died twice; the detail says of what.",
             "Use a coarser mesh; look into the log of the service.";
         Body = "body":
             "The garment came to rest, but passes through the body; its report says where.",
@@ -38,8 +38,8 @@ fault_codes! {
             "The stored garment has faults; `errors` lists them.",
             "Mend them and submit the garment again.";
         Storage = "storage":
-            "The garment or the result could not be read or written.",
-            "Look into the log of the service.";
+            "What the service keeps of the fit is gone or cannot be read.",
+            "Submit it again; the log of the service says why.";
         Strain = "strain":
             "The garment came to rest, but is stretched further than any cloth bears.",
             "Look for seams of very unlike sides and a garment too small for the body.";

@@ -14,6 +14,9 @@ fault_codes! {
         Format = "format":
             "A text does not have the required format.",
             "Write it as the schema says.";
+        Host = "host":
+            "The request has two `Host` headers.",
+            "Send one.";
         Key = "key":
             "The `Idempotency-Key` is empty, too long or not visible ASCII.",
             "Send a shorter key, such as a UUID.";
@@ -41,6 +44,12 @@ fault_codes! {
         Syntax = "syntax":
             "The body is not JSON.",
             "Mend it at the line and column that the fault names.";
+        TooLarge = "too_large":
+            "Reading the request takes more memory than one request may.",
+            "Send less at once: a body of one's own is uploaded once and named by its id.";
+        TooLong = "too_long":
+            "A text, or the name of a field, is longer than its limit.",
+            "Shorten it to the length that the fault names.";
         UnexpectedPart = "unexpected_part":
             "The form has a part that is not expected, or one twice.",
             "Leave it out.";
@@ -48,8 +57,8 @@ fault_codes! {
             "There is no such field here.",
             "Correct its name or leave it out.";
         WrongLength = "wrong_length":
-            "A list has too few or too many items.",
-            "Give as many as the schema says.";
+            "A list or an object has too few or too many entries.",
+            "Give as many as the schema or the fault says.";
         WrongType = "wrong_type":
             "A value is of the wrong type.",
             "Give one of the types that the fault names.";

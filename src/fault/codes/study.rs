@@ -6,7 +6,7 @@ fault_codes! {
     /// The codes of studies: of requests, and of studies that failed.
     StudyCode in "study" {
         Abandoned = "abandoned":
-            "The processes that ran the study died, one after the other.",
+            "The study ran in a process of its own, which died twice; the detail says of what.",
             "Use a coarser mesh; look into the log of the service.";
         Field = "field":
             "A field does not go with what is studied.",

@@ -81,7 +81,7 @@ impl FromRequest<AppState> for AvatarUpload {
         let max_bytes = state.limits().body_bytes;
         if FILES.contains(&&*essence) {
             let file = Upload {
-                bytes: read_body(request, max_bytes).await?,
+                bytes: read_body(state, request, max_bytes).await?,
                 name: None,
             };
             return Ok(Self::Body(BodyUpload {
@@ -94,7 +94,8 @@ impl FromRequest<AppState> for AvatarUpload {
             return Ok(Self::Form(form));
         }
         let names = ["file", "landmarks"];
-        let [file, landmarks] = read_form(request, max_bytes + LANDMARK_BYTES, names).await?;
+        let [file, landmarks] =
+            read_form(state, request, max_bytes + LANDMARK_BYTES, names).await?;
         let file = file.ok_or_else(|| missing_part("file"))?;
         let landmarks = landmarks.map_or(Ok(BTreeMap::new()), |part| read_landmarks(&part));
         Ok(Self::Body(BodyUpload {

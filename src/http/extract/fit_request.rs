@@ -2,7 +2,7 @@
 
 use super::body::content_type;
 use super::invalid::{missing_part, two_patterns};
-use super::json::JsonWithDigest;
+use super::json::{JsonWithDigest, measure_json};
 use super::upload::{Upload, read_form};
 use crate::fault::{Fault, Faults};
 use crate::fit::{self, Garment, PatternRef, ReadError};
@@ -31,18 +31,34 @@ impl FromRequest<AppState> for FitRequest {
         }
         let limits = state.limits();
         let max_bytes = limits.dxf_bytes + limits.json_bytes;
-        let [pattern, garment] = read_form(request, max_bytes, ["pattern", "garment"]).await?;
+        let [pattern, garment] =
+            read_form(state, request, max_bytes, ["pattern", "garment"]).await?;
         let pattern = pattern.ok_or_else(|| missing_part("pattern"))?;
         let garment = garment.ok_or_else(|| missing_part("garment"))?;
         let pattern = pattern.within(limits.dxf_bytes)?;
         let garment = garment.within(limits.json_bytes)?;
-        let read = move |app: &App| read_parts(app, pattern, &garment);
+        let text = garment.bytes.clone();
+        let measure = move |app: &App| measure_json::<Garment>(&text, app.limits());
+        let measured = state.run_compute(measure).await?;
+        let memory = match measured {
+            Ok(bytes) => Some(state.json_memory(bytes).await),
+            Err(_) => None,
+        };
+        let read = move |app: &App| {
+            let _memory = memory;
+            read_parts(app, pattern, &garment, measured)
+        };
         state.run_compute(read).await?
     }
 }
 
 /// Reads both parts of a form, and returns the faults of both at once.
-fn read_parts(app: &App, file: Upload, json: &Upload) -> Result<FitRequest, Problem> {
+fn read_parts(
+    app: &App,
+    file: Upload,
+    json: &Upload,
+    measured: Result<usize, ReadError>,
+) -> Result<FitRequest, Problem> {
     let digest = Sha256::new()
         .chain_update(Sha256::digest(&file.bytes))
         .chain_update(Sha256::digest(&json.bytes))
@@ -53,7 +69,7 @@ fn read_parts(app: &App, file: Upload, json: &Upload) -> Result<FitRequest, Prob
         ..ImportOptions::default()
     };
     let pattern = pattern::import(&file.bytes, &options, app.limits());
-    let garment = fit::read_garment(&json.bytes);
+    let garment = measured.and_then(|_| fit::garment_schema().read(&json.bytes));
     match (pattern, garment) {
         (Ok(pattern), Ok(garment)) => Ok(FitRequest {
             garment: with_pattern(garment, pattern)?,
@@ -84,6 +100,10 @@ fn merged_problem(mut faults: Faults, misshapen: ReadError) -> Problem {
         ReadError::Schema(more) => {
             faults.0.extend(more.0);
             faults.into()
+        }
+        ReadError::Many(more) => {
+            faults.0.extend(more.0);
+            Problem::invalid_uncounted(faults)
         }
     }
 }

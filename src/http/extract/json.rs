@@ -6,8 +6,10 @@ use crate::fit::{self, Garment, ReadError, RequestSchema};
 use crate::http::respond::Problem;
 use crate::http::state::AppState;
 use crate::job::AvatarRequest;
+use crate::json::{AnyPlace, JsonBounds};
 use crate::scene::Fabric;
 use crate::study::{self, StudyRequest};
+use axum::body::Bytes;
 use axum::extract::{FromRequest, Request};
 use axum::http::HeaderMap;
 use serde::de::DeserializeOwned;
@@ -19,8 +21,13 @@ const SMALL_BYTES: usize = 64 << 10;
 
 /// A type that clients send as JSON.
 pub(in crate::http) trait JsonBody: DeserializeOwned + Send + 'static {
-    /// Reads a value, telling all faults of its shape at once.
-    fn read(bytes: &[u8]) -> Result<Self, ReadError>;
+    /// Returns the schema that it is checked against.
+    fn schema() -> &'static RequestSchema;
+
+    /// Returns the bounds of its lists and texts.
+    fn bounds(limits: &Limits) -> JsonBounds {
+        JsonBounds::new(AnyPlace::of_requests(limits), [])
+    }
 
     /// Returns the most bytes that it may have.
     fn max_bytes(_: &Limits) -> usize {
@@ -29,8 +36,12 @@ pub(in crate::http) trait JsonBody: DeserializeOwned + Send + 'static {
 }
 
 impl JsonBody for Garment {
-    fn read(bytes: &[u8]) -> Result<Self, ReadError> {
-        fit::read_garment(bytes)
+    fn schema() -> &'static RequestSchema {
+        fit::garment_schema()
+    }
+
+    fn bounds(limits: &Limits) -> JsonBounds {
+        fit::garment_bounds(limits)
     }
 
     fn max_bytes(limits: &Limits) -> usize {
@@ -39,8 +50,12 @@ impl JsonBody for Garment {
 }
 
 impl JsonBody for StudyRequest {
-    fn read(bytes: &[u8]) -> Result<Self, ReadError> {
-        study::read_study(bytes)
+    fn schema() -> &'static RequestSchema {
+        study::study_schema()
+    }
+
+    fn bounds(limits: &Limits) -> JsonBounds {
+        study::study_bounds(limits)
     }
 
     fn max_bytes(limits: &Limits) -> usize {
@@ -49,18 +64,18 @@ impl JsonBody for StudyRequest {
 }
 
 impl JsonBody for AvatarRequest {
-    fn read(bytes: &[u8]) -> Result<Self, ReadError> {
+    fn schema() -> &'static RequestSchema {
         // Made of the type alone, once.
         static SCHEMA: LazyLock<RequestSchema> = LazyLock::new(RequestSchema::of::<AvatarRequest>);
-        SCHEMA.read(bytes)
+        &SCHEMA
     }
 }
 
 impl JsonBody for Fabric {
-    fn read(bytes: &[u8]) -> Result<Self, ReadError> {
+    fn schema() -> &'static RequestSchema {
         // Made of the type alone, once.
         static SCHEMA: LazyLock<RequestSchema> = LazyLock::new(RequestSchema::of::<Fabric>);
-        SCHEMA.read(bytes)
+        &SCHEMA
     }
 }
 
@@ -72,9 +87,8 @@ impl<T: JsonBody> FromRequest<AppState> for ValidatedJson<T> {
 
     async fn from_request(request: Request, state: &AppState) -> Result<Self, Problem> {
         require_json(request.headers())?;
-        let bytes = read_body(request, T::max_bytes(state.limits())).await?;
-        let value = state.run_compute(move |_| T::read(&bytes)).await?;
-        Ok(Self(value?))
+        let bytes = read_body(state, request, T::max_bytes(state.limits())).await?;
+        Ok(Self(read_json(state, bytes).await?))
     }
 }
 
@@ -86,9 +100,11 @@ impl<T: JsonBody> FromRequest<AppState> for JsonWithDigest<T> {
 
     async fn from_request(request: Request, state: &AppState) -> Result<Self, Problem> {
         require_json(request.headers())?;
-        let bytes = read_body(request, T::max_bytes(state.limits())).await?;
-        let read = move |_: &_| Ok(Self(T::read(&bytes)?, Sha256::digest(&bytes).into()));
-        state.run_compute(read).await?
+        let bytes = read_body(state, request, T::max_bytes(state.limits())).await?;
+        let text = bytes.clone();
+        let value = read_json(state, bytes).await?;
+        let digest = state.run_compute(move |_| Sha256::digest(&text).into());
+        Ok(Self(value, digest.await?))
     }
 }
 
@@ -100,14 +116,30 @@ impl<T: JsonBody + Default> FromRequest<AppState> for OptionalJson<T> {
 
     async fn from_request(request: Request, state: &AppState) -> Result<Self, Problem> {
         let json = require_json(request.headers());
-        let bytes = read_body(request, T::max_bytes(state.limits())).await?;
+        let bytes = read_body(state, request, T::max_bytes(state.limits())).await?;
         if bytes.is_empty() {
             return Ok(Self(T::default()));
         }
         json?;
-        let value = state.run_compute(move |_| T::read(&bytes)).await?;
-        Ok(Self(value?))
+        Ok(Self(read_json(state, bytes).await?))
     }
+}
+
+/// Reads JSON: measured first, and once the memory that it takes is free.
+async fn read_json<T: JsonBody>(state: &AppState, bytes: Bytes) -> Result<T, Problem> {
+    let text = bytes.clone();
+    let measured = state.run_compute(move |app| measure_json::<T>(&text, app.limits()));
+    let memory = state.json_memory(measured.await??).await;
+    let read = state.run_compute(move |_| {
+        let _memory = memory;
+        T::schema().read(&bytes)
+    });
+    Ok(read.await??)
+}
+
+/// Returns the memory that reading a value takes \[bytes\].
+pub(super) fn measure_json<T: JsonBody>(bytes: &[u8], limits: &Limits) -> Result<usize, ReadError> {
+    RequestSchema::measure(bytes, &T::bounds(limits))
 }
 
 /// Refuses a body whose type is not JSON.
@@ -126,9 +158,12 @@ mod tests {
 
     #[test]
     fn every_shape_can_be_made() {
-        assert!(Garment::read(br#"{"seams": []}"#).is_ok());
-        assert!(AvatarRequest::read(b"[]").is_err());
-        assert!(Fabric::read(b"[]").is_err());
-        assert!(StudyRequest::read(br#"{"garment": {"seams": []}}"#).is_ok());
+        fn read<T: JsonBody>(text: &str) -> Result<T, ReadError> {
+            T::schema().read(text.as_bytes())
+        }
+        assert!(read::<Garment>(r#"{"seams": []}"#).is_ok());
+        assert!(read::<AvatarRequest>("[]").is_err());
+        assert!(read::<Fabric>("[]").is_err());
+        assert!(read::<StudyRequest>(r#"{"garment": {"seams": []}}"#).is_ok());
     }
 }

@@ -1,6 +1,6 @@
 //! Files that are sent: as the whole body, or as parts of a form.
 
-use super::body::{content_type, read_body};
+use super::body::{content_type, keep_part, read_body};
 use super::invalid::{missing_part, unexpected_part};
 use crate::http::respond::Problem;
 use crate::http::state::AppState;
@@ -38,9 +38,9 @@ impl FromRequest<AppState> for PatternUpload {
             limits.dxf_bytes
         };
         let [file, grading] = if essence == "multipart/form-data" {
-            read_form(request, 2 * max_bytes, ["file", "grading"]).await?
+            read_form(state, request, 2 * max_bytes, ["file", "grading"]).await?
         } else {
-            let bytes = read_body(request, max_bytes).await?;
+            let bytes = read_body(state, request, max_bytes).await?;
             [Some(Upload { bytes, name: None }), None]
         };
         let file = file.ok_or_else(|| missing_part("file"))?;
@@ -64,13 +64,17 @@ impl Upload {
 /// Reads the parts of a form by name, together at most `max_bytes`; other and repeated parts are
 /// refused.
 pub(super) async fn read_form<const N: usize>(
+    state: &AppState,
     request: Request,
     max_bytes: usize,
     names: [&str; N],
 ) -> Result<[Option<Upload>; N], Problem> {
     let mut whole = Request::new(Body::empty());
     *whole.headers_mut() = request.headers().clone();
-    *whole.body_mut() = read_body(request, max_bytes + FORM_BYTES).await?.into();
+    let client = state.access.client(request.headers()).unwrap_or_default();
+    *whole.body_mut() = read_body(state, request, max_bytes + FORM_BYTES)
+        .await?
+        .into();
     DefaultBodyLimit::disable().apply(&mut whole);
     let mut form = Multipart::from_request(whole, &()).await?;
     let mut parts = [const { None }; N];
@@ -81,7 +85,7 @@ pub(super) async fn read_form<const N: usize>(
             return Err(unexpected_part(&name, &names).into());
         };
         let name = field.file_name().map(file_stem);
-        let bytes = field.bytes().await?;
+        let bytes = keep_part(state, client, field.bytes().await?)?;
         parts[slot] = Some(Upload { bytes, name });
     }
     Ok(parts)

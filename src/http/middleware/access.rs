@@ -14,6 +14,9 @@ pub(in crate::http) async fn require_own_site(
     request: Request,
     next: Next,
 ) -> Response {
+    if request.headers().get_all(header::HOST).iter().count() > 1 {
+        return Problem::two_hosts().into_response();
+    }
     let host = requested_host(&request);
     if !state.access.is_own_host(host) {
         return Problem::misdirected(host).into_response();
@@ -38,7 +41,7 @@ pub(in crate::http) async fn require_token(
     request: Request,
     next: Next,
 ) -> Response {
-    if state.access.is_authorized(request.headers()) {
+    if state.access.client(request.headers()).is_some() {
         next.run(request).await
     } else {
         Problem::unauthorized().into_response()

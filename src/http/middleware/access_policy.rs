@@ -34,20 +34,20 @@ impl AccessPolicy {
             || self.hosts.contains(&host.to_lowercase())
     }
 
-    /// Returns true if the headers carry a token of this service, or it has none.
-    pub(super) fn is_authorized(&self, headers: &HeaderMap) -> bool {
+    /// Returns the number of the client whose token the headers carry; one number for all if the
+    /// service has no tokens.
+    pub(in crate::http) fn client(&self, headers: &HeaderMap) -> Option<usize> {
         if self.tokens.is_empty() {
-            return true;
+            return Some(0);
         }
-        let Some(authorization) = headers.typed_get::<Authorization<Bearer>>() else {
-            return false;
-        };
+        let authorization = headers.typed_get::<Authorization<Bearer>>()?;
         let given = digest(authorization.token().trim());
         // Every token is compared to its last byte: the time says nothing about how near a guess
         // was.
-        self.tokens.iter().fold(false, |found, known| {
+        let tokens = self.tokens.iter().enumerate();
+        tokens.fold(None, |found, (client, known)| {
             let differing = known.iter().zip(given).fold(0, |sum, (a, b)| sum | (a ^ b));
-            found | (differing == 0)
+            if differing == 0 { Some(client) } else { found }
         })
     }
 }
@@ -101,7 +101,7 @@ mod tests {
         let is_authorized = |value: &str| {
             let mut headers = HeaderMap::new();
             headers.insert(header::AUTHORIZATION, HeaderValue::from_str(value).unwrap());
-            policy.is_authorized(&headers)
+            policy.client(&headers).is_some()
         };
         assert!(is_authorized("Bearer secret"));
         assert!(is_authorized("bearer other"));
@@ -114,6 +114,6 @@ mod tests {
         ] {
             assert!(!is_authorized(wrong), "{wrong}");
         }
-        assert!(!policy.is_authorized(&HeaderMap::new()));
+        assert_eq!(policy.client(&HeaderMap::new()), None);
     }
 }

@@ -26,6 +26,24 @@ const HEADERS: [(HeaderName, &str); 5] = [
     ),
 ];
 
+/// Routes that are called every few seconds, and say nothing new.
+const PROBES: &str = "/health/";
+/// Most characters of the id that a client gives its request.
+const MAX_ID_CHARS: usize = 128;
+
+/// Drops an id of a request that is too long or no visible ASCII: a new one takes its place.
+pub(in crate::http) async fn bound_request_id(mut request: Request, next: Next) -> Response {
+    let id = request.headers().get("x-request-id");
+    let is_good = |id: &HeaderValue| {
+        let id = id.as_bytes();
+        (1..=MAX_ID_CHARS).contains(&id.len()) && id.iter().all(u8::is_ascii_graphic)
+    };
+    if id.is_some_and(|id| !is_good(id)) {
+        request.headers_mut().remove("x-request-id");
+    }
+    next.run(request).await
+}
+
 /// Logs and counts a request by its route, and adds the headers of every answer.
 pub(in crate::http) async fn observe(
     State(state): State<AppState>,
@@ -42,7 +60,11 @@ pub(in crate::http) async fn observe(
     let mut response = next.run(request).instrument(span.clone()).await;
     let seconds = start.elapsed().as_secs_f64();
     let status = response.status().as_u16();
-    span.in_scope(|| tracing::info!(status, seconds, "answered"));
+    if route.starts_with(PROBES) {
+        span.in_scope(|| tracing::debug!(status, seconds, "answered"));
+    } else {
+        span.in_scope(|| tracing::info!(status, seconds, "answered"));
+    }
     state.metrics.add(&method, route, status, seconds);
     for (name, value) in HEADERS {
         let value = HeaderValue::from_static(value);

@@ -10,20 +10,7 @@ use axum::http::StatusCode;
 
 impl From<Faults> for Problem {
     fn from(faults: Faults) -> Self {
-        let detail = match faults.0.as_slice() {
-            [one] => one.detail.clone(),
-            many => format!(
-                "The request has {} faults; `errors` lists them all.",
-                many.len()
-            ),
-        };
-        Self::new(
-            StatusCode::UNPROCESSABLE_ENTITY,
-            "invalid",
-            "Invalid request",
-            detail,
-        )
-        .with_faults(faults)
+        Self::invalid(faults)
     }
 }
 
@@ -35,7 +22,12 @@ impl From<Fault> for Problem {
 
 impl From<StoreError> for Problem {
     fn from(error: StoreError) -> Self {
-        Self::internal(error)
+        if error.is_passing() {
+            tracing::error!(%error, "the store does not answer");
+            Self::store_unavailable()
+        } else {
+            Self::internal(error)
+        }
     }
 }
 
@@ -60,6 +52,7 @@ impl From<QueueError> for Problem {
 /// The failure of a job as the answer that it would have been.
 impl From<JobFailure> for Problem {
     fn from(failure: JobFailure) -> Self {
+        let failure = failure.public();
         let status = if failure.is_internal() {
             StatusCode::INTERNAL_SERVER_ERROR
         } else {
@@ -83,6 +76,7 @@ impl From<ReadError> for Problem {
         match misshapen {
             ReadError::Syntax(fault) => Self::unreadable(fault),
             ReadError::Schema(faults) => faults.into(),
+            ReadError::Many(faults) => Self::invalid_uncounted(faults),
         }
     }
 }
@@ -102,5 +96,22 @@ impl From<MultipartRejection> for Problem {
 impl From<MultipartError> for Problem {
     fn from(error: MultipartError) -> Self {
         Self::unreadable_body(error.body_text())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_failure_that_an_older_version_kept_names_no_file() {
+        for code in ["fit/storage", "study/storage"] {
+            let kept = serde_json::json!({
+                "code": code, "detail": "writing /srv/data/blobs/results/x: No space left on device",
+            });
+            let failure: JobFailure = serde_json::from_value(kept).unwrap();
+            let problem = serde_json::to_string(&Problem::from(failure)).unwrap();
+            assert!(!problem.contains("/srv"), "{problem}");
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::fault::{Fault, Faults, RequestCode};
 use crate::job::JobRecord;
+use crate::json::MOST_LISTED;
 use axum::Json;
 use axum::http::{HeaderName, HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
@@ -28,8 +29,11 @@ pub struct Problem {
     pub status: u16,
     /// Sentence for a person on what happened this time.
     pub detail: String,
-    /// Every fault of the request at once.
+    /// Faults of the request, all at once; the first 100 if there are more.
     pub errors: Vec<Fault>,
+    /// Number of the faults of the request; absent where counting stopped.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub errors_total: Option<usize>,
     /// Header of the answer; boxed, as it is seldom there.
     #[serde(skip)]
     header: Option<Box<(HeaderName, String)>>,
@@ -49,6 +53,7 @@ impl Problem {
             status: status.as_u16(),
             detail: detail.into(),
             errors: vec![],
+            errors_total: Some(0),
             header: None,
         }
     }
@@ -62,7 +67,41 @@ impl Problem {
     /// Adds the faults of the request.
     pub(super) fn with_faults(mut self, faults: impl Into<Faults>) -> Self {
         self.errors = faults.into().0;
+        self.errors_total = Some(self.errors.len());
+        self.errors.truncate(MOST_LISTED);
         self
+    }
+
+    /// Returns the problem of a request with faults.
+    pub(super) fn invalid(faults: Faults) -> Self {
+        let detail = match faults.0.as_slice() {
+            [one] => one.detail.clone(),
+            many if many.len() > MOST_LISTED => format!(
+                "The request has {} faults; `errors` lists the first {MOST_LISTED}.",
+                many.len()
+            ),
+            many => format!(
+                "The request has {} faults; `errors` lists them all.",
+                many.len()
+            ),
+        };
+        Self::new(
+            StatusCode::UNPROCESSABLE_ENTITY,
+            "invalid",
+            "Invalid request",
+            detail,
+        )
+        .with_faults(faults)
+    }
+
+    /// Returns the problem of a request with faults whose search ended before its end.
+    pub(in crate::http) fn invalid_uncounted(faults: Faults) -> Self {
+        let detail = "The request has many faults; `errors` lists the first.";
+        Self {
+            detail: detail.to_owned(),
+            errors_total: None,
+            ..Self::invalid(faults)
+        }
     }
 
     /// Returns the problem of a request that cannot be read.
@@ -80,6 +119,12 @@ impl Problem {
     /// Returns the problem of a body that breaks off, or of a form that cannot be read.
     pub(in crate::http) fn unreadable_body(reason: impl Display) -> Self {
         Self::unreadable(Fault::new(RequestCode::Body, "", reason.to_string()))
+    }
+
+    /// Returns the problem of a request that names its host twice (RFC 9112, 3.2).
+    pub(in crate::http) fn two_hosts() -> Self {
+        let detail = "The request has two `Host` headers.";
+        Self::unreadable(Fault::new(RequestCode::Host, "", detail))
     }
 
     /// Returns the problem of a request without a token of this service.
@@ -150,6 +195,13 @@ impl Problem {
             "Not acceptable",
             detail,
         )
+    }
+
+    /// Returns the problem of a body that comes too slowly.
+    pub(in crate::http) fn too_slow() -> Self {
+        let detail = "The body came too slowly; send it again over a faster line.";
+        Self::new(StatusCode::REQUEST_TIMEOUT, "timeout", "Timed out", detail)
+            .with_header(header::CONNECTION, "close")
     }
 
     /// Returns the problem of a request that took too long.
@@ -224,6 +276,12 @@ impl Problem {
     pub(in crate::http) fn overloaded() -> Self {
         let detail = "The service has as many requests as it can work on.";
         Self::unavailable(detail, RETRY_OVERLOADED_S)
+    }
+
+    /// Returns the problem of a service that holds as many bytes of bodies and answers as it may.
+    pub(in crate::http) fn too_many_bytes() -> Self {
+        let detail = "The service sends and receives as much at once as it may.";
+        Self::unavailable(detail, RETRY_LATER_S)
     }
 
     /// Returns the problem of a service that has as many followers of jobs as it can serve.

@@ -114,7 +114,7 @@ pub(in crate::http) async fn respond_stored(
     read: impl FnOnce(&App) -> Result<Vec<u8>, Problem> + Send + 'static,
 ) -> Result<Response, Problem> {
     let read = move |app: &App| Ok::<_, Problem>(Representation::new(read(app)?, content_type));
-    state.run_blocking(read).await??.respond(request)
+    state.run_reading(read).await??.respond(request)
 }
 
 /// Returns a strong entity tag of the first half of a digest: equal bytes have equal tags.

@@ -8,16 +8,21 @@ use crate::http::respond::Problem;
 use crate::http::state::AppState;
 use crate::job::{JobEvent, JobEventKind, JobEvents, JobKind};
 use axum::extract::State;
-use axum::http::HeaderMap;
-use axum::response::IntoResponse;
+use axum::http::{HeaderMap, StatusCode};
 use axum::response::sse::{self, KeepAlive, Sse};
+use axum::response::{IntoResponse, Response};
 use serde::Deserialize;
+use std::time::Duration;
 use tokio::sync::{OwnedSemaphorePermit, mpsc};
 use tokio_stream::wrappers::ReceiverStream;
 use uuid::Uuid;
 
 /// Number of events that wait for a slow reader; the past that is kept of a job is longer.
 const BUFFERED_EVENTS: usize = 16;
+
+/// Time without an event after which a comment is sent: proxies and the patience with clients count
+/// it as progress.
+const ALIVE_INTERVAL: Duration = Duration::from_secs(15);
 
 /// The query of events: it has no fields yet.
 #[derive(Debug, Deserialize)]
@@ -32,6 +37,7 @@ pub(super) struct EventsQuery {}
     params(("id" = Uuid, Path), ("Last-Event-ID" = Option<u64>, Header, description = "The last event that was read")),
     responses(
         (status = 200, description = "The events", content_type = "text/event-stream", body = String),
+        (status = 204, description = "The last event was read before; there will be none"),
         (status = 404, description = "There is no such fit", body = Problem, content_type = "application/problem+json"),
         (status = 503, description = "Too many follow already", body = Problem, content_type = "application/problem+json")))]
 pub(super) async fn fit_events(
@@ -39,7 +45,7 @@ pub(super) async fn fit_events(
     PathId(id): PathId,
     ValidatedQuery(EventsQuery {}): ValidatedQuery<EventsQuery>,
     headers: HeaderMap,
-) -> Result<impl IntoResponse, Problem> {
+) -> Result<Response, Problem> {
     follow(&state, JobKind::Fit, id, &headers).await
 }
 
@@ -51,6 +57,7 @@ pub(super) async fn fit_events(
     params(("id" = Uuid, Path), ("Last-Event-ID" = Option<u64>, Header, description = "The last event that was read")),
     responses(
         (status = 200, description = "The events", content_type = "text/event-stream", body = String),
+        (status = 204, description = "The last event was read before; there will be none"),
         (status = 404, description = "There is no such study", body = Problem, content_type = "application/problem+json"),
         (status = 503, description = "Too many follow already", body = Problem, content_type = "application/problem+json")))]
 pub(super) async fn study_events(
@@ -58,7 +65,7 @@ pub(super) async fn study_events(
     PathId(id): PathId,
     ValidatedQuery(EventsQuery {}): ValidatedQuery<EventsQuery>,
     headers: HeaderMap,
-) -> Result<impl IntoResponse, Problem> {
+) -> Result<Response, Problem> {
     follow(&state, JobKind::Study, id, &headers).await
 }
 
@@ -67,15 +74,22 @@ async fn follow(
     kind: JobKind,
     id: Uuid,
     headers: &HeaderMap,
-) -> Result<impl IntoResponse + use<>, Problem> {
+) -> Result<Response, Problem> {
     let after = last_event_id(headers)?;
     let events = state.run_blocking(move |app| app.queue.events(kind, id, after));
     let events = events.await??.ok_or_else(|| jobs::unknown(kind, id))?;
+    if events.is_over() {
+        // It tells a client that resumes to do so no more.
+        return Ok(StatusCode::NO_CONTENT.into_response());
+    }
     let permit = state.stream_permit();
     let permit = permit.ok_or_else(Problem::too_many_streams)?;
     let (sender, receiver) = mpsc::channel(BUFFERED_EVENTS);
     tokio::spawn(send_events(events, sender, permit));
-    Ok(Sse::new(ReceiverStream::new(receiver)).keep_alive(KeepAlive::default()))
+    let events = Sse::new(ReceiverStream::new(receiver));
+    Ok(events
+        .keep_alive(KeepAlive::new().interval(ALIVE_INTERVAL))
+        .into_response())
 }
 
 /// Sends events until the last one, or until nobody listens.

@@ -105,8 +105,8 @@ fn convert_mesh(json: Vec<u8>, format: &str) -> Result<Vec<u8>, Problem> {
     if format == JSON {
         return Ok(json);
     }
-    let mesh: GarmentMesh =
-        serde_json::from_slice(&json).map_err(|cause| StoreError::new("reading a mesh", cause))?;
+    let mesh: GarmentMesh = serde_json::from_slice(&json)
+        .map_err(|cause| StoreError::of_data("reading a mesh", cause))?;
     Ok(match format {
         GLB => export::glb(&mesh),
         PLY => export::ply(&mesh),
@@ -143,7 +143,7 @@ fn draw(app: &App, id: Uuid, query: PictureQuery) -> Result<Vec<u8>, Problem> {
 fn read_result<T: DeserializeOwned>(app: &App, id: Uuid, file: ResultFile) -> Result<T, Problem> {
     let json = jobs::result_file(app, JobKind::Fit, id, file)?;
     Ok(serde_json::from_slice(&json)
-        .map_err(|cause| StoreError::new("reading the result of a fit", cause))?)
+        .map_err(|cause| StoreError::of_data("reading the result of a fit", cause))?)
 }
 
 /// Measures of the garment: areas, lengths of seams, girths beside those of the body
@@ -222,7 +222,7 @@ fn assemble_scene(app: &App, id: Uuid, cancel: &CancelToken) -> Result<Vec<u8>, 
 fn resolved(app: &App, id: Uuid) -> Result<ResolvedGarment, Problem> {
     let garment = jobs::request(app, JobKind::Fit, id)?;
     let garment = serde_json::from_slice(&garment)
-        .map_err(|cause| StoreError::new("reading a garment", cause))?;
+        .map_err(|cause| StoreError::of_data("reading a garment", cause))?;
     Ok(fit::resolve(garment, app.catalogue(), app.limits())?)
 }
 

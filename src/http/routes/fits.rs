@@ -129,7 +129,8 @@ pub(super) async fn create(
         let resolved = fit::resolve(request.garment, &*app.queue, app.limits())?;
         Ok(JobRequest::Fit(Box::new(resolved.garment().clone())))
     });
-    Ok(respond(record.await?, submission.wait))
+    let submitted = record.await?;
+    Ok(respond(submitted.record, submitted.wait))
 }
 
 fn respond(record: JobRecord, wait: Option<Duration>) -> Response {

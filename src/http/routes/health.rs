@@ -2,7 +2,6 @@
 
 use crate::http::respond::Problem;
 use crate::http::state::AppState;
-use crate::job::JobKind;
 use axum::Json;
 use axum::extract::State;
 use serde::{Deserialize, Serialize};
@@ -34,18 +33,15 @@ pub(super) async fn live() -> Json<Health> {
     Health::ok()
 }
 
-/// Readiness: the service can be sent requests, since its store answers
+/// Readiness: a moment ago something could be written to and read from the folder of the data
 #[utoipa::path(get, path = "/health/ready", tag = "service", security(()), responses(
     (status = 200, description = "It can", body = Health),
     (status = 503, description = "It cannot now", body = Problem, content_type = "application/problem+json")
 ))]
 pub(super) async fn ready(State(state): State<AppState>) -> Result<Json<Health>, Problem> {
-    let counts = state
-        .run_blocking(|app| app.queue.counts(JobKind::Fit))
-        .await?;
-    counts.map_err(|error| {
-        tracing::error!(%error, "the store does not answer");
-        Problem::store_unavailable()
-    })?;
-    Ok(Health::ok())
+    if state.is_ready().await {
+        Ok(Health::ok())
+    } else {
+        Err(Problem::store_unavailable())
+    }
 }

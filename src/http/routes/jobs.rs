@@ -16,6 +16,14 @@ pub(super) struct Submission {
     kind: JobKind,
     key: Option<IdempotencyKey>,
     /// Time that the client prefers to wait for the end.
+    wait: Option<Duration>,
+}
+
+/// A job that was submitted.
+pub(super) struct Waited {
+    /// Its record.
+    pub(super) record: JobRecord,
+    /// The wait that was granted, where the client preferred one and there was one.
     pub(super) wait: Option<Duration>,
 }
 
@@ -41,7 +49,7 @@ impl Submission {
         &self,
         state: &AppState,
         prepare: impl FnOnce(&App) -> Result<JobRequest, Problem> + Send + 'static,
-    ) -> Result<JobRecord, Problem> {
+    ) -> Result<Waited, Problem> {
         let (kind, key) = (self.kind, self.key.clone());
         let submit = move |app: &App| {
             if let Some(key) = &key
@@ -49,12 +57,20 @@ impl Submission {
             {
                 return Ok::<_, Problem>(same);
             }
-            Ok(app.queue.submit(&prepare(app)?, key.as_ref())?)
+            let failed_reads = app.catalogue().failed_reads();
+            let request = match prepare(app) {
+                // What the request refers to may be there all the same.
+                Err(_) if app.catalogue().failed_reads() != failed_reads => {
+                    return Err(Problem::store_unavailable());
+                }
+                prepared => prepared?,
+            };
+            Ok(app.queue.submit(&request, key.as_ref())?)
         };
         let record = state.run_compute(submit).await??;
         match self.wait {
             Some(wait) if !record.status.is_final() => wait_for_end(state, record, wait).await,
-            _ => Ok(record),
+            _ => Ok(Waited { record, wait: None }),
         }
     }
 }
@@ -65,10 +81,10 @@ async fn wait_for_end(
     state: &AppState,
     record: JobRecord,
     wait: Duration,
-) -> Result<JobRecord, Problem> {
+) -> Result<Waited, Problem> {
     let (kind, id) = (record.kind, record.id);
     let Some(_permit) = state.stream_permit() else {
-        return Ok(record);
+        return Ok(Waited { record, wait: None });
     };
     let events = state
         .run_blocking(move |app| app.queue.events(kind, id, None))
@@ -78,7 +94,9 @@ async fn wait_for_end(
         // Either way the record says what has become of it.
         let _ = tokio::time::timeout(wait, end).await;
     }
-    state.run_blocking(move |app| find(app, kind, id)).await?
+    let record = state.run_blocking(move |app| find(app, kind, id)).await??;
+    let wait = Some(wait);
+    Ok(Waited { record, wait })
 }
 
 /// Finds the job of this kind.

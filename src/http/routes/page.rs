@@ -4,9 +4,9 @@ use crate::http::respond::{Problem, Representation};
 use crate::http::state::AppState;
 use axum::Router;
 use axum::extract::Request;
-use axum::http::{HeaderMap, HeaderValue, Method, Uri, header};
+use axum::http::{HeaderMap, HeaderValue, Method, StatusCode, Uri, header};
 use axum::middleware::{Next, from_fn};
-use axum::response::Response;
+use axum::response::{IntoResponse, Response};
 use rust_embed::{Embed, EmbeddedFile};
 use sha2::{Digest, Sha256};
 use utoipa_swagger_ui::{Config, SwaggerUi};
@@ -52,7 +52,11 @@ pub(in crate::http) fn docs_router() -> Router<AppState> {
 async fn docs_policy(request: Request, next: Next) -> Response {
     let policy = "default-src 'none'; script-src 'self'; style-src 'self' 'unsafe-inline'; \
                   img-src 'self' data:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+    let path = request.uri().path().to_owned();
     let mut response = next.run(request).await;
+    if response.status() == StatusCode::NOT_FOUND {
+        response = Problem::unknown_path(&path).into_response();
+    }
     let policy = HeaderValue::from_static(policy);
     response
         .headers_mut()

@@ -2,7 +2,7 @@
 
 use super::patterns;
 use crate::fault::Faults;
-use crate::fit::{self, AssetLibrary, Garment, ReadError, RequestSchema};
+use crate::fit::{self, AssetLibrary, Garment, RequestSchema};
 use crate::http::extract::{JsonBody, OptionalJson, PathId, ValidatedJson};
 use crate::http::respond::Problem;
 use crate::http::state::AppState;
@@ -21,10 +21,10 @@ use utoipa::ToSchema;
 pub(super) struct SuggestRequest {}
 
 impl JsonBody for SuggestRequest {
-    fn read(bytes: &[u8]) -> Result<Self, ReadError> {
+    fn schema() -> &'static RequestSchema {
         // Made of the type alone, once.
         static SCHEMA: LazyLock<RequestSchema> = LazyLock::new(RequestSchema::of::<SuggestRequest>);
-        SCHEMA.read(bytes)
+        &SCHEMA
     }
 }
 

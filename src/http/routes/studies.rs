@@ -94,7 +94,7 @@ impl StudyJob {
         let report = report.map(|json| serde_json::from_slice(&json));
         let report = report
             .transpose()
-            .map_err(|cause| StoreError::new("reading a study", cause))?;
+            .map_err(|cause| StoreError::of_data("reading a study", cause))?;
         Ok(Self {
             report: Some(report.unwrap_or_default()),
             ..record.into()
@@ -133,11 +133,11 @@ pub(super) async fn create(
         let resolved = study::resolve(request, app.catalogue(), app.limits())?;
         Ok(JobRequest::Study(Box::new(resolved.request().clone())))
     });
-    let record = record.await?;
+    let jobs::Waited { record, wait } = record.await?;
     state
         .run_blocking(move |app| {
             let whole = StudyJob::with_report(app, record.clone())?;
-            Ok(jobs::respond(&record, &whole, submission.wait))
+            Ok(jobs::respond(&record, &whole, wait))
         })
         .await?
 }
@@ -207,8 +207,8 @@ pub(super) async fn plot(
 
 fn draw_plot(app: &App, id: Uuid) -> Result<String, Problem> {
     let json = jobs::result_file(app, JobKind::Study, id, ResultFile::Report)?;
-    let report: Study =
-        serde_json::from_slice(&json).map_err(|cause| StoreError::new("reading a study", cause))?;
+    let report: Study = serde_json::from_slice(&json)
+        .map_err(|cause| StoreError::of_data("reading a study", cause))?;
     Ok(study::plot_svg(&report))
 }
 

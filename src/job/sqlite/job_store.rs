@@ -2,7 +2,7 @@
 
 use super::paging::{id_bound, into_page, row_limit};
 use super::rows::{count_jobs, count_queued, insert_job, job_of_key, job_record, update_job};
-use super::store::SqliteStore;
+use super::store::{SqliteStore, store_error};
 use crate::job::kind::JobKind;
 use crate::job::record::JobRecord;
 use crate::job::status::JobStatus;
@@ -39,7 +39,7 @@ impl JobStore for SqliteStore {
 
     fn submitted(&self, key: &IdempotencyKey) -> Result<Option<Submitted>, StoreError> {
         job_of_key(&self.connection(), key)
-            .map_err(|cause| StoreError::new("looking for an idempotency key", cause))
+            .map_err(|cause| store_error("looking for an idempotency key", cause))
     }
 
     fn job(&self, id: Uuid) -> Result<Option<JobRecord>, StoreError> {
@@ -75,7 +75,7 @@ impl JobStore for SqliteStore {
         let mut counts = JobCounts::default();
         for status in JobStatus::ALL {
             counts.by_status[status as usize] = count_jobs(&connection, kind, status)
-                .map_err(|cause| StoreError::new("counting jobs", cause))?;
+                .map_err(|cause| store_error("counting jobs", cause))?;
         }
         Ok(counts)
     }
@@ -105,6 +105,10 @@ impl JobStore for SqliteStore {
             self.publish(JobNotice::Queued);
         }
         Ok(())
+    }
+
+    fn probe(&self) -> Result<(), StoreError> {
+        self.check_file()
     }
 
     fn listen(&self) -> Receiver<JobNotice> {

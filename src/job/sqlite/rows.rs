@@ -59,7 +59,7 @@ pub(super) fn insert_job(connection: &Connection, job: &NewJob<'_>) -> rusqlite:
     )?;
     if let Some(key) = job.key {
         connection.execute(
-            "INSERT INTO keys (key, digest, job) VALUES (?1, ?2, ?3)",
+            "INSERT OR REPLACE INTO keys (key, digest, job) VALUES (?1, ?2, ?3)",
             params![key.key, key.digest, record.id.as_bytes()],
         )?;
     }
@@ -67,7 +67,8 @@ pub(super) fn insert_job(connection: &Connection, job: &NewJob<'_>) -> rusqlite:
 }
 
 /// Returns the job that an idempotency key stands for, or that the key was used for another
-/// request.
+/// request. A job that failed by no fault of its request has lost its key: sent again, it runs
+/// again.
 pub(super) fn job_of_key(
     connection: &Connection,
     key: &IdempotencyKey,
@@ -78,13 +79,19 @@ pub(super) fn job_of_key(
             Ok((row.get::<_, [u8; 32]>(0)?, Uuid::from_bytes(row.get(1)?)))
         })
         .optional()?;
-    Ok(found.map(|(digest, job)| {
-        if digest == key.digest {
-            Submitted::Same(job)
-        } else {
-            Submitted::KeyReused
-        }
-    }))
+    let Some((digest, job)) = found else {
+        return Ok(None);
+    };
+    if digest != key.digest {
+        return Ok(Some(Submitted::KeyReused));
+    }
+    let record = connection
+        .prepare_cached("SELECT record, revision FROM jobs WHERE id = ?1")?
+        .query_row([job.as_bytes()], job_record)
+        .optional()?;
+    let error = record.and_then(|record| record.error);
+    let is_kept = !error.is_some_and(|error| error.is_internal());
+    Ok(is_kept.then_some(Submitted::Same(job)))
 }
 
 /// Counts the jobs of all kinds that wait.

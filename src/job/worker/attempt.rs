@@ -2,7 +2,8 @@
 
 use super::active_runs::{StopFlag, StopReason};
 use super::context::{RETRY_DELAY, WorkerContext};
-use super::run_result::RunResult;
+use super::run_result::{RunFailure, RunResult};
+use super::runner::RunError;
 use crate::job::failure::JobFailure;
 use crate::job::kind::JobKind;
 use crate::job::queue::{RecordUpdate, update_record};
@@ -16,9 +17,13 @@ use jiff::Timestamp;
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
+use uuid::Uuid;
 
 /// Shortest time between two reports of progress within a stage: a person cannot read faster.
 const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
+
+/// Time between two lines of the log while the store does not answer.
+const TELL_INTERVAL: Duration = Duration::from_secs(60);
 
 /// CPU time after which a study is stopped from outside, over its limit: it keeps to the limit
 /// itself, run by run.
@@ -47,32 +52,73 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
         return Ok(());
     }
     let mut progress = Progress::default();
-    let ran = run_request(context, &record, flag, &mut progress);
-    let mut result = RunResult::of(record.kind, ran, flag.reason());
-    if let Some(files) = &result.files
-        && let Err(error) = store_files(context, &record, files)
-    {
-        result = RunResult::failed(JobFailure::storage(record.kind, error.to_string()));
+    let request = patiently(context, flag, record.id, || read_request(context, &record))?;
+    let mut result = match request {
+        Ok(Ok(request)) => {
+            let ran = run_request(context, &record, flag, request, &mut progress);
+            RunResult::of(
+                record.kind,
+                ran,
+                (flag.reason(), context.queue.limits.crashes),
+            )
+        }
+        Ok(Err(failure)) => RunResult::failed(failure),
+        Err(stop) => RunResult::stopped(stop),
+    };
+    if let Some(files) = &result.files {
+        let store = || store_files(context, &record, files);
+        if let Err(stop) = patiently(context, flag, record.id, store)? {
+            result = RunResult::stopped(stop);
+        }
     }
-    end(context, &record, &result, &progress)
+    let write = || end(context, &record, &result, &progress);
+    // If it was asked to stop, the record stays as it is: the next start finds that it ran.
+    let _ = patiently(context, flag, record.id, write)?;
+    Ok(())
+}
+
+/// Does `work` until it succeeds or the run is asked to stop, and returns the reason for that: the
+/// disk may be full for a while, or no file can be opened. What was solved meanwhile is kept.
+///
+/// # Errors
+/// If trying again cannot help.
+fn patiently<T>(
+    context: &WorkerContext,
+    flag: &StopFlag,
+    job: Uuid,
+    work: impl Fn() -> Result<T, StoreError>,
+) -> Result<Result<T, StopReason>, StoreError> {
+    let mut told: Option<Instant> = None;
+    loop {
+        let error = match work() {
+            Ok(value) => return Ok(Ok(value)),
+            Err(error) if error.is_passing() => error,
+            Err(error) => return Err(error),
+        };
+        if told.is_none_or(|at| at.elapsed() >= TELL_INTERVAL) {
+            tracing::error!(%error, %job, "waiting for the store");
+            told = Some(Instant::now());
+        }
+        match flag.reason() {
+            Some(stop @ (StopReason::Canceled | StopReason::LeaseLost)) => return Ok(Err(stop)),
+            _ if context.active_runs.is_closed() => return Ok(Err(StopReason::Shutdown)),
+            _ => {}
+        }
+        let signal = &context.wake_signal;
+        signal.wait(signal.generation(), RETRY_DELAY);
+    }
 }
 
 /// Writes into the record that the job runs, or that it will not. Returns `None` if the job has
 /// ended already.
 fn begin(context: &WorkerContext, lease: Lease) -> Result<Option<Box<JobRecord>>, StoreError> {
-    let limit = context.queue.limits.attempts;
     let update = update_record(&*context.queue.store, lease.job, |record| {
-        let deaths = record.attempts.saturating_sub(record.released);
         if record.status.is_final() {
             return false;
         }
         if record.cancel_requested {
             record.status = JobStatus::Canceled;
             record.finished_at = Some(Timestamp::now());
-        } else if deaths > limit {
-            record.status = JobStatus::Failed;
-            record.finished_at = Some(Timestamp::now());
-            record.error = Some(JobFailure::abandoned(record.kind, deaths));
         } else {
             record.status = JobStatus::Running;
             record.started_at = Some(Timestamp::now());
@@ -95,14 +141,14 @@ fn published(context: &WorkerContext, update: RecordUpdate) -> Option<Box<JobRec
     }
 }
 
-/// Runs the job; a panic is a failure of this job only.
+/// Runs the job; a panic is a failure of this job only, and so is the death of its own process.
 fn run_request(
     context: &WorkerContext,
     record: &JobRecord,
     flag: &StopFlag,
+    request: JobRequest,
     latest: &mut Progress,
-) -> Result<JobOutcome, JobFailure> {
-    let request = read_request(context, record)?;
+) -> Result<JobOutcome, RunFailure> {
     let cpu_limit_s = cpu_limit_s(context, record.kind);
     let mut published: Option<Instant> = None;
     let mut on_progress = |progress: Progress| {
@@ -122,10 +168,35 @@ fn run_request(
             });
         }
     };
-    let run = || context.runner.run(request, &flag.cancel, &mut on_progress);
-    match catch_unwind(AssertUnwindSafe(run)) {
-        Ok(ran) => ran.map_err(|faults| JobFailure::refused(record.kind, faults)),
-        Err(panic) => Err(panic_failure(record.kind, &*panic)),
+    // A lock whose holder panicked is as good as any: it guards no data.
+    let ran = if record.runs_apart {
+        let _alone = context.alone.write();
+        let run = || {
+            context
+                .runner
+                .run_apart(request, &flag.cancel, &mut on_progress)
+        };
+        catch_unwind(AssertUnwindSafe(run))
+    } else {
+        let _shared = context.alone.read();
+        let run = || context.runner.run(request, &flag.cancel, &mut on_progress);
+        catch_unwind(AssertUnwindSafe(run)).map(|ran| ran.map_err(RunError::Refused))
+    };
+    match ran {
+        Ok(ran) => ran.map_err(|error| run_failure(record.kind, error)),
+        Err(panic) => Err(panic_failure(record.kind, &*panic).into()),
+    }
+}
+
+fn run_failure(kind: JobKind, error: RunError) -> RunFailure {
+    match error {
+        RunError::Refused(faults) => JobFailure::refused(kind, faults).into(),
+        RunError::Panicked => JobFailure::panicked(kind).into(),
+        RunError::Died(death) => RunFailure::Died(death),
+        RunError::NotStarted(cause) => {
+            tracing::error!(%cause, "no process can be started");
+            RunFailure::NotRun
+        }
     }
 }
 
@@ -136,15 +207,18 @@ fn cpu_limit_s(context: &WorkerContext, kind: JobKind) -> f64 {
     }
 }
 
-/// Reads the stored request of a job.
-fn read_request(context: &WorkerContext, record: &JobRecord) -> Result<JobRequest, JobFailure> {
-    let failure = |detail: String| JobFailure::storage(record.kind, detail);
+/// Reads the stored request of a job, or finds that it is lost.
+fn read_request(
+    context: &WorkerContext,
+    record: &JobRecord,
+) -> Result<Result<JobRequest, JobFailure>, StoreError> {
     let key = request_key(record.kind, record.id);
-    let bytes = context.queue.blobs.get(&key);
-    let bytes = bytes.map_err(|error| failure(error.to_string()))?;
-    let bytes = bytes.ok_or_else(|| failure("what was asked is gone".to_owned()))?;
-    JobRequest::read(record.kind, &bytes)
-        .map_err(|error| failure(format!("what was asked cannot be read: {error}")))
+    let Some(bytes) = context.queue.blobs.get(&key)? else {
+        let failure = JobFailure::storage(record.kind, format_args!("{key} is gone"));
+        return Ok(Err(failure));
+    };
+    Ok(JobRequest::read(record.kind, &bytes)
+        .map_err(|error| JobFailure::storage(record.kind, format_args!("{key}: {error}"))))
 }
 
 fn store_files(

@@ -4,7 +4,7 @@ use super::active_runs::ActiveRuns;
 use super::runner::Runner;
 use super::wake_signal::WakeSignal;
 use crate::job::queue::Queue;
-use std::sync::Arc;
+use std::sync::{Arc, RwLock};
 use std::time::Duration;
 
 /// Wait of a worker after the store failed.
@@ -18,6 +18,8 @@ pub(super) struct WorkerContext {
     pub(super) runner: Box<dyn Runner>,
     /// The runs of this process.
     pub(super) active_runs: ActiveRuns,
+    /// Held alone by a run in a process of its own, and shared by the others: none is beside it.
+    pub(super) alone: RwLock<()>,
     /// Wakes idle workers.
     pub(super) wake_signal: WakeSignal,
 }

@@ -2,11 +2,13 @@
 
 mod active_runs;
 mod attempt;
+mod child;
 mod context;
 mod pool;
 mod run_result;
 mod runner;
 mod wake_signal;
 
+pub use child::{follow_child, run_child};
 pub use pool::WorkerPool;
-pub use runner::{Runner, SolverRunner};
+pub use runner::{RunError, Runner, SolverRunner};

@@ -7,8 +7,8 @@ use super::runner::Runner;
 use super::wake_signal::WakeSignal;
 use crate::job::queue::Queue;
 use crate::job::store::{JobNotice, StoreError};
-use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::sync::{Arc, RwLock};
 use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
@@ -45,6 +45,7 @@ impl WorkerPool {
             queue: Arc::clone(queue),
             runner: Box::new(runner),
             active_runs: ActiveRuns::default(),
+            alone: RwLock::default(),
             wake_signal: WakeSignal::default(),
         });
         // Listens before any worker looks at the queue, so that no cancellation is missed.

@@ -26,6 +26,7 @@ use self::node::JsonNode;
 use super::{Allowance, ImportOptions, Panel, Pattern, PatternFormat, Source, ids};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, PatternCode};
+use crate::json::{AnyPlace, JsonBounds, measure};
 use serde_json::Value;
 use std::collections::BTreeMap;
 
@@ -36,6 +37,9 @@ const PARAMETRIC: [&str; 4] = [
     "constraints",
     "constraint_order",
 ];
+
+/// Share of the memory for JSON that the file of one pattern may take: they are small.
+const MEMORY_SHARE: usize = 4;
 
 /// Returns true if bytes are JSON rather than DXF: the first that is not blank is a brace.
 pub(super) fn is_json(bytes: &[u8]) -> bool {
@@ -69,7 +73,9 @@ pub(super) fn import(
         let fault = Fault::new(PatternCode::TooLarge, "", detail);
         return Err(fault.fix("split the garment").into());
     }
-    let document = parse::parse(without_mark(bytes))?;
+    let bytes = without_mark(bytes);
+    check_size(bytes, limits)?;
+    let document = parse::parse(bytes)?;
     let root = JsonNode::root(&document);
     if !document["pattern"]["panels"].is_object() {
         return Err(not_garmentcode(&document).into());
@@ -81,6 +87,19 @@ pub(super) fn import(
         warnings,
         ..pattern
     })
+}
+
+/// Checks the lists and texts of a file before it is read.
+fn check_size(bytes: &[u8], limits: &Limits) -> Result<(), Faults> {
+    let elsewhere = AnyPlace {
+        memory: limits.json_memory_bytes / MEMORY_SHARE,
+        ..AnyPlace::of_requests(limits)
+    };
+    let panels = ("/pattern/panels", 2 * limits.panels);
+    let points = ("/pattern/panels/*/vertices", limits.panel_vertices);
+    let edges = ("/pattern/panels/*/edges", limits.panel_vertices);
+    let size = measure(bytes, &JsonBounds::new(elsewhere, [panels, points, edges]));
+    Faults(size.faults).or(())
 }
 
 fn not_garmentcode(document: &Value) -> Fault {

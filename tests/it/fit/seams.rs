@@ -43,7 +43,7 @@ fn places_on_holes_and_lines_are_read_and_others_refused() {
         let run = json!({"panel": "front", "from": place, "to": 1});
         let seams = json!([{"id": "s", "a": run, "b": {"panel": "back", "from": 0, "to": 1}}]);
         let bytes = serde_json::to_vec(&json!({ "seams": seams })).expect("JSON");
-        fit::read_garment(&bytes).map_err(Faults::from)
+        fit::read_garment(&bytes, &Limits::default()).map_err(Faults::from)
     };
     for right in [
         json!(3),

@@ -1,9 +1,13 @@
 //! Tests of `http`: the service over its own socket.
 
+mod bounds;
+mod manners;
 mod next_try;
 mod over;
 mod own_bodies;
+mod readiness;
 mod service;
+mod slow_clients;
 mod studies;
 
 use seamster_fixtures::server::Server;

@@ -73,6 +73,10 @@ impl JobStore for CountedRenewals {
         self.store.end(lease)
     }
 
+    fn probe(&self) -> Result<(), StoreError> {
+        self.store.probe()
+    }
+
     fn listen(&self) -> Receiver<JobNotice> {
         self.store.listen()
     }

@@ -12,8 +12,8 @@ use seamster::fault::{Fault, Faults, SeamCode};
 use seamster::fit::{FitOutcome, Garment};
 use seamster::job::{
     FileBlobs, IdempotencyKey, JobEvent, JobEventKind, JobEvents, JobKind, JobOutcome, JobRecord,
-    JobRequest, JobStatus, JobStore, ManualClock, PageRequest, Queue, QueueError, ResultFile,
-    Runner, SqliteStore, WorkerPool,
+    JobRequest, JobStatus, JobStore, ManualClock, PageRequest, ProcessDeath, Queue, QueueError,
+    ResultFile, RunError, Runner, SqliteStore, WorkerPool,
 };
 use seamster::progress::{CancelToken, Progress};
 use seamster::solver::{DrapeReport, Shortcoming, Verdict};
@@ -511,11 +511,7 @@ fn cpu_time_limit_stops_the_fit_and_keeps_its_shape() {
 #[test]
 fn shutdown_gives_running_fits_back_and_does_not_count_it() {
     let folder = tempfile::tempdir().unwrap();
-    let limits = Limits {
-        attempts: 0,
-        ..Limits::default()
-    };
-    let queue = open_with(folder.path(), limits);
+    let queue = open(folder.path());
     let id = submit(&queue, "wait");
     for attempts in 1..=3 {
         // One worker: another might take the job up again before it hears of the end.
@@ -525,6 +521,7 @@ fn shutdown_gives_running_fits_back_and_does_not_count_it() {
         let record = get(&queue, id);
         assert_eq!(record.status, JobStatus::Queued);
         assert_eq!((record.attempts, record.released), (attempts, attempts));
+        assert!(!record.runs_apart);
         assert_eq!(record.started_at, None);
     }
 }
@@ -563,11 +560,11 @@ fn job_of_a_process_that_died_runs_again() {
 }
 
 #[test]
-fn job_that_keeps_killing_its_process_is_given_up() {
+fn deaths_of_the_service_never_count() {
     for kind in JobKind::ALL {
         let folder = tempfile::tempdir().unwrap();
         let id = die_while_running(kind, folder.path(), "sew");
-        for _ in 0..3 {
+        for _ in 0..7 {
             begin_and_die(
                 &open_store(folder.path(), LEASE, &ManualClock::default()),
                 id,
@@ -576,11 +573,88 @@ fn job_that_keeps_killing_its_process_is_given_up() {
         let queue = open(folder.path());
         let pool = start(&queue, 1);
         let record = finished(&queue, id);
-        assert_eq!((record.status, record.attempts), (JobStatus::Failed, 4));
-        let code = format!("{}/abandoned", kind.as_str());
-        assert_eq!(error_code(&record), code);
+        assert_eq!((record.status, record.attempts), (JobStatus::Succeeded, 9));
         pool.shutdown(TIMEOUT);
     }
+}
+
+/// A runner whose own processes die, as often as it is told.
+struct Dying {
+    script: Script,
+    deaths: AtomicUsize,
+}
+
+impl Runner for Dying {
+    fn run(
+        &self,
+        work: JobRequest,
+        cancel: &CancelToken,
+        progress: &mut dyn FnMut(Progress),
+    ) -> Result<JobOutcome, Faults> {
+        self.script.run(work, cancel, progress)
+    }
+
+    fn run_apart(
+        &self,
+        work: JobRequest,
+        cancel: &CancelToken,
+        progress: &mut dyn FnMut(Progress),
+    ) -> Result<JobOutcome, RunError> {
+        let left = self.deaths.load(Ordering::SeqCst);
+        if left > 0 {
+            self.deaths.store(left - 1, Ordering::SeqCst);
+            return Err(RunError::Died(ProcessDeath::Signal(6)));
+        }
+        self.run(work, cancel, progress).map_err(RunError::Refused)
+    }
+}
+
+/// The record of a job that ran when its service died, and whose own process then dies so often.
+fn ended_after(deaths: usize, kind: JobKind) -> JobRecord {
+    let folder = tempfile::tempdir().unwrap();
+    let id = die_while_running(kind, folder.path(), "sew");
+    let queue = open(folder.path());
+    let runner = Dying {
+        script: Script::default(),
+        deaths: deaths.into(),
+    };
+    let pool = WorkerPool::start(&queue, runner, 1).unwrap();
+    let record = finished(&queue, id);
+    pool.shutdown(TIMEOUT);
+    record
+}
+
+#[test]
+fn a_job_whose_own_process_dies_twice_has_failed_with_the_cause() {
+    for kind in JobKind::ALL {
+        let once = ended_after(1, kind);
+        assert_eq!((once.status, once.crashes), (JobStatus::Succeeded, 1));
+        let twice = ended_after(2, kind);
+        assert_eq!((twice.status, twice.crashes), (JobStatus::Failed, 2));
+        assert_eq!(error_code(&twice), format!("{}/abandoned", kind.as_str()));
+        assert!(twice.error.unwrap().detail.contains("signal 6"));
+    }
+}
+
+#[test]
+fn a_failure_that_is_not_of_the_request_is_not_kept_under_its_key() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    for (does, is_same) in [("panic", false), ("diverge", true), ("sew", true)] {
+        let key = IdempotencyKey {
+            key: does.to_owned(),
+            digest: [1; 32],
+        };
+        let request = work(JobKind::Fit, does);
+        let submit = || queue.submit(&request, Some(&key)).unwrap().id;
+        let first = submit();
+        finished(&queue, first);
+        let again = submit();
+        assert_eq!(again == first, is_same, "{does}");
+        finished(&queue, again);
+    }
+    pool.shutdown(TIMEOUT);
 }
 
 #[test]
@@ -835,5 +909,72 @@ fn attempt_that_lost_its_lease_has_no_effect() {
     assert_eq!(report.why, "the first: false");
     let results = folder.path().join(format!("blobs/results/{id}"));
     assert!(!results.join(first.attempts.to_string()).exists());
+    pool.shutdown(TIMEOUT);
+}
+
+/// The folder without which no file can be written.
+fn disk(folder: &Path) -> std::path::PathBuf {
+    folder.join("blobs").join("tmp")
+}
+
+/// A job that came to its end and could not be kept for longer than it takes to try again.
+fn unkept(queue: &Arc<Queue>, folder: &Path) -> (Uuid, WorkerPool) {
+    let id = submit(queue, "sew");
+    std::fs::remove_dir_all(disk(folder)).unwrap();
+    let pool = start(queue, 1);
+    wait_for(queue, id, |record| record.status == JobStatus::Running);
+    sleep(Duration::from_millis(1_500));
+    let record = get(queue, id);
+    assert_eq!((record.status, record.error), (JobStatus::Running, None));
+    (id, pool)
+}
+
+#[test]
+fn a_result_is_kept_until_it_can_be_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let (id, pool) = unkept(&queue, folder.path());
+    std::fs::create_dir(disk(folder.path())).unwrap();
+    let record = finished(&queue, id);
+    assert_eq!((record.status, record.attempts), (JobStatus::Succeeded, 1));
+    assert!(queue.file(&record, ResultFile::Mesh).unwrap().is_some());
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
+fn a_job_whose_result_waits_for_the_disk_can_be_canceled() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let (id, pool) = unkept(&queue, folder.path());
+    queue.cancel(JobKind::Fit, id).unwrap().unwrap();
+    assert_eq!(finished(&queue, id).status, JobStatus::Canceled);
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
+fn a_result_that_could_not_be_written_before_the_end_is_made_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let (id, pool) = unkept(&queue, folder.path());
+    pool.shutdown(TIMEOUT);
+    std::fs::create_dir(disk(folder.path())).unwrap();
+    let pool = start(&queue, 1);
+    let record = finished(&queue, id);
+    assert_eq!((record.status, record.attempts), (JobStatus::Succeeded, 2));
+    assert_eq!(record.released, 1);
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
+fn a_request_that_is_gone_fails_without_names_of_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let queue = open(folder.path());
+    let id = submit(&queue, "sew");
+    std::fs::remove_dir_all(folder.path().join("blobs/garments")).unwrap();
+    let pool = start(&queue, 1);
+    let record = finished(&queue, id);
+    assert_eq!(error_code(&record), "fit/storage");
+    let detail = record.error.unwrap().detail;
+    assert!(!detail.contains('/'), "{detail}");
     pool.shutdown(TIMEOUT);
 }

@@ -11,6 +11,7 @@ use std::path::PathBuf;
 /// From left to right; those on one line may use each other.
 const ORDER: &[&[&str]] = &[
     &["fault", "config", "progress", "memory"],
+    &["json"],
     &["pattern"],
     &["seam"],
     &["mesh"],

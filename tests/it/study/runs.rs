@@ -51,7 +51,7 @@ fn taut() -> [StudyScene; 1] {
 fn of_sample(name: &str, changes: Value, study: Value) -> Study {
     let mut asked = study;
     asked["garment"] = serde_json::to_value(garment(name, changes)).unwrap();
-    let asked: StudyRequest = read_study(asked.to_string().as_bytes()).unwrap();
+    let asked: StudyRequest = read_study(asked.to_string().as_bytes(), &Limits::default()).unwrap();
     let prepared = resolve(asked, &ShippedAssets, &Limits::default()).unwrap();
     quiet(|context| run(&prepared, context).unwrap())
 }
@@ -338,7 +338,7 @@ fn all_faults_of_what_is_asked_come_at_once() {
         "edge_lengths_m": [0.03, 7.0], "time_limit_s": -2.0,
     });
     asked["garment"] = serde_json::to_value(garment("skirt", json!({"friction": 9}))).unwrap();
-    let asked = read_study(asked.to_string().as_bytes()).unwrap();
+    let asked = read_study(asked.to_string().as_bytes(), &Limits::default()).unwrap();
     let faults = resolve(asked, &ShippedAssets, &Limits::default()).unwrap_err();
     let mut at: Vec<&str> = faults.0.iter().map(|f| f.pointer.as_str()).collect();
     at.sort_unstable();
@@ -360,7 +360,7 @@ fn a_motion_is_taken_and_kept_in_what_is_stored() {
     let simulate = json!({"want": "motion", "duration_s": 0.1, "frame_rate_hz": 20.0});
     asked["garment"] =
         serde_json::to_value(garment("skirt", json!({"simulate": simulate}))).unwrap();
-    let asked = read_study(asked.to_string().as_bytes()).unwrap();
+    let asked = read_study(asked.to_string().as_bytes(), &Limits::default()).unwrap();
     let prepared = resolve(asked, &ShippedAssets, &Limits::default()).unwrap();
     let stored = prepared.request().clone();
     assert_eq!(stored.garment.simulate.analysis, Analysis::Transient);
@@ -368,7 +368,7 @@ fn a_motion_is_taken_and_kept_in_what_is_stored() {
     assert_eq!(stored.methods, STEPPING);
     let again = serde_json::to_vec(&stored).unwrap();
     let again = resolve(
-        read_study(&again).unwrap(),
+        read_study(&again, &Limits::default()).unwrap(),
         &ShippedAssets,
         &Limits::default(),
     )
