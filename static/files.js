@@ -52,7 +52,7 @@ function garmentFrom(saved) {
 /** Shows a pattern with a garment; the shown fit goes. */
 function show({ pattern, garment, suggested = {}, leftOut = [] }) {
   forgetUndo();
-  update({ pattern, garment, suggested, leftOut, picked: null, selected: null, check: null, fit: null, report: null, ran: null, zoom: 1 });
+  update({ pattern, garment, suggested, leftOut, picked: null, selected: null, check: null, fit: null, report: null, ran: null });
   const unchecked = pattern.stored ? "" : " The service does not hold this pattern: seams are checked when you sew.";
   if (unchecked) say(`${pattern.name}.${unchecked}`);
   else say(garment.seams.length

@@ -4,7 +4,7 @@ import { byId, el, replaceChildren } from "./dom.js";
 import { runsOf } from "./outline.js";
 import { leftOut } from "./panels.js";
 import { act, changeSeam, changeSeams, deleteSeam, panelName, reverseSeam, runName } from "./picking.js";
-import { colourClass } from "./seam_marks.js";
+import { colorClass } from "./sheet/seam_marks.js";
 import { state, update, watch } from "./state.js";
 import { suggest, suggestionOf } from "./suggest.js";
 import { centimetres, distance, faultItem, percent, plural, problemItems, sentence } from "./words.js";
@@ -127,7 +127,7 @@ function row(seam, at, count) {
   const finding = findingOf(seam);
   const open = seam.id === state.selected;
   const number = state.garment.seams.indexOf(seam);
-  const classes = ["seam", colourClass(number), open && "selected", finding?.ok === false && "bad"];
+  const classes = ["seam", colorClass(number), open && "selected", finding?.ok === false && "bad"];
   const found = suggestionOf(seam);
   const choose = () => update({ selected: open ? null : seam.id, picked: null });
   return el("li", { class: classes.filter(Boolean).join(" ") },

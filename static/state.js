@@ -24,7 +24,7 @@ export const state = {
   fit: null,
   report: null,
   ran: null, // the garment of the shown fit as text, to tell when it is out of date
-  zoom: 1,
+  view: null, // the part of the sheet that is seen: {x, y, k, home}
 };
 
 const listeners = [];

@@ -1,0 +1,46 @@
+/** The tag at the pointer: which edge it is, its length, and how it compares with the first side. */
+
+import { svg } from "../dom.js";
+import { lengthOfSide } from "../outline.js";
+import { titleOf } from "../panels.js";
+import { centimetres } from "../words.js";
+import { differenceText, gradeOf, gradeText } from "./compare.js";
+import { textWidth } from "./labels.js";
+
+const ROW_PX = 17;
+const PAD_PX = 8;
+const AWAY_PX = 16;
+const FONT = "600 12px";
+
+/** Rows of the tag as `{text, grade}`. */
+function rowsOf(panel, edge, firstLength) {
+  const rows = [{ text: `${titleOf(panel)}, edge ${edge.index}, ${centimetres(edge.length_m)}` }];
+  if (firstLength === null) return rows;
+  const grade = gradeOf(firstLength, edge.length_m);
+  return [...rows, { text: differenceText(firstLength, edge.length_m), grade }, { text: gradeText(firstLength, edge.length_m), grade }];
+}
+
+/** Beside the point, on the side where the window has room. */
+function cornerOf([x, y], width, height, window) {
+  const left = x + AWAY_PX + width < window.width ? x + AWAY_PX : Math.max(2, x - AWAY_PX - width);
+  const top = y - AWAY_PX - height > 2 ? y - AWAY_PX - height : Math.min(window.height - height - 2, y + AWAY_PX);
+  return [left, top];
+}
+
+/** The length of the first side, or null where the edge belongs to it or there is none. */
+export function firstLengthFor(picked, panels, panel, edge) {
+  if (!picked) return null;
+  const isOwn = [picked].flat().some((run) => run.panel === panel.id && [run.from, run.to].sort().join() === [edge.from, edge.to].sort().join());
+  return isOwn ? null : lengthOfSide(panels, picked);
+}
+
+export function drawTag({ panel, edge, at, firstLength, window }) {
+  const rows = rowsOf(panel, edge, firstLength);
+  const width = Math.max(...rows.map(({ text }) => textWidth(text, FONT))) + 2 * PAD_PX;
+  const height = rows.length * ROW_PX + PAD_PX;
+  const [left, top] = cornerOf(at, width, height, window);
+  return svg("g", { class: "edge-tag", transform: `translate(${left.toFixed(1)} ${top.toFixed(1)})` },
+    svg("rect", { width, height, rx: 6 }),
+    rows.map(({ text, grade }, i) =>
+      svg("text", { class: grade && `grade-${grade}`, x: PAD_PX, y: (i + 0.5) * ROW_PX + PAD_PX / 2 }, text)));
+}

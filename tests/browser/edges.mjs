@@ -1,0 +1,134 @@
+// Every edge can be picked by a click: `node tests/browser/edges.mjs [--all] [FILE…]`.
+// Without files: the samples, and of SEAMSTER_TEST_DATA a few files, or with --all every one.
+import assert from "node:assert/strict";
+import { readdir } from "node:fs/promises";
+import { basename, join } from "node:path";
+import { after, before, test } from "node:test";
+import { openTab, startBrowser, startService } from "./support.mjs";
+
+const { BASE, SEAMSTER_BIN, SEAMSTER_TEST_DATA } = process.env;
+/** Shorter edges [px] are picked by the arrow keys. */
+const LEAST_PX = 4;
+const FRACTIONS = [0.25, 0.5, 0.75];
+/** Few panels, many panels, short edges, curves in many pieces, mirrored halves. */
+const SUBSET = ["gc_pencil_skirt__r12_aama.dxf", "valentina_maleshirt_aama_r12.dxf", "gerber_GLX4802S19_AAMA.DXF", "gc_tshirt__inch_spline_blocks.dxf"];
+
+async function filesToPick() {
+  const options = process.argv.slice(2);
+  const named = options.filter((option) => !option.startsWith("--"));
+  if (named.length) return named;
+  const samples = ["skirt", "top"].map((name) => new URL(`../../static/samples/${name}.dxf`, import.meta.url).pathname);
+  if (!SEAMSTER_TEST_DATA) return samples;
+  const folder = join(SEAMSTER_TEST_DATA, "dxf");
+  const found = (await readdir(folder)).filter((name) => /\.dxf$|_specification\.json$/i.test(name)).sort();
+  return [...samples, ...found.filter((name) => options.includes("--all") || SUBSET.includes(name)).map((name) => join(folder, name))];
+}
+
+const files = await filesToPick();
+const totals = { edges: 0, clicks: 0, tooShort: 0, refused: 0, longest: 0 };
+let service;
+let browser;
+let page;
+let record;
+
+before(async () => {
+  if (!BASE && !SEAMSTER_BIN) throw new Error("set BASE to a running service or SEAMSTER_BIN to the binary");
+  service = BASE ? { url: BASE, stop: async () => {} } : await startService(SEAMSTER_BIN);
+  browser = await startBrowser();
+  ({ page, record } = await openTab(browser, service.url));
+});
+
+after(async () => {
+  console.log(`edges ${totals.edges}, clicks ${totals.clicks}, by arrow keys alone ${totals.tooShort}, files refused ${totals.refused}, `
+    + `longest pick ${totals.longest.toFixed(1)} ms`);
+  await browser?.close();
+  await service?.stop();
+});
+
+/** Opens a pattern file; false where the service refuses it. */
+async function open(file) {
+  const answered = page.waitForResponse((response) => /\/v1\/patterns(\?|$)/.test(response.url()) && response.request().method() === "POST", { timeout: 120_000 });
+  await page.setInputFiles("#pattern-file", file);
+  const response = await answered;
+  if (!response.ok()) return false;
+  const { panels } = await response.json();
+  await page.waitForFunction((ids) => {
+    const drawn = new Set([...document.querySelectorAll("path.edge")].map((path) => path.dataset.panel));
+    return drawn.size === ids.length && ids.every((id) => drawn.has(id));
+  }, panels.map((panel) => panel.id), { timeout: 60_000 });
+  return true;
+}
+
+const panelIds = () => page.evaluate(() => [...new Set([...document.querySelectorAll("path.edge")].map((path) => path.dataset.panel))]);
+
+/** Fits a panel by its key; answers its edges with where they lie on the screen. */
+const fit = (panel) => page.evaluate(async ({ id, fractions }) => {
+  const paths = [...document.querySelectorAll(`path.edge[data-panel="${CSS.escape(id)}"]`)];
+  paths[0].focus();
+  paths[0].dispatchEvent(new KeyboardEvent("keydown", { key: "f", bubbles: true }));
+  await new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); });
+  return paths.map((path) => {
+    const matrix = path.getScreenCTM();
+    const total = path.getTotalLength();
+    const at = (fraction) => {
+      const { x, y } = path.getPointAtLength(total * fraction).matrixTransform(matrix);
+      return { fraction, x, y };
+    };
+    return { edge: Number(path.dataset.edge), length: total * matrix.a, points: fractions.map(at) };
+  });
+}, { id: panel, fractions: FRACTIONS });
+
+/** What is picked, `{panel, edge, way}`, and the time of the pick; lets go of it. */
+const taken = () => page.evaluate(() => {
+  const pressed = [...document.querySelectorAll('path.edge[aria-pressed="true"]')].map((path) => `${path.dataset.panel} ${path.dataset.edge}`);
+  const text = document.getElementById("status").textContent;
+  document.activeElement.dispatchEvent(new KeyboardEvent("keydown", { key: "Escape", bubbles: true }));
+  return { pressed, clockwise: !/counter-clockwise/.test(text), text };
+});
+
+/** Clicks an edge at each of its points; what went wrong. */
+async function clickAll(panel, { edge, points }, isMirrored) {
+  const wrong = [];
+  for (const { fraction, x, y } of points) {
+    await page.mouse.click(x, y);
+    totals.clicks += 1;
+    const { pressed, clockwise, text } = await taken();
+    const hit = pressed.length === 1 && pressed[0] === `${panel} ${edge}`;
+    const forwards = clockwise !== isMirrored;
+    if (!hit) wrong.push(`${panel} edge ${edge} at ${fraction}: picked ${pressed.join() || "nothing"} (${text})`);
+    else if (fraction !== 0.5 && forwards !== fraction < 0.5) wrong.push(`${panel} edge ${edge} at ${fraction}: the other end`);
+  }
+  return wrong;
+}
+
+for (const file of files) {
+  test(`every edge of ${basename(file)} is picked by a click at its middle and quarters`, async (context) => {
+    if (!await open(file)) {
+      totals.refused += 1;
+      record.errors.length = 0;
+      context.skip("the service refuses the file");
+      return;
+    }
+    const wrong = [];
+    for (const panel of await panelIds()) {
+      for (const edge of await fit(panel)) {
+        totals.edges += 1;
+        if (edge.length < LEAST_PX) totals.tooShort += 1;
+        else wrong.push(...await clickAll(panel, edge, false));
+      }
+    }
+    assert.deepEqual(wrong, []);
+    assert.deepEqual(record, { foreign: [], errors: [], breaches: [] });
+  });
+}
+
+test("a pick takes less than a frame", async () => {
+  await page.evaluate(() => {
+    window.longest = 0;
+    new PerformanceObserver((list) => {
+      for (const entry of list.getEntries()) window.longest = Math.max(window.longest, entry.processingEnd - entry.processingStart);
+    }).observe({ type: "event", durationThreshold: 16, buffered: true });
+  });
+  await page.waitForTimeout(200);
+  totals.longest = await page.evaluate(() => window.longest);
+});
