@@ -4,9 +4,10 @@ import { call, getJson } from "./api.js";
 import { byId, el, replaceChildren, setOptions } from "./dom.js";
 import { plainPattern } from "./panels.js";
 import { forgetUndo, say } from "./picking.js";
+import { uploadBody } from "./settings.js";
 import { emptyGarment, state, update, watch } from "./state.js";
 import { suggest } from "./suggest.js";
-import { faultItem, plural, problemItems } from "./words.js";
+import { faultItem, plural, problemItems, sentence } from "./words.js";
 
 let lastFile = null; // to read it again in another way
 /** The parameters of the import, each with a field of its own. */
@@ -91,7 +92,7 @@ async function load(work) {
   } catch (problem) {
     if (mine !== loads) return false;
     replaceChildren(byId("pattern-faults"), problemItems(problem));
-    say("The file could not be used.", true);
+    say(`The file could not be used. ${sentence(problem.faults?.[0]?.detail ?? problem.message)}`, true);
     return false;
   }
 }
@@ -132,6 +133,23 @@ async function patternOf(saved) {
   if (named?.panels) return { pattern: { ...named, stored: false } };
   if (state.pattern) return { pattern: state.pattern };
   throw new Error("This garment file names no pattern. Open its DXF first, then the garment file.");
+}
+
+/** True if the text of a file is that of a garment, not of a pattern. */
+function isGarment(text) {
+  try {
+    const found = JSON.parse(text);
+    return found?.schema?.startsWith?.("seamster/garment") || (found?.seams !== undefined && found?.pattern !== undefined);
+  } catch {
+    return false;
+  }
+}
+
+/** Opens a file of any kind that the page knows. */
+async function openFile(file) {
+  if (/\.(obj|glb|ply)$/i.test(file.name)) await uploadBody(file);
+  else if (/\.json$/i.test(file.name) && isGarment(await file.text())) await openGarment(file);
+  else await openPattern(file);
 }
 
 async function openGarment(file) {
@@ -196,17 +214,29 @@ function drawFacts() {
   setOptions(byId("import-size"), [["", "Sample"], ...sizes], byId("import-size").value);
 }
 
-function startDrop(drop) {
-  const over = (event) => {
+/** A file can be dropped anywhere on the page. */
+function startDrop() {
+  const hint = el("p", { class: "dropping", hidden: true }, "Drop the file to open it");
+  document.body.append(hint);
+  let depth = 0;
+  const hasFile = (event) => event.dataTransfer?.types.includes("Files");
+  document.addEventListener("dragenter", (event) => {
+    if (!hasFile(event)) return;
+    depth += 1;
+    hint.hidden = false;
+  });
+  document.addEventListener("dragover", (event) => hasFile(event) && event.preventDefault());
+  document.addEventListener("dragleave", () => {
+    depth = Math.max(0, depth - 1);
+    hint.hidden = depth === 0;
+  });
+  document.addEventListener("drop", (event) => {
+    if (!hasFile(event)) return;
     event.preventDefault();
-    drop.classList.toggle("over", event.type === "dragover");
-  };
-  drop.addEventListener("dragover", over);
-  drop.addEventListener("dragleave", over);
-  drop.addEventListener("drop", (event) => {
-    over(event);
+    depth = 0;
+    hint.hidden = true;
     const [file] = event.dataTransfer.files;
-    if (file) openPattern(file);
+    if (file) openFile(file);
   });
 }
 
@@ -214,19 +244,17 @@ export function startFiles() {
   for (const button of document.querySelectorAll("[data-sample]")) {
     button.addEventListener("click", () => openSample(button.dataset.sample));
   }
-  const chosen = (input, open) => input.addEventListener("change", () => {
-    const [file] = input.files;
-    input.value = "";
-    if (file) open(file);
+  byId("open").addEventListener("click", () => byId("open-file").click());
+  byId("open-file").addEventListener("change", (event) => {
+    const [file] = event.target.files;
+    event.target.value = "";
+    if (file) openFile(file);
   });
-  chosen(byId("pattern-file"), openPattern);
-  chosen(byId("open-garment-file"), openGarment);
-  byId("open-garment").addEventListener("click", () => byId("open-garment-file").click());
   byId("save-garment").addEventListener("click", saveGarment);
   for (const name of importFields) {
     byId(`import-${name}`).addEventListener("change", () => lastFile && openPattern(lastFile));
   }
-  startDrop(byId("drop"));
+  startDrop();
   watch(["pattern"], drawFacts);
   watch(["pattern", "fit"], () => state.pattern && keepInHash());
   watch(["garment", "suggested", "leftOut", "ran", "fit"], keepDraft);

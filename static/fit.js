@@ -3,7 +3,8 @@
 import { call, events, getJson, postJson, Problem } from "./api.js";
 import { byId, replaceChildren } from "./dom.js";
 import { fileStem, save } from "./files.js";
-import { reportSummary } from "./report.js";
+import { say } from "./picking.js";
+import { reportSummary, verdictOf, verdictText } from "./report.js";
 import { garmentToSend, leftOut } from "./panels.js";
 import { state, update, watch } from "./state.js";
 import { distance, problemItems, scientific, seconds } from "./words.js";
@@ -62,12 +63,18 @@ async function follow(id, signal) {
 /** Faults of a fit that the report tells, with all that belongs to them. */
 const REPORTED = new Set(["not_converged", "crossings", "body", "layers", "gap", "strain", "worn"].map((fault) => `fit/${fault}`));
 
+/** Shows faults in the report, and the first of them above the panes. */
+function showFaults(problem) {
+  replaceChildren(byId("fit-faults"), problemItems(problem));
+  say(problem.faults?.[0]?.detail ?? problem.message, true);
+}
+
 /** Why a fit failed, but for what the report says. */
 function showError(fit, report) {
   if (fit.status !== "failed" || !fit.error) return;
   const faults = fit.error.errors ?? [];
   if (report && faults.length > 0 && faults.every((fault) => REPORTED.has(fault.code))) return;
-  replaceChildren(byId("fit-faults"), problemItems(Problem.fromBody(fit.error, fit.error.status ?? 0)));
+  showFaults(Problem.fromBody(fit.error, fit.error.status ?? 0));
 }
 
 /** The result of a fit that ended; a failed one may still have its best shape. */
@@ -79,6 +86,7 @@ async function showResult(fit) {
   showError(fit, report);
   update({ report });
   if (!report) return;
+  say(verdictText(report, fit.status), !verdictOf(report, fit.status).good);
   // The saved garment says which limbs its body has; a body of one's own it has whole.
   const { avatar } = await getJson(`${fitPath(fit.id)}/garment`);
   const shown = avatar?.body ? state.garment.avatar : avatar;
@@ -100,7 +108,7 @@ async function watchFit(fit) {
   } catch (problem) {
     if (problem.name === "AbortError") return;
     update({ fit: isRunning() ? null : state.fit });
-    replaceChildren(byId("fit-faults"), problemItems(problem));
+    showFaults(problem);
   }
 }
 
@@ -114,7 +122,7 @@ async function run() {
     update({ ran });
     watchFit(fit);
   } catch (problem) {
-    replaceChildren(byId("fit-faults"), problemItems(problem));
+    showFaults(problem);
   } finally {
     submitting = false;
   }
@@ -125,7 +133,7 @@ async function cancel() {
   try {
     await call(fitPath(state.fit.id), { method: "DELETE" });
   } catch (problem) {
-    replaceChildren(byId("fit-faults"), problemItems(problem));
+    showFaults(problem);
   }
 }
 
@@ -170,7 +178,7 @@ async function download(what) {
   try {
     save(await (await call(`${fitPath(state.fit.id)}/${what}`)).blob(), fileStem() + name);
   } catch (problem) {
-    replaceChildren(byId("fit-faults"), problemItems(problem));
+    showFaults(problem);
   }
 }
 
@@ -181,7 +189,7 @@ export async function showFit(id, ran) {
     update({ ran: ran ?? asText() });
     await watchFit(fit);
   } catch (problem) {
-    replaceChildren(byId("fit-faults"), problemItems(problem));
+    showFaults(problem);
   }
 }
 

@@ -64,14 +64,22 @@ function crossings(report) {
   return items;
 }
 
-function verdictLine(report, status) {
+/** The verdict in a sentence, and whether it is a good one. */
+export function verdictOf(report, status) {
   if (!report.converged) {
-    return el("p", { class: "verdict bad" }, status === "canceled" ? "Stopped before it came to rest." : "The garment did not come to rest.");
+    return { good: false, text: status === "canceled" ? "Stopped before it came to rest." : "The garment did not come to rest." };
   }
-  if (!report.good) return el("p", { class: "verdict good" }, "The garment came to rest.");
+  if (!report.good) return { good: true, text: "The garment came to rest." };
   return report.good.ok
-    ? el("p", { class: "verdict good" }, "The garment came to rest, and nothing is wrong with it.")
-    : el("p", { class: "verdict bad" }, "The garment came to rest, but it is not right.");
+    ? { good: true, text: "The garment came to rest, and nothing is wrong with it." }
+    : { good: false, text: "The garment came to rest, but it is not right." };
+}
+
+/** The verdict with the first reason against it. */
+export function verdictText(report, status) {
+  const { text } = verdictOf(report, status);
+  const because = report.good?.because?.[0];
+  return because && report.converged ? `${text} ${sentence(because)}` : text;
 }
 
 /** How the body carries the garment, where that is judged. */
@@ -83,7 +91,7 @@ function support(worn) {
 
 /** The summary; `canceled` where the fit was stopped. */
 export function reportSummary(report, status) {
-  const verdict = verdictLine(report, status);
+  const { good, text } = verdictOf(report, status);
   const worn = report.worn ?? { ok: null, because: "not stated" };
   const items = [
     finding(report.converged ? "good" : "bad", reason(report)),
@@ -96,5 +104,5 @@ export function reportSummary(report, status) {
     finding("plain", `Largest strain ${percent(report.strain_max)}.`),
     finding("plain", `${seconds(report.cpu_s.total)} of computing, ${plural(report.vertices, "vertex", "vertices")}, ${plural(report.stitches, "stitch", "stitches")}, method ${report.method}.`),
   ];
-  return [verdict, el("ul", { class: "findings" }, items.filter(Boolean))];
+  return [el("p", { class: `verdict ${good ? "good" : "bad"}` }, text), el("ul", { class: "findings" }, items.filter(Boolean))];
 }

@@ -6,7 +6,7 @@ import { leftOut } from "./panels.js";
 import { act, changeSeam, changeSeams, deleteSeam, panelName, reverseSeam, runName } from "./picking.js";
 import { colorClass } from "./sheet/seam_marks.js";
 import { state, update, watch } from "./state.js";
-import { suggest, suggestionOf } from "./suggest.js";
+import { suggestionOf } from "./suggest.js";
 import { centimetres, distance, faultItem, percent, plural, problemItems, sentence } from "./words.js";
 
 const sideName = (side) => runsOf(side).map(runName).join(", ");
@@ -144,13 +144,12 @@ function row(seam, at, count) {
     open && details(seam, finding));
 }
 
-/** How many there are, and the button that finds more. */
-function head(count) {
-  const stored = state.pattern.stored;
-  const title = stored ? "Adds the seams that garments of this kind have; yours stay" : "The service does not hold this pattern: open its file first";
-  return el("div", { class: "head" },
-    el("span", {}, count ? `${plural(count, "seam")} in order of sewing` : "No seams yet"),
-    el("button", { type: "button", class: "small", "data-key": "suggest", title, disabled: !stored, onclick: suggest }, "Suggest seams"));
+/** How many there are, on the drawer's handle. */
+function drawCount() {
+  const { seams } = state.garment;
+  const bad = seams.filter((seam) => findingOf(seam)?.ok === false).length;
+  byId("seam-count").textContent = bad ? `${bad} of ${seams.length} ✗` : String(seams.length);
+  byId("seam-count").classList.toggle("bad", bad > 0);
 }
 
 /** Panels that stay out. */
@@ -165,12 +164,13 @@ function draw() {
   const problem = state.check?.problem;
   replaceChildren(byId("seam-list"),
     problem && el("div", { class: "faults" }, problemItems(problem)),
-    state.pattern && head(seams.length),
     spareNote(),
+    state.pattern && seams.length === 0 && el("p", { class: "note" }, "No seams yet."),
     seams.length > 0 && el("ol", { "aria-label": "Seams in order of sewing" }, seams.map((seam, at) => row(seam, at, seams.length))));
 }
 
 export function startSeamList() {
   watch(["pattern", "garment", "suggested", "leftOut", "check", "selected"], draw);
+  watch(["garment", "check"], drawCount);
   watch(["selected", "check"], () => byId("seam-list").querySelector(".selected")?.scrollIntoView({ block: "nearest" }));
 }

@@ -82,9 +82,7 @@ function drawBody() {
 }
 
 /** Sends the file of a body, which then is the garment's; its faults and remarks are shown beside it. */
-async function uploadBody(event) {
-  const [file] = event.target.files;
-  if (!file) return;
+export async function uploadBody(file) {
   const note = byId("body-note");
   note.textContent = "Reading the body…";
   try {
@@ -98,8 +96,6 @@ async function uploadBody(event) {
     replaceChildren(note, [`${file.name}: ${plural(avatar.file.triangle_count, "triangle")}, ${girths.join(", ")}.`, el("ul", {}, ...remarks)]);
   } catch (problem) {
     replaceChildren(note, [el("ul", {}, ...problemItems(problem))]);
-  } finally {
-    event.target.value = "";
   }
 }
 
@@ -115,7 +111,11 @@ function drawMesh() {
 export function startSettings() {
   byId("default-fabric").addEventListener("change", (event) => changeGarment({ default_fabric: event.target.value }));
   byId("use-form").addEventListener("click", () => changeGarment({ avatar: { form: { ...DEFAULT_FORM } } }));
-  byId("body-file").addEventListener("change", uploadBody);
+  byId("body-file").addEventListener("change", async (event) => {
+    const [file] = event.target.files;
+    if (file) await uploadBody(file);
+    event.target.value = "";
+  });
   byId("edge-length").addEventListener("change", (event) =>
     changeGarment({ simulate: { ...state.garment.simulate, edge_length_m: Number(event.target.value) } }));
   watch(["fabrics", "garment", "pattern", "check"], drawFabric);

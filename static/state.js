@@ -24,6 +24,7 @@ export const state = {
   fit: null,
   report: null,
   ran: null, // the garment of the shown fit as text, to tell when it is out of date
+  layout: { split: 50, rail: true, drawer: null, full: null },
   view: null, // the part of the sheet that is seen: {x, y, k, home}
 };
 

@@ -1,10 +1,11 @@
 /** Seams that the service suggests: they come beside those that are there, each with how sure it is and why. */
 
 import { postJson } from "./api.js";
+import { byId } from "./dom.js";
 import { edgesOf, runsOf } from "./outline.js";
 import { panelOf, sewnIds, sourceOf } from "./panels.js";
 import { act, changeSeams, say } from "./picking.js";
-import { state, update } from "./state.js";
+import { state, update, watch } from "./state.js";
 import { plural, sentence } from "./words.js";
 
 let asking = false;
@@ -88,4 +89,18 @@ export async function suggest() {
   } finally {
     asking = false;
   }
+}
+
+function drawButton() {
+  const { pattern } = state;
+  const button = byId("suggest");
+  button.disabled = !pattern?.stored;
+  button.title = !pattern || pattern.stored
+    ? "Adds the seams that garments of this kind have; yours stay"
+    : "The service does not hold this pattern: open its file first";
+}
+
+export function startSuggest() {
+  byId("suggest").addEventListener("click", suggest);
+  watch(["pattern"], drawButton);
 }

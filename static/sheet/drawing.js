@@ -101,7 +101,7 @@ function innerName(panel, { width, height, x, middle }, spare) {
   return { places: [{ x, y: middle, width: inner + 6, height: 2 * ROW_PX + 2 }], draw };
 }
 
-/** The panel's name: in its middle, else below it, as much of it as has room. */
+/** The panel's name: in its middle, else below it, as much of it as has room; there it yields to numbers of seams. */
 export function nameLabel(panel, map, scale, { spare, start }) {
   const box = boxOf(panel);
   const [width, height] = [(box.right - box.left) * scale, (box.top - box.bottom) * scale];
@@ -111,7 +111,7 @@ export function nameLabel(panel, map, scale, { spare, start }) {
   const texts = new Set([panel.name, shortName(panel.name, width + 50, start), shortName(panel.name, Math.max(width, 40), start)]);
   const places = [...texts].filter(Boolean).flatMap((text) => NAME_BELOW_PX.map((down) => (
     { text, x, y: middle + height / 2 + down, width: textWidth(text, NAME_FONT) + 8, height: ROW_PX + 2 })));
-  return { places, draw: ({ text, y }) => svg("text", { class: "panel-name label", x, y }, text) };
+  return { places, yields: true, draw: ({ text, y }) => svg("text", { class: "panel-name label", x, y }, text) };
 }
 
 /** Dots at the corners, which lie below their numbers. */

@@ -13,7 +13,7 @@ export function textWidth(text, font) {
   return widths.get(key);
 }
 
-const touch = (a, b) =>
+export const touch = (a, b) =>
   Math.abs(a.x - b.x) * 2 < a.width + b.width && Math.abs(a.y - b.y) * 2 < a.height + b.height;
 
 /**
@@ -22,7 +22,8 @@ const touch = (a, b) =>
  */
 export function placeLabels(labels, { width, height }) {
   const taken = [];
-  const isSeen = (box) => box.x > 0 && box.y > 0 && box.x < width && box.y < height;
+  const isSeen = (box) =>
+    box.x * 2 > box.width && box.y * 2 > box.height && (width - box.x) * 2 > box.width && (height - box.y) * 2 > box.height;
   return labels.flatMap(({ places, draw }) => {
     const free = places.find((box) => isSeen(box) && !taken.some((other) => touch(box, other)));
     if (!free) return [];

@@ -6,12 +6,13 @@ import { leftOut, panelsShown, titleOf } from "../panels.js";
 import { state, update, watch } from "../state.js";
 import { arrange, boxOf, extend, onPanel, onSheet, sheetBox } from "./arrangement.js";
 import { differenceText, gradeText, likeness } from "./compare.js";
-import { cornerDots, cornerLabels, drawMarks, drawPanel, edgeLabel, edgeLabels, grainArrow, nameLabel } from "./drawing.js";
+import { drawPanel, edgeLabel } from "./drawing.js";
 import { startGestures } from "./gestures.js";
 import { isInside, nearestEdge } from "./hit.js";
 import { placeLabels } from "./labels.js";
 import { commonStart } from "./names.js";
-import { badgesOf, drawSeam, drawSide } from "./seam_marks.js";
+import { labelsOf, marksOf } from "./overlay.js";
+import { drawSide } from "./seam_marks.js";
 import { drawTag, firstLengthFor } from "./tag.js";
 import { fitted, panned, resized, toScreen, toSheet, zoomed } from "./view.js";
 
@@ -120,7 +121,7 @@ function hover(found) {
 }
 
 /** What the painters of seams need. */
-const scene = () => ({ panels: sheet.panels, maps: new Map(sheet.all.map((panel) => [panel.id, mapOf(panel)])) });
+const scene = () => ({ ...sheet, maps: new Map(sheet.all.map((panel) => [panel.id, mapOf(panel)])) });
 
 function moveTo(panel, edge) {
   for (const path of layers.cloth.querySelectorAll(`[data-panel="${CSS.escape(panel.id)}"]`)) {
@@ -226,49 +227,13 @@ function refreshEdges() {
   }
 }
 
-/** Seams in pixels, the selected one last, then the first side. */
-function seamMarks(painted) {
-  const { garment, check, picked, selected } = state;
-  const findings = check?.seams ?? [];
-  const marks = garment.seams.map((seam, index) => {
-    const finding = findings[index]?.id === seam.id ? findings[index] : null;
-    const isSelected = seam.id === selected;
-    return drawSeam(painted, seam, {
-      index, selected: isSelected, dim: Boolean(picked) || (selected !== null && !isSelected),
-      bad: finding?.ok === false, reversed: finding?.reversed,
-    });
-  });
-  marks.sort((a, b) => a.classList.contains("selected") - b.classList.contains("selected"));
-  if (picked) marks.push(drawSide(painted, picked, "pending"));
-  return marks;
-}
-
-/** Labels in the order in which they take their places. */
-function labels(painted) {
-  const { k } = state.view;
-  const { seams } = state.garment;
-  const spare = new Set(leftOut());
-  const badges = seams.map((seam, index) => ({ seam, badges: badgesOf(painted, seam, index) }));
-  const ofSelected = badges.filter(({ seam }) => seam.id === state.selected);
-  const ofOthers = badges.filter(({ seam }) => seam.id !== state.selected);
-  const each = (draw) => sheet.all.flatMap((panel) => draw(panel, painted.maps.get(panel.id), k));
-  return [
-    ...ofSelected.flatMap((one) => one.badges),
-    ...each((panel, map) => [nameLabel(panel, map, k, { spare: spare.has(panel.id), start: sheet.start })]),
-    ...ofOthers.flatMap((one) => one.badges),
-    ...each(cornerLabels),
-    ...each(edgeLabels),
-  ];
-}
-
 function drawView() {
   if (!layers || !state.view) return;
   const { x, y, k } = state.view;
   layers.cloth.setAttribute("transform", `matrix(${k} 0 0 ${k} ${x} ${y})`);
   const painted = scene();
-  const each = (draw) => sheet.all.flatMap((panel) => draw(panel, painted.maps.get(panel.id), k) ?? []);
-  layers.marks.replaceChildren(...each(drawMarks), ...each(grainArrow), ...seamMarks(painted), ...each(cornerDots));
-  layers.labels.replaceChildren(...placeLabels(labels(painted), sizeNow()));
+  layers.marks.replaceChildren(...marksOf(painted));
+  layers.labels.replaceChildren(...placeLabels(labelsOf(painted), sizeNow()));
   drawHover();
 }
 
@@ -295,9 +260,22 @@ function openSheet() {
     layers.cloth, layers.marks, layers.labels, layers.hover));
 }
 
+/** What is there before a pattern is. */
+function welcome() {
+  const by = (id) => () => byId(id).click();
+  const sample = (name) => () => document.querySelector(`.rail [data-sample="${name}"]`).click();
+  return el("div", { class: "welcome" },
+    el("p", {}, "Open a pattern, or drop its file anywhere on the page."),
+    el("div", { class: "tools" }, el("button", { type: "button", class: "primary", onclick: by("open") }, "Open a file…")),
+    el("p", { class: "note" }, "DXF, as exported for AAMA or ASTM or drawn in any CAD, or a GarmentCode specification"),
+    el("div", { class: "tools" },
+      el("button", { type: "button", onclick: sample("skirt") }, "Try the skirt"),
+      el("button", { type: "button", onclick: sample("top") }, "Try the top")));
+}
+
 function closeSheet() {
   sheet = layers = null;
-  host().replaceChildren(el("p", { class: "empty" }, "The panels of the pattern appear here."));
+  host().replaceChildren(welcome());
 }
 
 /** Takes the panels of now; those that have a place keep it. */
@@ -338,7 +316,8 @@ function onResize() {
   if (size.width === 0 || (size.width === sheet.size.width && size.height === sheet.size.height)) return undefined;
   const before = sheet.size;
   sheet.size = size;
-  if (state.view.home) setView(fitted(wholeBox(sheet.arrangement), size, 0), true);
+  if (state.view.home && !state.picked) fitAll();
+  else if (state.view.home) setView(fitted(wholeBox(sheet.arrangement), size, 0), true);
   else setView(resized(state.view, before, size));
   return undefined;
 }

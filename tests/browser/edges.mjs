@@ -48,7 +48,7 @@ after(async () => {
 /** Opens a pattern file; false where the service refuses it. */
 async function open(file) {
   const answered = page.waitForResponse((response) => /\/v1\/patterns(\?|$)/.test(response.url()) && response.request().method() === "POST", { timeout: 120_000 });
-  await page.setInputFiles("#pattern-file", file);
+  await page.setInputFiles("#open-file", file);
   const response = await answered;
   if (!response.ok()) return false;
   const { panels } = await response.json();

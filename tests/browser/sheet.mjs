@@ -72,9 +72,9 @@ test("the wheel zooms at the pointer", async () => {
 for (const way of ["the middle button", "the space bar", "a drag from free ground"]) {
   test(`${way} moves the sheet and picks nothing`, async () => {
     const before = await view();
-    const from = way.startsWith("a drag") ? { x: 8, y: 8 } : await pointOf("skirt-front", 1);
     const sheet = await page.locator("#sheet").boundingBox();
-    const start = way.startsWith("a drag") ? { x: sheet.x + from.x, y: sheet.y + sheet.height - 8 } : from;
+    const free = { x: sheet.x + sheet.width / 2, y: sheet.y + sheet.height - 6 };
+    const start = way.startsWith("a drag") ? free : await pointOf("skirt-front", 1);
     await page.mouse.move(start.x, start.y);
     if (way === "the space bar") {
       await page.locator('path.edge[data-panel="skirt-front"][data-edge="0"]').focus();
@@ -123,7 +123,7 @@ test("labels never lie on each other, at any zoom", async () => {
   const files = SEAMSTER_TEST_DATA ? ["valentina_maleshirt_aama_r12.dxf", "gc_pencil_skirt__r12_aama.dxf"] : [];
   for (const file of [null, ...files]) {
     if (file) {
-      await page.setInputFiles("#pattern-file", join(SEAMSTER_TEST_DATA, "dxf", file));
+      await page.setInputFiles("#open-file", join(SEAMSTER_TEST_DATA, "dxf", file));
       await page.waitForFunction(() => !document.querySelector('path.edge[data-panel="skirt-front"]') && document.querySelector("path.edge"));
     }
     const middle = await middleOf("#sheet");
