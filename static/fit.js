@@ -1,5 +1,6 @@
 /** A fit: start, watch, cancel, show, download. */
 
+import { linkTo } from "./address.js";
 import { call, events, getJson, postJson, Problem } from "./api.js";
 import { byId, replaceChildren } from "./dom.js";
 import { fileStem, save } from "./files.js";
@@ -193,7 +194,18 @@ export async function showFit(id, ran) {
   }
 }
 
+async function copyLink() {
+  const link = linkTo(state.fit);
+  try {
+    await navigator.clipboard.writeText(link);
+    say("The link is copied. It works for whoever may use this service as you do; give others the garment file.");
+  } catch {
+    say(`The link to this fit: ${link}`);
+  }
+}
+
 export function startFit() {
+  byId("copy-link").addEventListener("click", copyLink);
   byId("run").addEventListener("click", run);
   byId("cancel").addEventListener("click", cancel);
   for (const button of document.querySelectorAll("[data-download]")) {

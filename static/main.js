@@ -1,9 +1,14 @@
-/** Puts the parts of the page together. Read on: state.js, files.js, panels.js, sheet/sheet.js, picking.js, suggest.js, fit.js, viewer.js. */
+/** Puts the parts of the page together. Read on: state.js, history.js, files.js, panels.js, sheet/sheet.js, picking.js, suggest.js, fit.js, viewer.js. */
 
-import { openFromHash, startFiles } from "./files.js";
+import { startAddress } from "./address.js";
+import { openFromAddress } from "./files.js";
 import { showFit, startFit } from "./fit.js";
+import { startHistory } from "./history.js";
+import { startKeeping } from "./keeping.js";
 import { startLayout } from "./layout.js";
 import { letGo, say, select, startPicking } from "./picking.js";
+import { startReading } from "./reading.js";
+import { startRecent } from "./recent.js";
 import { startSeamList } from "./seam_list.js";
 import { loadFabrics, startSettings } from "./settings.js";
 import { startSheet } from "./sheet/sheet.js";
@@ -13,7 +18,9 @@ import { startToken } from "./token.js";
 
 startToken();
 startLayout();
-startFiles();
+startHistory(showFit);
+startReading();
+startRecent(showFit);
 startSettings();
 startSheet(select, letGo);
 startPicking();
@@ -21,10 +28,12 @@ startSeamList();
 startSuggest();
 startStage();
 startFit();
+startAddress();
 
 try {
-  await loadFabrics();
-  await openFromHash(showFit);
+  const { draft, notice } = await startKeeping();
+  await Promise.all([loadFabrics(), openFromAddress(draft, showFit)]);
+  if (notice) say(notice);
 } catch (problem) {
   say(problem.message, true);
 }

@@ -2,13 +2,12 @@
 
 import { postJson } from "./api.js";
 import { byId } from "./dom.js";
+import { change, redo, undo } from "./history.js";
 import { reversedSide, wayOf } from "./outline.js";
 import { panelOf, titleOf } from "./panels.js";
-import { changeGarment, state, update, watch } from "./state.js";
+import { state, update, watch } from "./state.js";
 import { plural, sentence } from "./words.js";
 
-const UNDO_DEPTH = 100;
-const undone = [];
 let checking = null;
 let did = ""; // the last change in words, until its check answers
 
@@ -57,43 +56,32 @@ function withPlacements(placements) {
   return panels;
 }
 
-/** Replaces the seams, and with them what a suggestion brings; all of it can be brought back. */
-export function changeSeams(seams, selected = state.selected, { placements = {}, leftOut = state.leftOut } = {}) {
-  undone.push({ seams: state.garment.seams, placed: Object.keys(placements), leftOut: state.leftOut });
-  if (undone.length > UNDO_DEPTH) undone.shift();
-  byId("undo").disabled = false;
-  changeGarment({ seams, panels: withPlacements(placements) });
-  update({ leftOut });
-  update({ selected: seams.some((seam) => seam.id === selected) ? selected : null });
+/** Replaces the seams, and with them what a suggestion brings; `words` name the change. */
+export function changeSeams(seams, words, { selected = state.selected, placements = {}, leftOut = state.leftOut, suggested = state.suggested } = {}) {
+  const garment = { ...state.garment, seams, panels: withPlacements(placements) };
+  const isThere = seams.some((seam) => seam.id === selected);
+  change({ garment, leftOut, suggested, selected: isThere ? selected : null }, words);
 }
 
-export function undo() {
-  const last = undone.pop();
-  byId("undo").disabled = undone.length === 0;
-  if (!last) return;
-  const panels = withPlacements(Object.fromEntries(last.placed.map((id) => [id, null])));
-  changeGarment({ seams: last.seams, panels });
-  update({ leftOut: last.leftOut, selected: null, picked: null });
-  act("Undone.");
+/** Takes a step of the history by `move` and says so. */
+function travel(move, verb) {
+  const words = move();
+  if (words !== null) act(`${verb}: ${words}.`);
 }
 
-export function forgetUndo() {
-  undone.length = 0;
-  byId("undo").disabled = true;
-}
-
-export function changeSeam(id, patch) {
-  changeSeams(state.garment.seams.map((seam) => (seam.id === id ? { ...seam, ...patch } : seam)), id);
+export function changeSeam(id, patch, words = `options of ${id}`) {
+  const seams = state.garment.seams.map((seam) => (seam.id === id ? { ...seam, ...patch } : seam));
+  changeSeams(seams, words, { selected: id });
 }
 
 export function reverseSeam(id) {
   const seam = state.garment.seams.find((one) => one.id === id);
-  changeSeam(id, { b: reversedSide(seam.b) });
+  changeSeam(id, { b: reversedSide(seam.b) }, `turning ${id}`);
   act(`${id}: the second side now runs the other way.`);
 }
 
 export function deleteSeam(id) {
-  changeSeams(state.garment.seams.filter((seam) => seam.id !== id));
+  changeSeams(state.garment.seams.filter((seam) => seam.id !== id), `deleting ${id}`);
   act(`Seam ${id} deleted.`);
 }
 
@@ -128,7 +116,7 @@ export function select(run) {
   }
   const seam = { id: freshId(first, run), a: first, b: run };
   update({ picked: null });
-  changeSeams([...state.garment.seams, seam], seam.id);
+  changeSeams([...state.garment.seams, seam], `seam ${seam.id}`, { selected: seam.id });
   act(`Seam ${seam.id}: ${runName(first)} with ${runName(run)}.`);
 }
 
@@ -169,14 +157,17 @@ async function check() {
 
 /** Checks whenever seams or faces change. */
 export function startPicking() {
-  byId("undo").addEventListener("click", undo);
+  byId("undo").addEventListener("click", () => travel(undo, "Undone"));
+  byId("redo").addEventListener("click", () => travel(redo, "Done again"));
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") letGo();
-    const typing = event.target.matches?.("input, select, textarea");
-    if ((event.ctrlKey || event.metaKey) && event.key === "z" && !event.shiftKey && !typing) {
-      event.preventDefault();
-      undo();
-    }
+    const key = event.key.toLowerCase();
+    if (!(event.ctrlKey || event.metaKey) || event.target.matches?.("input, select, textarea")) return;
+    const isRedo = key === "y" || (key === "z" && event.shiftKey);
+    if (!isRedo && key !== "z") return;
+    event.preventDefault();
+    if (isRedo) travel(redo, "Done again");
+    else travel(undo, "Undone");
   });
   let asked = "";
   watch(["pattern", "garment"], () => {

@@ -46,7 +46,7 @@ function correction(seam) {
   const other = correctionOf(seam);
   if (!other) return null;
   const use = () => {
-    changeSeams(state.garment.seams.map((one) => (one.id === seam.id ? other : one)), seam.id);
+    changeSeams(state.garment.seams.map((one) => (one.id === seam.id ? other : one)), `correcting ${seam.id}`, { selected: seam.id });
     act(`Seam ${seam.id} corrected.`);
   };
   return el("button", { type: "button", class: "small", "data-key": `correct ${seam.id}`, onclick: use },
@@ -104,7 +104,7 @@ function move(seam, by) {
   const stage = other.stage ?? 0;
   const moved = order.filter((one) => one !== seam);
   moved.splice(at + by, 0, stage === (seam.stage ?? 0) ? seam : { ...seam, stage });
-  changeSeams(moved, state.selected);
+  changeSeams(moved, `the place of ${seam.id}`);
   act(`Seam ${seam.id} is now number ${at + by + 1}.`);
 }
 

@@ -2,8 +2,9 @@
 
 import { call, getJson } from "./api.js";
 import { byId, el, replaceChildren, setOptions } from "./dom.js";
+import { changeGarment } from "./history.js";
 import { panelsShown, titleOf } from "./panels.js";
-import { changeGarment, DEFAULT_FORM, state, update, watch } from "./state.js";
+import { DEFAULT_FORM, state, update, watch } from "./state.js";
 import { plural, problemItems } from "./words.js";
 
 /** Measurements in the order in which they are asked, with what a person may have [cm]. */
@@ -33,7 +34,7 @@ function setPanel(id, patch) {
   for (const [field, value] of Object.entries(panel)) if (value === "" || value === "auto") delete panel[field];
   const panels = { ...state.garment.panels, [id]: panel };
   if (Object.keys(panel).length === 0) delete panels[id];
-  changeGarment({ panels });
+  changeGarment({ panels }, `${Object.keys(patch).join(" and ")} of ${id}`);
 }
 
 function select(panel, field, text, pairs) {
@@ -67,7 +68,7 @@ function measure([field, text, least, most]) {
   const form = state.garment.avatar?.form ?? {};
   const change = (event) => {
     if (!event.target.reportValidity() || event.target.value === "") return;
-    changeGarment({ avatar: { form: { ...DEFAULT_FORM, ...form, [field]: Number((event.target.valueAsNumber / 100).toFixed(4)) } } });
+    changeGarment({ avatar: { form: { ...DEFAULT_FORM, ...form, [field]: Number((event.target.valueAsNumber / 100).toFixed(4)) } } }, `the ${text.toLowerCase()}`);
   };
   const value = Number(((form[field] ?? DEFAULT_FORM[field]) * 100).toFixed(2));
   return el("label", {}, `${text}, cm`,
@@ -89,7 +90,7 @@ export async function uploadBody(file) {
     const body = new FormData();
     body.append("file", file, file.name);
     const avatar = await (await call("/v1/avatars", { method: "POST", body })).json();
-    changeGarment({ avatar: avatar.id });
+    changeGarment({ avatar: avatar.id }, `the body ${file.name}`);
     const { bust_m: bust, waist_m: waist, hip_m: hip } = avatar.girths;
     const girths = [["bust", bust], ["waist", waist], ["hip", hip]].map(([name, girth]) => `${name} ${(girth * 100).toFixed(1)} cm`);
     const remarks = avatar.file.warnings.map((warning) => el("li", {}, warning.detail));
@@ -109,15 +110,15 @@ function drawMesh() {
 }
 
 export function startSettings() {
-  byId("default-fabric").addEventListener("change", (event) => changeGarment({ default_fabric: event.target.value }));
-  byId("use-form").addEventListener("click", () => changeGarment({ avatar: { form: { ...DEFAULT_FORM } } }));
+  byId("default-fabric").addEventListener("change", (event) => changeGarment({ default_fabric: event.target.value }, "the fabric"));
+  byId("use-form").addEventListener("click", () => changeGarment({ avatar: { form: { ...DEFAULT_FORM } } }, "the dress form"));
   byId("body-file").addEventListener("change", async (event) => {
     const [file] = event.target.files;
     if (file) await uploadBody(file);
     event.target.value = "";
   });
   byId("edge-length").addEventListener("change", (event) =>
-    changeGarment({ simulate: { ...state.garment.simulate, edge_length_m: Number(event.target.value) } }));
+    changeGarment({ simulate: { ...state.garment.simulate, edge_length_m: Number(event.target.value) } }, "the mesh"));
   watch(["fabrics", "garment", "pattern", "check"], drawFabric);
   watch(["garment"], drawBody);
   watch(["garment"], drawMesh);

@@ -14,6 +14,7 @@ export const emptyGarment = () => ({
 
 export const state = {
   pattern: null,
+  reading: { file: null, options: {} }, // the file that the pattern came from, and how it was read
   garment: emptyGarment(),
   fabrics: {},
   picked: null, // the first edge of a pair: a run
@@ -24,6 +25,7 @@ export const state = {
   fit: null,
   report: null,
   ran: null, // the garment of the shown fit as text, to tell when it is out of date
+  history: { undo: null, redo: null }, // the changes that can be taken back and made again, in words
   layout: { split: 50, rail: true, drawer: null, full: null },
   view: null, // the part of the sheet that is seen: {x, y, k, home}
 };
@@ -49,9 +51,4 @@ export function update(patch) {
   Object.assign(state, patch);
   if (changed.size === 0) queueMicrotask(flush);
   for (const key of Object.keys(patch)) changed.add(key);
-}
-
-/** Changes the garment; `patch` replaces its top-level fields. */
-export function changeGarment(patch) {
-  update({ garment: { ...state.garment, ...patch } });
 }

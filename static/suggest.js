@@ -66,8 +66,7 @@ function add(found) {
   });
   const sewn = new Set([...sewnIds(found.seams)].map(sourceOf));
   const spare = state.pattern.panels.map((panel) => panel.id).filter((id) => !sewn.has(sourceOf(id)));
-  update({ suggested });
-  changeSeams([...there, ...seams], null, { placements: placementsFor(found.panels), leftOut: spare });
+  changeSeams([...there, ...seams], "suggested seams", { selected: null, placements: placementsFor(found.panels), leftOut: spare, suggested });
   const kept = found.seams.length - free.length;
   const offers = free.filter((seam) => seam.confidence < 0.5).length;
   const unsure = offers ? `, ${offers} of them less than half sure: look at ${offers === 1 ? "it" : "these"} before you sew` : "";
