@@ -20,7 +20,8 @@ export class Problem extends Error {
 
   /** From the `application/problem+json` object itself. */
   static fromBody(body, status, retryAfter) {
-    const text = body.detail || body.title || `The service answered ${status}.`;
+    const told = body.detail || body.title || `The service answered ${status}.`;
+    const text = /[.!?]$/.test(told) ? told : `${told}.`;
     const wait = retryAfter ? ` Try again in ${retryAfter} s.` : "";
     return new Problem(text + wait, status, body.errors ?? [], retryAfter);
   }

@@ -7,7 +7,7 @@ import { change } from "./history.js";
 import { keepSeams } from "./kept_seams.js";
 import { openRail } from "./layout.js";
 import { plainPattern } from "./panels.js";
-import { say } from "./picking.js";
+import { say } from "./say.js";
 import { uploadBody } from "./settings.js";
 import { emptyGarment, state, update } from "./state.js";
 import { suggest } from "./suggest.js";

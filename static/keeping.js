@@ -2,7 +2,7 @@
 
 import { announce, keepDraft, openDrafts, otherDrafts } from "./drafts.js";
 import { fromAddress } from "./address.js";
-import { say } from "./picking.js";
+import { say } from "./say.js";
 import { state, watch } from "./state.js";
 
 const COPY = "This tab is a copy of another one. Each keeps its own work from here on.";

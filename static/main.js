@@ -1,12 +1,14 @@
 /** Puts the parts of the page together. Read on: state.js, history.js, files.js, panels.js, sheet/sheet.js, picking.js, suggest.js, fit.js, viewer.js. */
 
 import { startAddress } from "./address.js";
+import { startCheck } from "./check.js";
 import { openFromAddress } from "./files.js";
 import { showFit, startFit } from "./fit.js";
 import { startHistory } from "./history.js";
 import { startKeeping } from "./keeping.js";
 import { startLayout } from "./layout.js";
-import { letGo, say, select, startPicking } from "./picking.js";
+import { letGo, select, startPicking } from "./picking.js";
+import { say } from "./say.js";
 import { startReading } from "./reading.js";
 import { startRecent } from "./recent.js";
 import { startSeamList } from "./seam_list.js";
@@ -24,6 +26,7 @@ startRecent(showFit);
 startSettings();
 startSheet(select, letGo);
 startPicking();
+startCheck();
 startSeamList();
 startSuggest();
 startStage();

@@ -1,28 +1,11 @@
-/** Two picked edges become a seam; every change is checked by the service at once. */
+/** Two picked edges become a seam: selection, and the changes of seams. */
 
-import { postJson } from "./api.js";
 import { byId } from "./dom.js";
 import { change, redo, undo } from "./history.js";
 import { reversedSide, wayOf } from "./outline.js";
 import { panelOf, titleOf } from "./panels.js";
-import { state, update, watch } from "./state.js";
-import { plural, sentence } from "./words.js";
-
-let checking = null;
-let did = ""; // the last change in words, until its check answers
-
-/** Says something to everyone: shown above the sheet and read out. */
-export function say(text, bad = false) {
-  const status = byId("status");
-  status.firstElementChild.textContent = text;
-  status.classList.toggle("bad", bad);
-}
-
-/** Says what was changed; the verdict of the check is added to it. */
-export function act(text) {
-  did = text;
-  say(text);
-}
+import { act, say } from "./say.js";
+import { state, update } from "./state.js";
 
 export function panelName(id) {
   const panel = panelOf(id);
@@ -120,42 +103,6 @@ export function select(run) {
   act(`Seam ${seam.id}: ${runName(first)} with ${runName(run)}.`);
 }
 
-function verdict(check) {
-  const seam = check.seams.find((finding) => finding.id === state.selected);
-  const bad = check.seams.filter((finding) => !finding.ok).length;
-  if (seam && !seam.ok) return `Seam ${seam.id} cannot be sewn: ${sentence(seam.errors[0]?.detail ?? "see the list")}`;
-  if (bad) return `${bad} of ${plural(check.seams.length, "seam")} cannot be sewn.`;
-  if (seam) return "It can be sewn. Pick the next pair, or sew the garment.";
-  return check.seams.length === 1 ? "The seam can be sewn." : `All ${check.seams.length} seams can be sewn.`;
-}
-
-function sayVerdict(check) {
-  const before = did;
-  did = "";
-  if (!state.picked) say([before, verdict(check)].filter(Boolean).join(" "), check.seams.some((finding) => !finding.ok));
-}
-
-async function check() {
-  checking?.abort();
-  const { pattern, garment } = state;
-  if (!pattern?.stored || garment.seams.length === 0) {
-    update({ check: null });
-    return;
-  }
-  const { signal } = (checking = new AbortController());
-  try {
-    const body = { seams: garment.seams, ...(Object.keys(garment.panels).length && { panels: garment.panels }), simulate: garment.simulate };
-    const answer = await postJson(`/v1/patterns/${pattern.id}/seams/check`, body, { signal });
-    update({ check: answer });
-    sayVerdict(answer);
-  } catch (problem) {
-    if (problem.name === "AbortError") return;
-    update({ check: { ok: false, seams: [], corrected: [], problem } });
-    say(`The seams could not be checked: ${problem.message}`, true);
-  }
-}
-
-/** Checks whenever seams or faces change. */
 export function startPicking() {
   byId("undo").addEventListener("click", () => travel(undo, "Undone"));
   byId("redo").addEventListener("click", () => travel(redo, "Done again"));
@@ -168,13 +115,5 @@ export function startPicking() {
     event.preventDefault();
     if (isRedo) travel(redo, "Done again");
     else travel(undo, "Undone");
-  });
-  let asked = "";
-  watch(["pattern", "garment"], () => {
-    const { seams, panels, simulate } = state.garment;
-    const now = JSON.stringify([state.pattern?.id, seams, panels, simulate]);
-    if (now === asked) return;
-    asked = now;
-    check();
   });
 }

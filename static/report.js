@@ -1,9 +1,10 @@
 /** The report in words: what to trust and what not. */
 
 import { el } from "./dom.js";
+import { makersText } from "./makers_words.js";
 import { distance, percent, plural, scientific, seconds, sentence } from "./words.js";
 
-const finding = (kind, text) => el("li", { class: kind }, el("span", {}, text));
+const finding = (kind, text) => el("li", { class: kind }, el("span", {}, makersText(text)));
 
 const CLOSED_M = 1e-3;
 const INSIDE_M = 1e-3;
@@ -93,16 +94,16 @@ function support(worn) {
 export function reportSummary(report, status) {
   const { good, text } = verdictOf(report, status);
   const worn = report.worn ?? { ok: null, because: "not stated" };
-  const items = [
+  const items = [closing(report), ...crossings(report), inside(report), layers(report), support(worn),
+    finding("plain", `Largest strain ${percent(report.strain_max)}.`)];
+  const figures = [
     finding(report.converged ? "good" : "bad", reason(report)),
-    closing(report),
-    ...crossings(report),
-    inside(report),
-    layers(report),
-    support(worn),
     precision(report),
-    finding("plain", `Largest strain ${percent(report.strain_max)}.`),
     finding("plain", `${seconds(report.cpu_s.total)} of computing, ${plural(report.vertices, "vertex", "vertices")}, ${plural(report.stitches, "stitch", "stitches")}, method ${report.method}.`),
   ];
-  return [el("p", { class: `verdict ${good ? "good" : "bad"}` }, text), el("ul", { class: "findings" }, items.filter(Boolean))];
+  return [
+    el("p", { class: `verdict ${good ? "good" : "bad"}` }, text),
+    el("ul", { class: "findings" }, items.filter(Boolean)),
+    el("details", {}, el("summary", {}, "Details of the computation"), el("ul", { class: "findings" }, figures.filter(Boolean))),
+  ];
 }

@@ -1,9 +1,10 @@
 /** The list of seams: what is wrong with each, what would put it right, and its order of sewing. */
 
 import { byId, el, replaceChildren } from "./dom.js";
-import { runsOf } from "./outline.js";
-import { leftOut } from "./panels.js";
-import { act, changeSeam, changeSeams, deleteSeam, panelName, reverseSeam, runName } from "./picking.js";
+import { lengthOfSide, runsOf } from "./outline.js";
+import { leftOut, panelsShown } from "./panels.js";
+import { changeSeam, changeSeams, deleteSeam, panelName, reverseSeam, runName } from "./picking.js";
+import { act } from "./say.js";
 import { colorClass } from "./sheet/seam_marks.js";
 import { state, update, watch } from "./state.js";
 import { suggestionOf } from "./suggest.js";
@@ -13,8 +14,18 @@ const sideName = (side) => runsOf(side).map(runName).join(", ");
 
 const findingOf = (seam) => state.check?.seams.find((finding) => finding.id === seam.id);
 
+/** Sides that differ in length by more than this share are no pair, whatever else is mended. */
+const HOPELESS = 0.6;
+
+function isHopeless(seam) {
+  const panels = new Map(panelsShown().map((panel) => [panel.id, panel]));
+  const [a, b] = [seam.a, seam.b].map((side) => lengthOfSide(panels, side));
+  return a > 0 && b > 0 && Math.abs(a - b) / Math.min(a, b) > HOPELESS;
+}
+
 /** What the service would have instead, where that differs. */
 function correctionOf(seam) {
+  if (isHopeless(seam)) return null;
   const other = state.check?.corrected.find((one) => one.id === seam.id);
   const sides = ({ a, b, match, gather, layered, allow_twist }) =>
     JSON.stringify([runsOf(a), runsOf(b), match ?? "as_picked", !!gather, !!layered, !!allow_twist].map(withoutDirection));
@@ -38,7 +49,7 @@ function correctionText(seam, other) {
   if (sideName(seam.b) !== sideName(other.b)) parts.push(sideName(other.b));
   if (other.gather && !seam.gather) parts.push("gathered");
   if (other.layered && !seam.layered) parts.push("layered");
-  if (other.match && other.match !== seam.match) parts.push(`matched ${other.match.replace("_", " ")}`);
+  if (other.match && other.match !== seam.match) parts.push(other.match === "auto" ? "ends found" : "ends as picked");
   return parts.join(", ") || "other order";
 }
 
@@ -84,8 +95,10 @@ function reason(seam) {
   return found && el("p", { class: "note" }, `Suggested, ${percent(found.confidence)} sure: ${sentence(found.because)}`);
 }
 
+const WAYS = { cw: "clockwise", ccw: "counter-clockwise" };
+
 function details(seam, finding) {
-  const ways = finding?.ok && `${plural(finding.stitch_count, "stitch", "stitches")}; ${centimetres(finding.length_a_m)} on ${centimetres(finding.length_b_m)}; ways ${finding.direction_a ?? "?"} and ${finding.direction_b ?? "?"}${finding.reversed ? " (reversed by the service)" : ""}.`;
+  const ways = finding?.ok && `${plural(finding.stitch_count, "stitch", "stitches")}; ${centimetres(finding.length_a_m)} on ${centimetres(finding.length_b_m)}; ${WAYS[finding.direction_a] ?? "either way"} with ${WAYS[finding.direction_b] ?? "either way"}${finding.reversed ? ", the second side turned" : ""}.`;
   return el("div", { class: "more" },
     (finding?.errors ?? []).map((fault) => faultItem(fault)),
     correction(seam),

@@ -4,6 +4,7 @@ import { call, getJson } from "./api.js";
 import { byId, el, replaceChildren, setOptions } from "./dom.js";
 import { changeGarment } from "./history.js";
 import { panelsShown, titleOf } from "./panels.js";
+import { say } from "./say.js";
 import { DEFAULT_FORM, state, update, watch } from "./state.js";
 import { plural, problemItems } from "./words.js";
 
@@ -23,6 +24,11 @@ function asMap(fabrics) {
 
 export async function loadFabrics() {
   update({ fabrics: asMap(await getJson("/v1/fabrics")) });
+}
+
+/** Fetches the fabrics where they could not be had before, as before a token was given. */
+function loadFabricsLate() {
+  if (state.pattern && Object.keys(state.fabrics).length === 0) loadFabrics().catch(() => {});
 }
 
 const allFabrics = () => ({ ...state.fabrics, ...state.garment.fabrics });
@@ -66,11 +72,16 @@ function drawFabric() {
 
 function measure([field, text, least, most]) {
   const form = state.garment.avatar?.form ?? {};
-  const change = (event) => {
-    if (!event.target.reportValidity() || event.target.value === "") return;
-    changeGarment({ avatar: { form: { ...DEFAULT_FORM, ...form, [field]: Number((event.target.valueAsNumber / 100).toFixed(4)) } } }, `the ${text.toLowerCase()}`);
-  };
   const value = Number(((form[field] ?? DEFAULT_FORM[field]) * 100).toFixed(2));
+  const change = (event) => {
+    const { target } = event;
+    if (!target.checkValidity() || target.value === "") {
+      target.value = value;
+      say(`${text} is between ${least} and ${most} cm; it stays at ${value} cm.`, true);
+      return;
+    }
+    changeGarment({ avatar: { form: { ...DEFAULT_FORM, ...form, [field]: Number((target.valueAsNumber / 100).toFixed(4)) } } }, `the ${text.toLowerCase()}`);
+  };
   return el("label", {}, `${text}, cm`,
     el("input", { type: "number", min: least, max: most, step: 0.5, value, "data-key": field, onchange: change }));
 }
@@ -120,6 +131,7 @@ export function startSettings() {
   byId("edge-length").addEventListener("change", (event) =>
     changeGarment({ simulate: { ...state.garment.simulate, edge_length_m: Number(event.target.value) } }, "the mesh"));
   watch(["fabrics", "garment", "pattern", "check"], drawFabric);
+  watch(["pattern"], loadFabricsLate);
   watch(["garment"], drawBody);
   watch(["garment"], drawMesh);
 }

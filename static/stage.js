@@ -2,7 +2,7 @@
 
 import { call, postJson } from "./api.js";
 import { byId } from "./dom.js";
-import { state, watch } from "./state.js";
+import { state, update, watch } from "./state.js";
 
 let viewer = null;
 let shownBody = "";
@@ -47,6 +47,7 @@ export async function showOutcome(fitId, avatar, intersections) {
   await view.showGarment(garment);
   view.mark(intersections.map((place) => place.at));
   shownBody = key;
+  update({ shape: fitId });
   note("");
 }
 
@@ -59,6 +60,7 @@ export function startStage() {
     if (state.fit) return;
     shows += 1;
     viewer?.clear();
+    update({ shape: null });
     note("The garment appears here.");
   });
 }

@@ -24,6 +24,7 @@ export const state = {
   check: null, // the answer of seams/check, or {problem}
   fit: null,
   report: null,
+  shape: null, // id of the fit whose shape is on the stage
   ran: null, // the garment of the shown fit as text, to tell when it is out of date
   history: { undo: null, redo: null }, // the changes that can be taken back and made again, in words
   layout: { split: 50, rail: true, drawer: null, full: null },

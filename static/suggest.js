@@ -4,7 +4,8 @@ import { postJson } from "./api.js";
 import { byId } from "./dom.js";
 import { edgesOf, runsOf } from "./outline.js";
 import { panelOf, sewnIds, sourceOf } from "./panels.js";
-import { act, changeSeams, say } from "./picking.js";
+import { changeSeams } from "./picking.js";
+import { act, say } from "./say.js";
 import { state, update, watch } from "./state.js";
 import { plural, sentence } from "./words.js";
 

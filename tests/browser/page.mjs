@@ -85,7 +85,7 @@ test("the page opens and offers samples and fabrics", async () => {
 
 test("a file that is no pattern is refused with its reason", async () => {
   await page.setInputFiles("#open-file", { name: "letter.dxf", mimeType: "image/vnd.dxf", buffer: Buffer.from("Dear Sir or Madam") });
-  await page.locator("#pattern-faults .fault code").first().waitFor();
+  await page.locator("#pattern-faults .fault code").first().waitFor({ state: "attached" });
   assert.match(await page.locator("#pattern-faults").textContent(), /pattern\//);
   const expected = tab.record.errors.splice(0);
   assert.ok(expected.every((text) => / 422 /.test(text)), expected.join("\n"));
@@ -273,6 +273,7 @@ test("a change asks for another run, which can be canceled", async () => {
   const id = await page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("fit"));
   const fit = await page.evaluate((of) => fetch(`/v1/fits/${of}`).then((response) => response.json()), id);
   assert.equal(fit.status, "canceled");
+  await page.locator("#stage-caption", { hasText: /earlier fit|Stopped/ }).waitFor();
   assert.ok(await page.locator("#run").isEnabled());
   const missing = tab.record.errors.splice(0);
   assert.ok(missing.every((text) => / 404 /.test(text)), missing.join("\n"));
