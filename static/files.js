@@ -33,11 +33,11 @@ const hasWork = () => state.pattern !== null && state.garment.seams.length > 0;
 
 /** Shows a pattern with a garment; the shown fit goes. What was there can be brought back. */
 function show(found) {
-  const { pattern, garment, reading = { file: null, options: {} }, suggested = {}, leftOut = [], said } = found;
+  const { pattern, garment, reading = { file: null, options: {} }, suggested = {}, offers = [], leftOut = [], numbers = {}, said } = found;
   const replaced = hasWork() && !said ? ` Undo brings back ${state.pattern.name}.` : "";
   const patch = {
-    pattern, garment, reading, suggested, leftOut,
-    picked: null, selected: null, check: null, fit: null, report: null, ran: null,
+    pattern, garment, reading, suggested, offers, leftOut, numbers,
+    picked: null, pickedAt: null, growing: null, tape: null, selected: null, check: null, fit: null, report: null, ran: null,
   };
   if (state.pattern) change(patch, `opening ${pattern.name}`);
   else update(patch);
@@ -85,7 +85,7 @@ export async function readAgain(options) {
   await load(async () => {
     const pattern = await upload(file, options);
     const { garment, lost } = keepSeams(state.garment, before, pattern);
-    const found = { pattern, garment, reading: { file, options }, leftOut: state.leftOut, suggested: state.suggested };
+    const found = { pattern, garment, reading: { file, options }, leftOut: state.leftOut, suggested: state.suggested, numbers: state.numbers };
     if (garment.seams.length === 0 && lost.length === 0) return { ...found, garment: { ...garment, seams: pattern.seams ?? [] } };
     const gone = lost.length ? ` ${plural(lost.length, "seam")} went, because the edges are others: ${lost.join(", ")}. Undo brings all back.` : "";
     return { ...found, said: `${plural(garment.seams.length, "seam")} kept.${gone}` };
@@ -158,7 +158,7 @@ export async function openFile(file) {
 export async function openDraft(draft, showFit) {
   const shown = await load(async () => {
     const { pattern } = await patternOf({ pattern: draft.pattern ?? draft.patternId });
-    return { pattern, reading: draft.reading, garment: garmentFrom(draft.garment), suggested: draft.suggested, leftOut: draft.leftOut };
+    return { pattern, reading: draft.reading, garment: garmentFrom(draft.garment), suggested: draft.suggested, offers: draft.offers, leftOut: draft.leftOut, numbers: draft.numbers };
   });
   if (shown && draft.fit) await showFit(draft.fit, draft.ran);
 }

@@ -5,7 +5,7 @@ import { state, update, watch } from "./state.js";
 
 const DEPTH = 200;
 /** What is brought back. */
-const KEPT = ["pattern", "reading", "garment", "suggested", "leftOut"];
+const KEPT = ["pattern", "reading", "garment", "suggested", "offers", "leftOut", "numbers"];
 
 const past = [];
 const future = [];

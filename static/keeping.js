@@ -11,10 +11,10 @@ const OTHER_WORK = "There is other work on this pattern from another tab: Open l
 
 /** What of the state a draft keeps; the pattern itself only where the service does not hold it. */
 function work() {
-  const { pattern, reading, garment, suggested, leftOut, ran, fit } = state;
+  const { pattern, reading, garment, suggested, offers, leftOut, numbers, ran, fit } = state;
   return {
     name: pattern.name, patternId: pattern.id, stored: Boolean(pattern.stored), pattern: pattern.stored ? null : pattern,
-    reading, garment, suggested, leftOut, ran, fit: fit?.id ?? null,
+    reading, garment, suggested, offers, leftOut, numbers, ran, fit: fit?.id ?? null,
   };
 }
 
@@ -24,7 +24,7 @@ export async function startKeeping() {
   const { pattern } = fromAddress();
   const isOther = pattern && draft?.patternId !== pattern;
   const others = isOther ? (await otherDrafts()).filter((one) => one.patternId === pattern && one.garment.seams.length > 0) : [];
-  watch(["pattern", "garment", "suggested", "leftOut", "ran", "fit"], () => state.pattern && keepDraft(work()));
+  watch(["pattern", "garment", "suggested", "offers", "leftOut", "ran", "fit"], () => state.pattern && keepDraft(work()));
   const tell = announce(() => say(ELSEWHERE));
   let told = null;
   watch(["pattern"], () => {

@@ -1,50 +1,15 @@
-/** Two picked edges become a seam: selection, and the changes of seams. */
+/** Two picked sides become a seam: one way in for pointer and keyboard. */
 
 import { byId } from "./dom.js";
-import { change, redo, undo } from "./history.js";
-import { reversedSide, wayOf } from "./outline.js";
-import { panelOf, titleOf } from "./panels.js";
+import { redo, undo } from "./history.js";
+import { edgesOf, lengthOfSide, runsOf } from "./outline.js";
+import { panelOf, panelsShown } from "./panels.js";
+import { clockwise, runName, sideName } from "./run_names.js";
 import { act, say } from "./say.js";
-import { state, update } from "./state.js";
-
-export function panelName(id) {
-  const panel = panelOf(id);
-  return panel ? titleOf(panel) : id;
-}
-
-const placeName = (place) => {
-  if (typeof place === "number") return String(place);
-  if (place && "notch" in place) return `notch ${place.notch}`;
-  if (place && "edge" in place) return `edge ${place.edge} at ${place.at}`;
-  return JSON.stringify(place);
-};
-
-/** `FRONT 3 → 4`. */
-export const runName = (run) => `${panelName(run.panel)} ${placeName(run.from)} → ${placeName(run.to)}`;
-
-function freshId(a, b) {
-  const used = new Set(state.garment.seams.map((seam) => seam.id));
-  const stem = a.panel === b.panel ? a.panel : `${a.panel}-${b.panel}`;
-  for (let n = 1; ; n++) if (!used.has(`${stem}-${n}`)) return `${stem}-${n}`;
-}
-
-/** The panels of the garment with other placements; `null` takes one away. */
-function withPlacements(placements) {
-  const panels = { ...state.garment.panels };
-  for (const [id, placement] of Object.entries(placements)) {
-    const { placement: _, ...rest } = panels[id] ?? {};
-    panels[id] = placement ? { ...rest, placement } : rest;
-    if (Object.keys(panels[id]).length === 0) delete panels[id];
-  }
-  return panels;
-}
-
-/** Replaces the seams, and with them what a suggestion brings; `words` name the change. */
-export function changeSeams(seams, words, { selected = state.selected, placements = {}, leftOut = state.leftOut, suggested = state.suggested } = {}) {
-  const garment = { ...state.garment, seams, panels: withPlacements(placements) };
-  const isThere = seams.some((seam) => seam.id === selected);
-  change({ garment, leftOut, suggested, selected: isThere ? selected : null }, words);
-}
+import { changeSeams, deleteSeam, freshId } from "./seams.js";
+import { dartIn, isSameStretch, joined, overlap, stretchesOf, twinOf } from "./sides.js";
+import { state, update, watch } from "./state.js";
+import { centimetres } from "./words.js";
 
 /** Takes a step of the history by `move` and says so. */
 function travel(move, verb) {
@@ -52,68 +17,114 @@ function travel(move, verb) {
   if (words !== null) act(`${verb}: ${words}.`);
 }
 
-export function changeSeam(id, patch, words = `options of ${id}`) {
-  const seams = state.garment.seams.map((seam) => (seam.id === id ? { ...seam, ...patch } : seam));
-  changeSeams(seams, words, { selected: id });
-}
-
-export function reverseSeam(id) {
-  const seam = state.garment.seams.find((one) => one.id === id);
-  changeSeam(id, { b: reversedSide(seam.b) }, `turning ${id}`);
-  act(`${id}: the second side now runs the other way.`);
-}
-
-export function deleteSeam(id) {
-  changeSeams(state.garment.seams.filter((seam) => seam.id !== id), `deleting ${id}`);
-  act(`Seam ${id} deleted.`);
-}
-
 export function letGo() {
   if (!state.picked) return;
-  update({ picked: null });
+  update({ picked: null, pickedAt: null });
   say("Let go. Pick the first edge of a seam.");
 }
 
-const clockwise = (run) => {
-  const panel = panelOf(run.panel);
-  // On a mirrored copy the numbers run the other way round.
-  return (wayOf(panel, run) === "ccw") === !panel.copy_of ? "counter-clockwise" : "clockwise";
+const lengthText = (side) => {
+  const panels = new Map(panelsShown().map((panel) => [panel.id, panel]));
+  return centimetres(lengthOfSide(panels, side));
 };
 
-/** The one way in for pointer and keyboard: the first edge, then its partner. */
-export function select(run) {
+function pickFirst(run, at) {
+  update({ picked: run, pickedAt: at, selected: null, growing: null });
+  const start = typeof run.from === "number" ? `corner ${run.from}` : "this place";
+  say(`First side: ${runName(run)}, ${clockwise(run)}. Now pick its partner, beginning at the end that meets ${start}. Shift adds edges.`);
+}
+
+/** Adds a run to the side that was picked last: the first one, or the second of the seam just made. */
+function extend(run) {
+  if (state.picked) {
+    const picked = joined(state.picked, run);
+    update({ picked });
+    say(`First side: ${sideName(picked)}, ${lengthText(picked)}. Shift adds more, or pick its partner.`);
+    return;
+  }
+  const { growing } = state;
+  const seams = state.garment.seams.map((seam) => (seam.id === growing ? { ...seam, b: joined(seam.b, run) } : seam));
+  changeSeams(seams, `an edge more of ${growing}`, { selected: growing });
+  act(`Seam ${growing}: second side ${sideName(seams.find((seam) => seam.id === growing).b)}.`);
+}
+
+/** The twin on the other half of the body, where there is one and its edges are free. */
+function twinFor(seam) {
+  const twin = state.mirror ? twinOf(seam, panelOf) : null;
+  if (!twin) return [];
+  const taken = stretchesOf([...state.garment.seams, seam].flatMap(({ a, b }) => [a, b]), panelOf);
+  if (overlap(stretchesOf([twin.a, twin.b], panelOf), taken)) return [];
+  return [{ id: freshId(twin.a, twin.b, [seam]), ...twin }];
+}
+
+function sew(a, b) {
+  const seam = { id: freshId(a, b), a, b };
+  const twins = twinFor(seam);
+  update({ picked: null, pickedAt: null, growing: seam.id });
+  changeSeams([...state.garment.seams, seam, ...twins], `seam ${seam.id}`, { selected: seam.id });
+  act(`Seam ${seam.id}: ${sideName(a)} with ${sideName(b)}${twins.length ? `, and mirrored ${twins[0].id}` : ""}.`);
+}
+
+/** A second pick of the first side: a dart in it, the side turned, or let go. */
+function pickAgain(run, at) {
+  const panel = panelOf(run.panel);
+  const [{ edge }] = edgesOf(panel, run);
+  const pick = (direction, where) => ({ direction, notch: where?.notch });
+  const dart = dartIn(panel, panel.edges[edge], pick(runsOf(state.picked)[0].direction, state.pickedAt), pick(run.direction, at));
+  if (dart) return sew(dart.a, dart.b);
+  if (runsOf(state.picked)[0].direction === run.direction) return letGo();
+  update({ picked: run, pickedAt: at });
+  return say(`First side turned: ${runName(run)}, ${clockwise(run)}.`);
+}
+
+/** Picks a run: the first side, then its partner. `more` adds it to the side picked last; `at` says which notch was near. */
+export function select(run, { more = false, at = null } = {}) {
   const first = state.picked;
-  if (!first) {
-    update({ picked: run, selected: null });
-    say(`First side: ${runName(run)}, ${clockwise(run)}. Now pick its partner, beginning at the end that meets corner ${run.from}.`);
+  if (more && (first || state.growing)) extend(run);
+  else if (!first) pickFirst(run, at);
+  else if (isSameStretch(first, run, panelOf)) pickAgain(run, at);
+  else sew(first, run);
+}
+
+/** Shows a seam in full, as a click of its number does. */
+export function selectSeam(id) {
+  update({ selected: state.selected === id ? null : id, picked: null, pickedAt: null, growing: null });
+}
+
+const isTyping = (target) => target.matches?.("input, select, textarea");
+
+function onKey(event) {
+  if (event.key === "Escape") letGo();
+  if (isTyping(event.target) || document.querySelector("dialog[open]")) return;
+  const key = event.key.toLowerCase();
+  if ((key === "delete" || key === "backspace") && state.selected !== null) {
+    event.preventDefault();
+    deleteSeam(state.selected);
     return;
   }
-  const same = first.panel === run.panel && [first.from, first.to].sort().join() === [run.from, run.to].sort().join();
-  if (same) {
-    if (first.direction === run.direction) letGo();
-    else {
-      update({ picked: run });
-      say(`First side turned: ${runName(run)}, ${clockwise(run)}.`);
-    }
-    return;
-  }
-  const seam = { id: freshId(first, run), a: first, b: run };
-  update({ picked: null });
-  changeSeams([...state.garment.seams, seam], `seam ${seam.id}`, { selected: seam.id });
-  act(`Seam ${seam.id}: ${runName(first)} with ${runName(run)}.`);
+  if (!(event.ctrlKey || event.metaKey)) return;
+  const isRedo = key === "y" || (key === "z" && event.shiftKey);
+  if (!isRedo && key !== "z") return;
+  event.preventDefault();
+  if (isRedo) travel(redo, "Done again");
+  else travel(undo, "Undone");
+}
+
+/** Numbers of seams by id: a seam keeps its number and color whatever comes and goes. */
+function numberSeams() {
+  const { numbers, garment } = state;
+  const fresh = garment.seams.filter((seam) => numbers[seam.id] === undefined);
+  if (fresh.length === 0) return;
+  const used = garment.seams.map((seam) => numbers[seam.id] ?? 0);
+  const first = Math.max(0, ...used) + 1;
+  update({ numbers: { ...numbers, ...Object.fromEntries(fresh.map((seam, i) => [seam.id, first + i])) } });
 }
 
 export function startPicking() {
   byId("undo").addEventListener("click", () => travel(undo, "Undone"));
   byId("redo").addEventListener("click", () => travel(redo, "Done again"));
-  document.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") letGo();
-    const key = event.key.toLowerCase();
-    if (!(event.ctrlKey || event.metaKey) || event.target.matches?.("input, select, textarea")) return;
-    const isRedo = key === "y" || (key === "z" && event.shiftKey);
-    if (!isRedo && key !== "z") return;
-    event.preventDefault();
-    if (isRedo) travel(redo, "Done again");
-    else travel(undo, "Undone");
-  });
+  byId("mirror").addEventListener("click", () => update({ mirror: !state.mirror }));
+  document.addEventListener("keydown", onKey);
+  watch(["mirror"], () => byId("mirror").setAttribute("aria-pressed", String(state.mirror)));
+  watch(["garment"], numberSeams);
 }

@@ -1,39 +1,18 @@
 /** The list of seams: what is wrong with each, what would put it right, and its order of sewing. */
 
 import { byId, el, replaceChildren } from "./dom.js";
-import { lengthOfSide, runsOf } from "./outline.js";
-import { leftOut, panelsShown } from "./panels.js";
-import { changeSeam, changeSeams, deleteSeam, panelName, reverseSeam, runName } from "./picking.js";
+import { leftOut } from "./panels.js";
+import { selectSeam } from "./picking.js";
+import { panelName, sideName } from "./run_names.js";
 import { act } from "./say.js";
+import { seamDetails } from "./seam_details.js";
+import { changeSeams, deleteSeam, reverseSeam } from "./seams.js";
 import { colorClass } from "./sheet/seam_marks.js";
-import { state, update, watch } from "./state.js";
-import { suggestionOf } from "./suggest.js";
-import { centimetres, distance, faultItem, percent, plural, problemItems, sentence } from "./words.js";
-
-const sideName = (side) => runsOf(side).map(runName).join(", ");
+import { state, watch } from "./state.js";
+import { accept, acceptOffer, refuseOffer, suggestionOf } from "./suggest.js";
+import { centimetres, distance, percent, plural, problemItems, sentence } from "./words.js";
 
 const findingOf = (seam) => state.check?.seams.find((finding) => finding.id === seam.id);
-
-/** Sides that differ in length by more than this share are no pair, whatever else is mended. */
-const HOPELESS = 0.6;
-
-function isHopeless(seam) {
-  const panels = new Map(panelsShown().map((panel) => [panel.id, panel]));
-  const [a, b] = [seam.a, seam.b].map((side) => lengthOfSide(panels, side));
-  return a > 0 && b > 0 && Math.abs(a - b) / Math.min(a, b) > HOPELESS;
-}
-
-/** What the service would have instead, where that differs. */
-function correctionOf(seam) {
-  if (isHopeless(seam)) return null;
-  const other = state.check?.corrected.find((one) => one.id === seam.id);
-  const sides = ({ a, b, match, gather, layered, allow_twist }) =>
-    JSON.stringify([runsOf(a), runsOf(b), match ?? "as_picked", !!gather, !!layered, !!allow_twist].map(withoutDirection));
-  return other && sides(other) !== sides(seam) ? other : null;
-}
-
-const withoutDirection = (part) =>
-  Array.isArray(part) ? part.map(({ panel, from, to }) => [panel, from, to]) : part;
 
 function figures(finding) {
   if (!finding) return el("span", { class: "figures" }, "");
@@ -118,7 +97,7 @@ function move(seam, by) {
   const moved = order.filter((one) => one !== seam);
   moved.splice(at + by, 0, stage === (seam.stage ?? 0) ? seam : { ...seam, stage });
   changeSeams(moved, `the place of ${seam.id}`);
-  act(`Seam ${seam.id} is now number ${at + by + 1}.`);
+  act(`Seam ${seam.id} is now sewn as number ${at + by + 1} in order.`);
 }
 
 const inOrder = () =>
@@ -139,22 +118,22 @@ function remove(seam, at) {
 function row(seam, at, count) {
   const finding = findingOf(seam);
   const open = seam.id === state.selected;
-  const number = state.garment.seams.indexOf(seam);
+  const number = state.numbers[seam.id] ?? state.garment.seams.indexOf(seam) + 1;
   const classes = ["seam", colorClass(number), open && "selected", finding?.ok === false && "bad"];
   const found = suggestionOf(seam);
-  const choose = () => update({ selected: open ? null : seam.id, picked: null });
   return el("li", { class: classes.filter(Boolean).join(" ") },
     el("div", { class: "row" },
-      el("button", { type: "button", class: "choose", "aria-expanded": String(open), "data-key": `choose ${seam.id}`, title: found?.because, onclick: choose },
-        el("span", { class: "badge" }, String(number + 1)),
-        el("span", { class: "what" }, seam.id, found && [" ", el("span", { class: "tag" }, `suggested, ${percent(found.confidence)}`)]),
+      el("button", { type: "button", class: "choose", "aria-expanded": String(open), "data-key": `choose ${seam.id}`, title: found?.because, onclick: () => selectSeam(seam.id) },
+        el("span", { class: "badge" }, String(number)),
+        el("span", { class: "what" }, seam.id, found && [" ", el("span", { class: `tag${found.confidence < SURE ? " doubtful" : ""}` }, `suggested, ${percent(found.confidence)}`)]),
         figures(finding),
         el("small", { class: "sides" }, `${sideName(seam.a)} with ${sideName(seam.b)}`)),
+      found && iconButton(seam, "Accept", "✓", () => accept([seam.id])),
       iconButton(seam, "Reverse", "⇄", () => reverseSeam(seam.id)),
       iconButton(seam, "Sew earlier", "↑", () => move(seam, -1), at === 0),
       iconButton(seam, "Sew later", "↓", () => move(seam, 1), at === count - 1),
-      iconButton(seam, "Delete", "✕", () => remove(seam, at))),
-    open && details(seam, finding));
+      iconButton(seam, found ? "Refuse" : "Delete", "✕", () => remove(seam, at))),
+    open && seamDetails(seam, finding));
 }
 
 /** How many there are, on the drawer's handle. */
@@ -164,6 +143,31 @@ function drawCount() {
   byId("seam-count").textContent = bad ? `${bad} of ${seams.length} ✗` : String(seams.length);
   byId("seam-count").classList.toggle("bad", bad > 0);
 }
+
+/** Proposals above this confidence are not doubtful. */
+const SURE = 0.8;
+
+/** How many proposals wait to be looked at. */
+function proposalsHead(seams) {
+  const ids = seams.filter(suggestionOf).map((seam) => seam.id);
+  return ids.length > 0 && el("div", { class: "head" },
+    el("span", {}, `${plural(ids.length, "proposal")}, drawn dashed: sewn as they are, unless you refuse them`),
+    el("button", { type: "button", class: "small", "data-key": "accept all", onclick: () => accept(ids) }, "Accept all"));
+}
+
+function offerRow(offer) {
+  return el("li", { class: "seam offer" }, el("div", { class: "row" },
+    el("p", { class: "choose" }, el("span", { class: "what" }, offer.id, " ", el("span", { class: "tag doubtful" }, `offered, ${percent(offer.confidence)}`)),
+      el("small", { class: "sides" }, `${sideName(offer.a)} with ${sideName(offer.b)}: ${sentence(offer.because)}`)),
+    iconButton(offer, "Accept", "✓", () => acceptOffer(offer)),
+    iconButton(offer, "Refuse", "✕", () => refuseOffer(offer))));
+}
+
+/** Seams that are only offered. */
+const offerList = () => state.offers.length > 0 && [
+  el("p", { class: "note" }, "Offered, but less than half sure, and not sewn before you accept them:"),
+  el("ul", { "aria-label": "Offered seams" }, state.offers.map(offerRow)),
+];
 
 /** Panels that stay out. */
 function spareNote() {
@@ -178,12 +182,14 @@ function draw() {
   replaceChildren(byId("seam-list"),
     problem && el("div", { class: "faults" }, problemItems(problem)),
     spareNote(),
+    proposalsHead(seams),
     state.pattern && seams.length === 0 && el("p", { class: "note" }, "No seams yet."),
-    seams.length > 0 && el("ol", { "aria-label": "Seams in order of sewing" }, seams.map((seam, at) => row(seam, at, seams.length))));
+    seams.length > 0 && el("ol", { "aria-label": "Seams in order of sewing" }, seams.map((seam, at) => row(seam, at, seams.length))),
+    offerList());
 }
 
 export function startSeamList() {
-  watch(["pattern", "garment", "suggested", "leftOut", "check", "selected"], draw);
+  watch(["pattern", "garment", "suggested", "offers", "leftOut", "check", "selected", "numbers"], draw);
   watch(["garment", "check"], drawCount);
   watch(["selected", "check"], () => byId("seam-list").querySelector(".selected")?.scrollIntoView({ block: "nearest" }));
 }

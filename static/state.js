@@ -17,9 +17,15 @@ export const state = {
   reading: { file: null, options: {} }, // the file that the pattern came from, and how it was read
   garment: emptyGarment(),
   fabrics: {},
-  picked: null, // the first edge of a pair: a run
+  picked: null, // the first side of a seam that is being picked
+  pickedAt: null, // where on it: {notch} if one was near
+  growing: null, // id of the seam made last, whose second side takes more edges
+  mirror: false, // true if a seam brings its twin on the other half of the body
+  numbers: {}, // number of each seam by its id
+  tape: null, // {from, to}: points of the sheet, null where not set
   selected: null, // id of the seam shown in full
   suggested: {}, // what the service said of seams that it suggested, by id: {confidence, because, sides}
+  offers: [], // suggested seams that are not sewn before they are accepted
   leftOut: [], // ids of panels that no seam was suggested for
   check: null, // the answer of seams/check, or {problem}
   fit: null,

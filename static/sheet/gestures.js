@@ -37,7 +37,8 @@ function followSpace(host) {
 
 /**
  * Tells `on` of gestures: `pick(point, event)`, `hover(point or null, event)`, `pan(shift)`, `zoom(point, factor)`,
- * `fit(point)`; `on.isFree(point)` says whether a drag from there moves the sheet. Returns the state of the space bar.
+ * `fit(point)`, `trace(phase, point)` of a drag
+ * along an edge; `on.isFree(point)` says whether a drag from there moves the sheet. Returns the state of the space bar.
  */
 export function startGestures(host, on) {
   const space = followSpace(host);
@@ -80,14 +81,18 @@ export function startGestures(host, on) {
       host.setPointerCapture(event.pointerId);
       host.classList.toggle("grabbing", drag.pans);
       if (drag.pans) on.pan([at[0] - drag.start[0], at[1] - drag.start[1]]);
-      return on.hover(null, event);
+      on.hover(null, event);
+      if (drag.pans) return undefined;
+      on.trace("begin", drag.start);
     }
     if (drag.pans) on.pan([at[0] - from[0], at[1] - from[1]]);
+    else on.trace("move", at);
     return undefined;
   };
 
   const release = (event) => {
     if (down.has(event.pointerId)) last = pointOf(event);
+    if (down.has(event.pointerId) && drag.moved && !drag.pans) on.trace(event.type === "pointerup" ? "end" : "cancel", last, event);
     down.delete(event.pointerId);
     host.classList.remove("grabbing");
   };

@@ -2,6 +2,7 @@
 
 import { leftOut } from "../panels.js";
 import { state } from "../state.js";
+import { suggestionOf } from "../suggest.js";
 import { sheetBox } from "./arrangement.js";
 import { cornerDots, cornerLabels, drawMarks, edgeLabels, grainArrow, nameLabel } from "./drawing.js";
 import { touch } from "./labels.js";
@@ -11,6 +12,8 @@ import { toScreen } from "./view.js";
 const ofEach = (scene, draw) =>
   scene.all.flatMap((panel) => draw(panel, scene.maps.get(panel.id), state.view.k) ?? []);
 
+const numberOf = (seam, index) => state.numbers[seam.id] ?? index + 1;
+
 /** Seams in pixels, the selected one last, then the first side. */
 function seamMarks(scene) {
   const { garment, check, picked, selected } = state;
@@ -19,13 +22,14 @@ function seamMarks(scene) {
     const finding = findings[index]?.id === seam.id ? findings[index] : null;
     const isSelected = seam.id === selected;
     return drawSeam(scene, seam, {
-      index, selected: isSelected, dim: Boolean(picked) || (selected !== null && !isSelected),
+      number: numberOf(seam, index), selected: isSelected, proposed: suggestionOf(seam) !== null, dim: Boolean(picked) || (selected !== null && !isSelected),
       bad: finding?.ok === false, reversed: finding?.reversed,
     });
   });
   marks.sort((a, b) => a.classList.contains("selected") - b.classList.contains("selected"));
   if (picked) marks.push(drawSide(scene, picked, "pending"));
-  return marks;
+  const offered = state.offers.flatMap(({ a, b }) => [a, b]).map((side) => drawSide(scene, side, "offer-mark"));
+  return [...offered, ...marks];
 }
 
 /** Marks of the panels and seams. */
@@ -50,7 +54,7 @@ function besidePanels(name, boxes) {
 export function labelsOf(scene) {
   const { k } = state.view;
   const spare = new Set(leftOut());
-  const badges = state.garment.seams.map((seam, index) => ({ seam, labels: badgesOf(scene, seam, index) }));
+  const badges = state.garment.seams.map((seam, index) => ({ seam, labels: badgesOf(scene, seam, numberOf(seam, index)) }));
   const badgesWhere = (test) => badges.filter(test).flatMap(({ labels }) => labels);
   const names = ofEach(scene, (panel, map) => [nameLabel(panel, map, k, { spare: spare.has(panel.id), start: scene.start })]);
   const boxes = screenBoxes(scene);

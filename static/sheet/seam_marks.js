@@ -8,8 +8,8 @@ const BADGE_PX = 19;
 /** Where along a run its badge may stand, and how far beside it [px]. */
 const BADGE_PLACES = [[0.5, 20], [0.35, 20], [0.65, 20], [0.2, 20], [0.8, 20], [0.5, -20], [0.35, -20], [0.65, -20], [0.5, 34]];
 
-/** Color class of the seam at `index` of the list. */
-export const colorClass = (index) => `seam-c${index % 10}`;
+/** Color class of the seam with a number. */
+export const colorClass = (number) => `seam-c${(number + 9) % 10}`;
 
 function arrow(points, map) {
   const { point, tangent: [tx, ty] } = along(points, 0.5);
@@ -35,7 +35,7 @@ function runMark(sheet, run) {
 const isBackwards = (panel, run) =>
   run.direction === "ccw" || (!run.direction && run.to === (run.from + panel.corners.length - 1) % panel.corners.length);
 
-function badge(sheet, run, seam, index) {
+function badge(sheet, run, seam, number) {
   const points = pointsOf(sheet, run);
   if (points.length < 2) return [];
   const panel = sheet.panels.get(run.panel);
@@ -44,15 +44,15 @@ function badge(sheet, run, seam, index) {
     const [x, y] = beside(points, at, sheet.maps.get(run.panel), px * way);
     return { x, y, width: BADGE_PX, height: BADGE_PX };
   });
-  const draw = ({ x, y }) => svg("g", { class: `label badge ${colorClass(index)}`, "data-badge": seam.id },
+  const draw = ({ x, y }) => svg("g", { class: `label badge ${colorClass(number)}`, "data-badge": seam.id },
     svg("circle", { class: "badge-disc", cx: x, cy: y, r: 9 }),
-    svg("text", { class: "badge-text", x, y }, String(index + 1)));
+    svg("text", { class: "badge-text", x, y }, String(number)));
   return [{ places, draw }];
 }
 
 /** The numbers of a seam beside its sides, as labels. */
-export const badgesOf = (sheet, seam, index) =>
-  [...runsOf(seam.a), ...runsOf(seam.b)].flatMap((run) => badge(sheet, run, seam, index));
+export const badgesOf = (sheet, seam, number) =>
+  [...runsOf(seam.a), ...runsOf(seam.b)].flatMap((run) => badge(sheet, run, seam, number));
 
 function ends(sheet, side) {
   const found = runsOf(side).map((run) => pointsOf(sheet, run).map((point) => sheet.maps.get(run.panel).point(point)));
@@ -73,8 +73,8 @@ function threads(sheet, seam, reversed) {
 }
 
 /** A seam on the sheet; the selected one has threads. */
-export function drawSeam(sheet, seam, { index, selected, dim, bad, reversed }) {
-  const classes = ["seam-mark", colorClass(index), selected && "selected", dim && "dim", bad && "bad"];
+export function drawSeam(sheet, seam, { number, selected, dim, bad, proposed, reversed }) {
+  const classes = ["seam-mark", colorClass(number), proposed && "proposed", selected && "selected", dim && "dim", bad && "bad"];
   const mark = svg("g", { class: classes.filter(Boolean).join(" "), "data-seam": seam.id });
   for (const run of [...runsOf(seam.a), ...runsOf(seam.b)]) mark.append(...runMark(sheet, run));
   if (selected) mark.append(...threads(sheet, seam, reversed));

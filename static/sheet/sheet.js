@@ -1,19 +1,21 @@
 /** The sheet: panels as SVG, one focusable path per edge. Pointer and keyboard end in the same `select`. */
 
 import { byId, el, svg } from "../dom.js";
-import { edgesOf, runOfEdge, runsOf } from "../outline.js";
-import { leftOut, panelsShown, titleOf } from "../panels.js";
+import { along, runOfEdge } from "../outline.js";
+import { panelsShown } from "../panels.js";
 import { state, update, watch } from "../state.js";
 import { arrange, boxOf, extend, onPanel, onSheet, sheetBox } from "./arrangement.js";
-import { differenceText, gradeText, likeness } from "./compare.js";
-import { drawPanel, edgeLabel } from "./drawing.js";
+import { drawPanel } from "./drawing.js";
+import { keyOf, refreshEdges } from "./edges.js";
 import { startGestures } from "./gestures.js";
 import { isInside, nearestEdge } from "./hit.js";
 import { placeLabels } from "./labels.js";
 import { commonStart } from "./names.js";
 import { labelsOf, marksOf } from "./overlay.js";
 import { drawSide } from "./seam_marks.js";
-import { drawTag, firstLengthFor } from "./tag.js";
+import { drawTag, edgeRows, firstLengthFor, partRows } from "./tag.js";
+import { drawTape, tapeText } from "./tape.js";
+import { advance, beginTrace, tracedRun } from "./trace.js";
 import { fitted, panned, resized, toScreen, toSheet, zoomed } from "./view.js";
 
 /** How far from an edge it is still pointed at [px]. */
@@ -23,22 +25,22 @@ const TOUCH_REACH_PX = 24;
 const MARGIN_PX = 56;
 const EDGE_MARGIN_PX = 30;
 const ZOOM_STEP = 1.4;
-/** Most edges that are shown as likely partners. */
-const PARTNERS = 5;
+/** How near to an edge a click is on it whatever number lies there, and how near corners and notches catch a drag [px]. */
+const ON_EDGE_PX = 5;
+const SNAP_PX = 10;
 
-let select = () => {};
-let letGo = () => {};
+let act = { select() {}, letGo() {}, selectSeam() {} };
 let space = null;
 let pattern = null; // the pattern that is drawn
 let sheet = null; // {all, panels, boxes, arrangement, start, size}
 let layers = null; // {root, cloth, marks, labels, hover}
 let hovered = null; // {panel, edge, direction, at}
+let trace = null; // a drag along an outline
 let frame = 0;
 const current = new Map(); // panel id -> the edge that Tab stops at
 
 const host = () => byId("sheet");
 const sizeNow = () => ({ width: host().clientWidth, height: host().clientHeight });
-const keyOf = (panel, edge) => `edge ${panel.id} ${edge.index}`;
 const pathFor = (panel, edge) => layers.cloth.querySelector(`[data-key="${CSS.escape(keyOf(panel, edge))}"]`);
 const placeOf = (panel) => sheet.arrangement.places.get(panel.id);
 
@@ -50,22 +52,6 @@ function mapOf(panel) {
     point: (at) => toScreen(view, onSheet(place, at)),
     back: (at) => onPanel(place, toSheet(view, at)),
   };
-}
-
-/** Names of the seams that each edge is in, by key. */
-function seamsByEdge() {
-  const found = new Map();
-  for (const seam of state.garment.seams) {
-    for (const run of [...runsOf(seam.a), ...runsOf(seam.b)]) {
-      const panel = sheet.panels.get(run.panel);
-      if (!panel) continue;
-      for (const { edge } of edgesOf(panel, run)) {
-        const key = keyOf(panel, { index: edge });
-        found.set(key, [...new Set([...(found.get(key) ?? []), seam.id])]);
-      }
-    }
-  }
-  return found;
 }
 
 /** The edge at a point of the window, with the direction of a run that begins at the nearer end. */
@@ -110,11 +96,15 @@ function drawHover() {
   const firstLength = firstLengthFor(state.picked, sheet.panels, panel, edge);
   hover.replaceChildren(
     drawSide(scene(), runOfEdge(panel, edge, direction), "preview"),
-    drawTag({ panel, edge, at, firstLength, window: sizeNow() }));
+    drawTag({ rows: edgeRows(panel, edge, firstLength), at, window: sizeNow() }));
   return undefined;
 }
 
-function hover(found) {
+function hover(found, at = null) {
+  if (layers && state.tape) {
+    layers.hover.replaceChildren(...(at && !state.tape.to ? drawTapeTo(tapePoint(at)) : []));
+    return;
+  }
   if (!layers || (!found && !hovered)) return;
   hovered = found;
   drawHover();
@@ -149,8 +139,9 @@ function onKey(panel, edge, event) {
   if (event.key in STEPS) moveTo(panel, panel.edges[(edge.index + STEPS[event.key] + count) % count]);
   else if (event.key === "Home") moveTo(panel, panel.edges[0]);
   else if (event.key === "End") moveTo(panel, panel.edges[count - 1]);
-  else if (event.key === "Enter") select(runOfEdge(panel, edge, event.shiftKey ? "ccw" : "cw"));
-  else if (event.key === "Escape") letGo();
+  else if (event.key === "Enter") act.select(runOfEdge(panel, edge, event.shiftKey ? "ccw" : "cw"));
+  else if (event.key === "a" || event.key === "A") act.select(runOfEdge(panel, edge, event.shiftKey ? "ccw" : "cw"), { more: true });
+  else if (event.key === "Escape") act.letGo();
   else if (event.key === "+" || event.key === "=") zoomBy(ZOOM_STEP);
   else if (event.key === "-") zoomBy(1 / ZOOM_STEP);
   else if (event.key === "0") fitAll();
@@ -165,9 +156,34 @@ function bindEdge(panel, edge, path) {
   path.addEventListener("keydown", (event) => onKey(panel, edge, event));
   // The space bar also moves the sheet: it picks when it is let go without that.
   path.addEventListener("keyup", (event) => {
-    if (event.key === " " && !space.used) select(runOfEdge(panel, edge, event.shiftKey ? "ccw" : "cw"));
+    if (event.key === " " && !space.used) act.select(runOfEdge(panel, edge, event.shiftKey ? "ccw" : "cw"));
   });
   path.addEventListener("focus", () => path.matches(":focus-visible") && reveal(panel, edge));
+}
+
+/** The notch within reach of a point of an edge, as `{notch}`. */
+function notchNear({ panel, edge, at }) {
+  const map = mapOf(panel);
+  const away = (notch) => {
+    const [x, y] = map.point(along(edge.points, notch.at).point);
+    return Math.hypot(x - at[0], y - at[1]);
+  };
+  const found = (panel.notches ?? []).map((notch, index) => ({ notch, index }))
+    .filter(({ notch }) => notch.edge === edge.index && away(notch) <= REACH_PX)
+    .sort((a, b) => away(a.notch) - away(b.notch));
+  return found.length ? { notch: found[0].index } : null;
+}
+
+/** The seam whose number is at a point, where no edge is nearer. */
+function badgeAt(at, found) {
+  if (found && found.distance * state.view.k < ON_EDGE_PX) return null;
+  const box = host().getBoundingClientRect();
+  const inside = [...layers.labels.querySelectorAll("[data-badge]")].find((badge) => {
+    const { left, right, top, bottom } = badge.getBoundingClientRect();
+    const [x, y] = [at[0] + box.left + host().clientLeft, at[1] + box.top + host().clientTop];
+    return x >= left && x <= right && y >= top && y <= bottom;
+  });
+  return inside?.dataset.badge ?? null;
 }
 
 function pick(at, event) {
@@ -176,55 +192,69 @@ function pick(at, event) {
     const { panel, edge } = event.target.dataset;
     if (edge === undefined) return;
     const found = sheet.panels.get(panel);
-    select(runOfEdge(found, found.edges[edge], "cw"));
+    act.select(runOfEdge(found, found.edges[edge], "cw"));
+    return;
+  }
+  if (state.tape) {
+    measure(at);
     return;
   }
   const found = edgeAt(at, event.pointerType === "touch" ? TOUCH_REACH_PX : REACH_PX);
-  if (!found) return;
-  moveTo(found.panel, found.edge);
-  select(runOfEdge(found.panel, found.edge, found.direction));
-}
-
-/** Edges that are not sewn and about as long as the first side, the likeliest first. */
-function partners(seams) {
-  const { picked } = state;
-  if (!picked) return new Set();
-  const rated = sheet.all.flatMap((panel) => panel.edges.map((edge) => {
-    const length = firstLengthFor(picked, sheet.panels, panel, edge);
-    const key = keyOf(panel, edge);
-    return { key, rate: length === null || seams.has(key) ? 0 : likeness(length, edge.length_m) };
-  }));
-  const likely = rated.filter(({ rate }) => rate > 0).sort((a, b) => b.rate - a.rate);
-  return new Set(likely.slice(0, PARTNERS).map(({ key }) => key));
-}
-
-/** What is said of an edge beside the first side. */
-function comparison(panel, edge) {
-  const length = firstLengthFor(state.picked, sheet.panels, panel, edge);
-  return length === null ? "" : `; ${differenceText(length, edge.length_m)}: ${gradeText(length, edge.length_m)}`;
-}
-
-/** Brings names and states of the edges up to date, in place. */
-function refreshEdges() {
-  const seams = seamsByEdge();
-  const likely = partners(seams);
-  const spare = new Set(leftOut());
-  const pickedEdges = new Set((state.picked ? runsOf(state.picked) : []).flatMap((run) => {
-    const panel = sheet.panels.get(run.panel);
-    return panel ? edgesOf(panel, run).map(({ edge }) => keyOf(panel, { index: edge })) : [];
-  }));
-  for (const group of layers.cloth.children) {
-    const panel = sheet.panels.get(group.dataset.of);
-    group.classList.toggle("spare", spare.has(panel.id));
-    group.setAttribute("aria-label", `Panel ${titleOf(panel)}${spare.has(panel.id) ? ", left out" : ""}`);
-    for (const path of group.querySelectorAll(".edge")) {
-      const edge = panel.edges[path.dataset.edge];
-      const { key } = path.dataset;
-      path.setAttribute("aria-label", edgeLabel(panel, edge, seams.get(key) ?? []) + comparison(panel, edge));
-      path.setAttribute("aria-pressed", String(pickedEdges.has(key)));
-      path.classList.toggle("likely", likely.has(key));
-    }
+  const seam = badgeAt(at, found);
+  if (seam !== null) act.selectSeam(seam);
+  else if (found) {
+    moveTo(found.panel, found.edge);
+    act.select(runOfEdge(found.panel, found.edge, found.direction), { more: event.shiftKey, at: notchNear(found) });
   }
+}
+
+/** A drag along an outline, which picks a part of it. */
+function drag(phase, at, event) {
+  if (phase === "begin") {
+    const found = edgeAt(at);
+    trace = found && !state.tape ? beginTrace(found) : null;
+  }
+  if (!trace) return;
+  const { panel } = trace;
+  const found = nearestEdge([{ panel, box: sheet.boxes.get(panel.id), at: mapOf(panel).back(at) }], Infinity);
+  trace = advance(trace, found);
+  const run = tracedRun(trace, SNAP_PX / state.view.k);
+  if (phase === "move" || phase === "begin") {
+    layers.hover.replaceChildren(...(run ? [
+      drawSide(scene(), run, "preview"),
+      drawTag({ rows: partRows(sheet.panels, run, state.picked), at, window: sizeNow() }),
+    ] : []));
+    return;
+  }
+  trace = null;
+  hover(null);
+  layers.hover.replaceChildren();
+  if (phase === "end" && run) act.select(run, { more: event.shiftKey });
+}
+
+/** A point for the tape: a corner or a point of an edge that is near, else the ground. */
+function tapePoint(at) {
+  const found = edgeAt(at);
+  if (!found) return toSheet(state.view, at);
+  const { panel, edge, fraction } = found;
+  const ends = [edge.points[0], edge.points.at(-1)].map((point) => onSheet(placeOf(panel), point));
+  const isNear = (point) => {
+    const [x, y] = toScreen(state.view, point);
+    return Math.hypot(x - at[0], y - at[1]) <= SNAP_PX;
+  };
+  return ends.find(isNear) ?? onSheet(placeOf(panel), along(edge.points, fraction).point);
+}
+
+/** Lays the tape: the first click is its beginning, the second its end. */
+function measure(at) {
+  const point = tapePoint(at);
+  const { from, to } = state.tape;
+  update({ tape: from && !to ? { from, to: point } : { from: point, to: null } });
+}
+
+function drawTapeTo(end) {
+  const { from } = state.tape;
+  return from && end ? [drawTape(toScreen(state.view, from), toScreen(state.view, end), tapeText(from, end))] : [];
 }
 
 function drawView() {
@@ -232,7 +262,7 @@ function drawView() {
   const { x, y, k } = state.view;
   layers.cloth.setAttribute("transform", `matrix(${k} 0 0 ${k} ${x} ${y})`);
   const painted = scene();
-  layers.marks.replaceChildren(...marksOf(painted));
+  layers.marks.replaceChildren(...marksOf(painted), ...(state.tape?.to ? drawTapeTo(state.tape.to) : []));
   layers.labels.replaceChildren(...placeLabels(labelsOf(painted), sizeNow()));
   drawHover();
 }
@@ -249,7 +279,7 @@ function drawCloth() {
   const focused = layers.cloth.contains(document.activeElement) ? document.activeElement.dataset.key : null;
   layers.cloth.replaceChildren(...sheet.all.map((panel) =>
     drawPanel(panel, placeOf(panel), (path, edge) => bindEdge(panel, edge, path))));
-  refreshEdges();
+  refreshEdges(layers.cloth, sheet);
   if (focused) layers.cloth.querySelector(`[data-key="${CSS.escape(focused)}"]`)?.focus({ preventScroll: true });
 }
 
@@ -306,7 +336,7 @@ function draw() {
   if (sizeNow().width === 0) return;
   if (!layers) openSheet();
   if (pattern !== state.pattern || sheet.all !== panelsShown()) takePanels();
-  else refreshEdges();
+  else refreshEdges(layers.cloth, sheet);
   scheduleView();
 }
 
@@ -322,16 +352,27 @@ function onResize() {
   return undefined;
 }
 
-/** Puts the sheet to work: `onSelect(run)` for a picked edge, `onLetGo()` for Escape. */
-export function startSheet(onSelect, onLetGo) {
-  select = onSelect;
-  letGo = onLetGo;
+/** Puts the sheet to work: `on.select(run, options)` for a picked run, `on.selectSeam(id)`, `on.letGo()` for Escape. */
+export function startSheet(on) {
+  act = on;
+  const toggleTape = () => update({ tape: state.tape ? null : { from: null, to: null } });
+  byId("tape").addEventListener("click", toggleTape);
+  host().addEventListener("keydown", (event) => {
+    if (event.key === "t" && !event.ctrlKey && !event.metaKey) toggleTape();
+  });
+  watch(["tape"], () => {
+    byId("tape").setAttribute("aria-pressed", String(state.tape !== null));
+    host().classList.toggle("measuring", state.tape !== null);
+    layers?.hover.replaceChildren();
+    scheduleView();
+  });
   byId("zoom-in").addEventListener("click", () => zoomBy(ZOOM_STEP));
   byId("zoom-out").addEventListener("click", () => zoomBy(1 / ZOOM_STEP));
   byId("zoom-fit").addEventListener("click", fitAll);
   space = startGestures(host(), {
     pick,
-    hover: (at, event) => hover(at && edgeAt(at, event.pointerType === "touch" ? 0 : REACH_PX)),
+    hover: (at, event) => hover(at && edgeAt(at, event.pointerType === "touch" ? 0 : REACH_PX), at),
+    trace: drag,
     pan: (shift) => sheet && setView(panned(state.view, shift)),
     zoom: (at, factor) => zoomBy(factor, at),
     fit: (at) => {
@@ -340,7 +381,7 @@ export function startSheet(onSelect, onLetGo) {
     },
     isFree: (at) => !edgeAt(at),
   });
-  watch(["pattern", "garment", "leftOut", "check", "picked", "selected"], draw);
+  watch(["pattern", "garment", "leftOut", "suggested", "offers", "numbers", "check", "picked", "selected"], draw);
   watch(["view"], scheduleView);
   new ResizeObserver(onResize).observe(host());
 }

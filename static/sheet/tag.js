@@ -3,6 +3,7 @@
 import { svg } from "../dom.js";
 import { lengthOfSide } from "../outline.js";
 import { titleOf } from "../panels.js";
+import { runName } from "../run_names.js";
 import { centimetres } from "../words.js";
 import { differenceText, gradeOf, gradeText } from "./compare.js";
 import { textWidth } from "./labels.js";
@@ -12,12 +13,23 @@ const PAD_PX = 8;
 const AWAY_PX = 16;
 const FONT = "600 12px";
 
-/** Rows of the tag as `{text, grade}`. */
-function rowsOf(panel, edge, firstLength) {
-  const rows = [{ text: `${titleOf(panel)}, edge ${edge.index}, ${centimetres(edge.length_m)}` }];
-  if (firstLength === null) return rows;
-  const grade = gradeOf(firstLength, edge.length_m);
-  return [...rows, { text: differenceText(firstLength, edge.length_m), grade }, { text: gradeText(firstLength, edge.length_m), grade }];
+/** Rows that compare two lengths, as `{text, grade}`. */
+function comparisonRows(first, second) {
+  const grade = gradeOf(first, second);
+  return [{ text: differenceText(first, second), grade }, { text: gradeText(first, second), grade }];
+}
+
+/** Rows of the tag for an edge. */
+export function edgeRows(panel, edge, firstLength) {
+  const row = { text: `${titleOf(panel)}, edge ${edge.index}, ${centimetres(edge.length_m)}` };
+  return firstLength === null ? [row] : [row, ...comparisonRows(firstLength, edge.length_m)];
+}
+
+/** Rows of the tag for a part of an outline. */
+export function partRows(panels, run, picked) {
+  const length = lengthOfSide(panels, run);
+  const row = { text: `${runName(run)}, ${centimetres(length)}` };
+  return picked ? [row, ...comparisonRows(lengthOfSide(panels, picked), length)] : [row];
 }
 
 /** Beside the point, on the side where the window has room. */
@@ -34,8 +46,7 @@ export function firstLengthFor(picked, panels, panel, edge) {
   return isOwn ? null : lengthOfSide(panels, picked);
 }
 
-export function drawTag({ panel, edge, at, firstLength, window }) {
-  const rows = rowsOf(panel, edge, firstLength);
+export function drawTag({ rows, at, window }) {
   const width = Math.max(...rows.map(({ text }) => textWidth(text, FONT))) + 2 * PAD_PX;
   const height = rows.length * ROW_PX + PAD_PX;
   const [left, top] = cornerOf(at, width, height, window);
