@@ -51,7 +51,7 @@ check: page
 	cargo clippy --locked --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
 
-PAGE_SUITES = page layout sheet edges seams work faults
+PAGE_SUITES = page layout sheet edges seams panels work faults
 
 # One profile for all: the browser drives the binary that the Rust tests built.
 test: page browser chromium valgrind

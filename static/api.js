@@ -91,7 +91,10 @@ function parseEvent(block) {
   return event;
 }
 
-/** Server-sent events of one response; `EventSource` cannot send a token. Yields `{type, id, data}` with parsed data. */
+/**
+ * Server-sent events of one response; `EventSource` cannot send a token. Yields `{type, id, data}`
+ * with parsed data.
+ */
 export async function* events(path, { lastId, signal } = {}) {
   const headers = { Accept: "text/event-stream" };
   if (lastId) headers["Last-Event-ID"] = lastId;

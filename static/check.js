@@ -1,4 +1,7 @@
-/** Every change of the seams is checked by the service at once, and again when it can be reached again. */
+/**
+ * Every change of the seams is checked by the service at once, and again when it can be reached
+ * again.
+ */
 
 import { postJson } from "./api.js";
 import { say, takeDone } from "./say.js";

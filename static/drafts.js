@@ -1,4 +1,7 @@
-/** Drafts: the work of each tab in IndexedDB, so that a reload, a crash or a closed tab lose nothing. */
+/**
+ * Drafts: the work of each tab in IndexedDB, so that a reload, a crash or a closed tab lose
+ * nothing.
+ */
 
 const NAME = "seamster";
 const DRAFTS = "drafts";
@@ -47,7 +50,10 @@ function claim(name) {
   });
 }
 
-/** Names this tab: `{draft, isCopy}`, its draft and whether the tab was duplicated from one that is still open. */
+/**
+ * Names this tab: `{draft, isCopy}`, its draft and whether the tab was duplicated from one that is
+ * still open.
+ */
 export async function openDrafts() {
   const known = sessionStorage.getItem(TAB);
   const isOwn = known !== null && await claim(known);
@@ -67,7 +73,10 @@ export async function allDrafts() {
 /** Drafts of other tabs. */
 export const otherDrafts = async () => (await allDrafts()).filter((draft) => draft.tab !== tab);
 
-/** Keeps the work of this tab; the oldest drafts of others go. Without a store the work only lasts until a reload. */
+/**
+ * Keeps the work of this tab; the oldest drafts of others go. Without a store the work only lasts
+ * until a reload.
+ */
 export async function keepDraft(work) {
   if (tab === null) return;
   try {

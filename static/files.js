@@ -1,4 +1,7 @@
-/** Files of patterns, garments and bodies: opened by choice, drop or sample, read again in another way, saved. */
+/**
+ * Files of patterns, garments and bodies: opened by choice, drop or sample, read again in another
+ * way, saved.
+ */
 
 import { call, getJson } from "./api.js";
 import { fromAddress } from "./address.js";
@@ -100,7 +103,10 @@ export async function openSample(name) {
   });
 }
 
-/** The pattern that a garment names: stored under its id, or whole in the file; and what the file left out of it. */
+/**
+ * The pattern that a garment names: stored under its id, or whole in the file; and what the file
+ * left out of it.
+ */
 async function patternOf(saved) {
   const named = saved.pattern;
   const id = typeof named === "string" ? named : named?.id;

@@ -56,7 +56,10 @@ async function followOnce(id, lastId, signal, onEvent) {
   return last;
 }
 
-/** Follows a fit to its final status; a connection that broke is tried again for as long as the page is open. */
+/**
+ * Follows a fit to its final status; a connection that broke is tried again for as long as the page
+ * is open.
+ */
 async function follow(id, signal) {
   let lastId = null;
   let failures = 0;
@@ -202,7 +205,10 @@ async function download(what) {
   }
 }
 
-/** Shows a fit that the address bar names; `ran` is the garment it was run for, where that is not the one shown. */
+/**
+ * Shows a fit that the address bar names; `ran` is the garment it was run for, where that is not
+ * the one shown.
+ */
 export async function showFit(id, ran) {
   try {
     const fit = await getJson(fitPath(id));

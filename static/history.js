@@ -1,4 +1,7 @@
-/** Undo and redo of all work: every change of pattern or garment goes through `change`, which keeps what was before. */
+/**
+ * Undo and redo of all work: every change of pattern or garment goes through `change`, which keeps
+ * what was before.
+ */
 
 import { byId } from "./dom.js";
 import { state, update, watch } from "./state.js";
@@ -61,7 +64,10 @@ function drawButtons() {
   }
 }
 
-/** Puts the buttons to work; `onReopen(id, ran)` shows the fit that belongs to a pattern that came back. */
+/**
+ * Puts the buttons to work; `onReopen(id, ran)` shows the fit that belongs to a pattern that came
+ * back.
+ */
 export function startHistory(onReopen) {
   reopen = onReopen;
   watch(["history"], drawButtons);

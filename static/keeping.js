@@ -18,7 +18,10 @@ function work() {
   };
 }
 
-/** Opens the drafts and keeps this tab's from now on: `{draft, notice}`, what it left and what to tell. */
+/**
+ * Opens the drafts and keeps this tab's from now on: `{draft, notice}`, what it left and what to
+ * tell.
+ */
 export async function startKeeping() {
   const { draft, isCopy } = await openDrafts();
   const { pattern } = fromAddress();

@@ -1,4 +1,7 @@
-/** Seams that stay when a pattern is read again in another size, unit or way: those whose edges match. */
+/**
+ * Seams that stay when a pattern is read again in another size, unit or way: those whose edges
+ * match.
+ */
 
 import { runsOf } from "./outline.js";
 
@@ -22,7 +25,10 @@ function matchingIds(before, now) {
   return new Set(before.panels.filter((panel) => matches(panel, fresh.get(panel.id))).map((panel) => panel.id));
 }
 
-/** The garment for the pattern read anew, and the names of seams that could not stay: `{garment, lost}`. */
+/**
+ * The garment for the pattern read anew, and the names of seams that could not stay: `{garment,
+ * lost}`.
+ */
 export function keepSeams(garment, before, now) {
   const same = matchingIds(before, now);
   const stays = (id) => same.has(plainId(id));

@@ -1,4 +1,7 @@
-/** Puts the parts of the page together. Read on: state.js, history.js, files.js, panels.js, sheet/sheet.js, picking.js, suggest.js, fit.js, viewer.js. */
+/**
+ * Puts the parts of the page together. Read on: state.js, history.js, files.js, panels.js,
+ * sheet/sheet.js, picking.js, suggest.js, fit.js, viewer.js.
+ */
 
 import { startAddress } from "./address.js";
 import { startCheck } from "./check.js";
@@ -7,13 +10,14 @@ import { showFit, startFit } from "./fit.js";
 import { startHistory } from "./history.js";
 import { startKeeping } from "./keeping.js";
 import { startLayout } from "./layout.js";
+import { startPanelList } from "./panel_list.js";
 import { letGo, select, selectSeam, startPicking } from "./picking.js";
 import { say } from "./say.js";
 import { startReading } from "./reading.js";
 import { startRecent } from "./recent.js";
 import { startSeamList } from "./seam_list.js";
 import { loadFabrics, startSettings } from "./settings.js";
-import { startSheet } from "./sheet/sheet.js";
+import { fitPanelById, startSheet } from "./sheet/sheet.js";
 import { startStage } from "./stage.js";
 import { startSuggest } from "./suggest.js";
 import { startToken } from "./token.js";
@@ -24,6 +28,7 @@ startHistory(showFit);
 startReading();
 startRecent(showFit);
 startSettings();
+startPanelList(fitPanelById);
 startSheet({ select, selectSeam, letGo });
 startPicking();
 startCheck();

@@ -1,4 +1,7 @@
-/** The service's sentences in a maker's words: fields of the page instead of options of the interface. */
+/**
+ * The service's sentences in a maker's words: fields of the page instead of options of the
+ * interface.
+ */
 
 const FIELD = { units: "Units", size: "Size", encoding: "Letters of names", outlines: "Outlines inside others", notches: "Notches drawn into outlines", unfold: "Pieces on the fold" };
 

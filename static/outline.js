@@ -1,4 +1,4 @@
-/** Ways along the outlines of panels, in pattern coordinates (metres, y up, stored clockwise). */
+/** Ways along the outlines of panels, in pattern coordinates (meters, y up, stored clockwise). */
 
 /** The runs of one side of a seam. */
 export const runsOf = (side) => (Array.isArray(side) ? side : [side]);
@@ -6,7 +6,9 @@ export const runsOf = (side) => (Array.isArray(side) ? side : [side]);
 /** The sign of the way out of a panel: the numbers of a mirrored copy run counter-clockwise. */
 export const outwards = (panel) => (panel.copy_of ? -1 : 1);
 
-/** Where a place lies on the outline: edge index plus fraction; null for holes and internal lines. */
+/**
+ * Where a place lies on the outline: edge index plus fraction; null for holes and internal lines.
+ */
 function position(panel, place) {
   if (typeof place === "number") return place < panel.corners.length ? place : null;
   if (place && "hole" in place) return null;

@@ -3,17 +3,18 @@
 import { byId } from "./dom.js";
 import { redo, undo } from "./history.js";
 import { edgesOf, lengthOfSide, runsOf } from "./outline.js";
-import { panelOf, panelsShown } from "./panels.js";
+import { forgetCopies, panelOf, panelsShown } from "./panels.js";
 import { clockwise, runName, sideName } from "./run_names.js";
 import { act, say } from "./say.js";
 import { changeSeams, deleteSeam, freshId } from "./seams.js";
 import { dartIn, isSameStretch, joined, overlap, stretchesOf, twinOf } from "./sides.js";
 import { state, update, watch } from "./state.js";
-import { centimetres } from "./words.js";
+import { centimeters } from "./words.js";
 
 /** Takes a step of the history by `move` and says so. */
 function travel(move, verb) {
   const words = move();
+  forgetCopies();
   if (words !== null) act(`${verb}: ${words}.`);
 }
 
@@ -25,7 +26,7 @@ export function letGo() {
 
 const lengthText = (side) => {
   const panels = new Map(panelsShown().map((panel) => [panel.id, panel]));
-  return centimetres(lengthOfSide(panels, side));
+  return centimeters(lengthOfSide(panels, side));
 };
 
 function pickFirst(run, at) {
@@ -34,7 +35,9 @@ function pickFirst(run, at) {
   say(`First side: ${runName(run)}, ${clockwise(run)}. Now pick its partner, beginning at the end that meets ${start}. Shift adds edges.`);
 }
 
-/** Adds a run to the side that was picked last: the first one, or the second of the seam just made. */
+/**
+ * Adds a run to the side that was picked last: the first one, or the second of the seam just made.
+ */
 function extend(run) {
   if (state.picked) {
     const picked = joined(state.picked, run);
@@ -77,7 +80,10 @@ function pickAgain(run, at) {
   return say(`First side turned: ${runName(run)}, ${clockwise(run)}.`);
 }
 
-/** Picks a run: the first side, then its partner. `more` adds it to the side picked last; `at` says which notch was near. */
+/**
+ * Picks a run: the first side, then its partner. `more` adds it to the side picked last; `at` says
+ * which notch was near.
+ */
 export function select(run, { more = false, at = null } = {}) {
   const first = state.picked;
   if (more && (first || state.growing)) extend(run);

@@ -1,4 +1,7 @@
-/** One place to open anything: a file, a sample, recent work of any tab, earlier fits of the service. */
+/**
+ * One place to open anything: a file, a sample, recent work of any tab, earlier fits of the
+ * service.
+ */
 
 import { getJson } from "./api.js";
 import { byId, el, replaceChildren } from "./dom.js";

@@ -51,7 +51,10 @@ function precision(report) {
   return parts.length ? finding("plain", `Estimated error: ${parts.join(", ")}.`) : null;
 }
 
-/** Crossings of cloth with cloth and with the body, where they were counted; faults with the sentence of the verdict. */
+/**
+ * Crossings of cloth with cloth and with the body, where they were counted; faults with the
+ * sentence of the verdict.
+ */
 function crossings(report) {
   const { self_intersections: pairs, body_intersections: onBody } = report;
   const items = [];

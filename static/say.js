@@ -5,7 +5,10 @@ import { makersText } from "./makers_words.js";
 
 let done = ""; // the last change in words, until its check answers
 
-/** Says something to everyone; `tone` is false, true or "bad" for what is wrong, "warn" for what is doubtful. */
+/**
+ * Says something to everyone; `tone` is false, true or "bad" for what is wrong, "warn" for what is
+ * doubtful.
+ */
 export function say(text, tone = false) {
   const status = byId("status");
   const said = makersText(text);

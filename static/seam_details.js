@@ -1,4 +1,6 @@
-/** A seam in full: faults with what puts them right, its name, parts of edges in numbers, options. */
+/**
+ * A seam in full: faults with what puts them right, its name, parts of edges in numbers, options.
+ */
 
 import { el } from "./dom.js";
 import { edgesOf, lengthOf, lengthOfSide, runsOf, wayOf } from "./outline.js";
@@ -8,7 +10,7 @@ import { act } from "./say.js";
 import { changeSeam, changeSeams, renameSeam } from "./seams.js";
 import { state } from "./state.js";
 import { suggestionOf } from "./suggest.js";
-import { centimetres, faultItem, percent, plural, sentence } from "./words.js";
+import { centimeters, faultItem, percent, plural, sentence } from "./words.js";
 
 /** Sides that differ in length by more than this share are no pair, whatever else is mended. */
 const HOPELESS = 0.6;
@@ -40,7 +42,10 @@ function nameField(seam) {
     el("input", { type: "text", value: seam.id, maxlength: 80, "data-key": `name ${seam.id}`, onchange: change }));
 }
 
-/** The one edge that a side runs along, with the stretch of it [m] from its first corner; null where it is not one. */
+/**
+ * The one edge that a side runs along, with the stretch of it [m] from its first corner; null where
+ * it is not one.
+ */
 function stretchOf(side) {
   const [run, ...others] = runsOf(side);
   const panel = panelOf(run.panel);
@@ -70,7 +75,7 @@ function partFields(seam, side, title) {
     const way = wayOf(panel, run);
     const [start, end] = way === "ccw" ? ends.reverse() : ends;
     changeSeam(seam.id, { [side]: { panel: panel.id, from: start, to: end, direction: way } }, `the part of ${seam.id}`);
-    act(`${title} of ${seam.id}: ${centimetres(to - from)} of ${centimetres(length)}.`);
+    act(`${title} of ${seam.id}: ${centimeters(to - from)} of ${centimeters(length)}.`);
     return true;
   };
   const field = (name, label) => {
@@ -81,7 +86,7 @@ function partFields(seam, side, title) {
     return el("label", { class: "inline" }, label,
       el("input", { type: "number", min: 0, max: Number((length * 100).toFixed(1)), step: 0.1, value, "data-key": `${side} ${name} ${seam.id}`, "aria-label": `${title} ${label}, cm from corner ${edge.from}`, onchange: change }));
   };
-  return el("div", { class: "options" }, el("span", {}, `${title}: edge ${edge.index} of ${panel.name},`), field("from", "from"), field("to", "to"), el("span", {}, `of ${centimetres(length)}`));
+  return el("div", { class: "options" }, el("span", {}, `${title}: edge ${edge.index} of ${panel.name},`), field("from", "from"), field("to", "to"), el("span", {}, `of ${centimeters(length)}`));
 }
 
 /** The way the correction would change the seam, in words. */
@@ -140,7 +145,7 @@ function reason(seam) {
 const WAYS = { cw: "clockwise", ccw: "counter-clockwise" };
 
 export function seamDetails(seam, finding) {
-  const ways = finding?.ok && `${plural(finding.stitch_count, "stitch", "stitches")}; ${centimetres(finding.length_a_m)} on ${centimetres(finding.length_b_m)}; ${WAYS[finding.direction_a] ?? "either way"} with ${WAYS[finding.direction_b] ?? "either way"}${finding.reversed ? ", the second side turned" : ""}.`;
+  const ways = finding?.ok && `${plural(finding.stitch_count, "stitch", "stitches")}; ${centimeters(finding.length_a_m)} on ${centimeters(finding.length_b_m)}; ${WAYS[finding.direction_a] ?? "either way"} with ${WAYS[finding.direction_b] ?? "either way"}${finding.reversed ? ", the second side turned" : ""}.`;
   return el("div", { class: "more" },
     (finding?.errors ?? []).map((fault) => faultItem(fault)),
     correction(seam),

@@ -10,7 +10,7 @@ import { changeSeams, deleteSeam, reverseSeam } from "./seams.js";
 import { colorClass } from "./sheet/seam_marks.js";
 import { state, watch } from "./state.js";
 import { accept, acceptOffer, refuseOffer, suggestionOf } from "./suggest.js";
-import { centimetres, distance, percent, plural, problemItems, sentence } from "./words.js";
+import { centimeters, distance, percent, plural, problemItems, sentence } from "./words.js";
 
 const findingOf = (seam) => state.check?.seams.find((finding) => finding.id === seam.id);
 
@@ -18,73 +18,7 @@ function figures(finding) {
   if (!finding) return el("span", { class: "figures" }, "");
   if (!finding.ok) return el("span", { class: "figures bad" }, "✗ cannot be sewn");
   const ease = finding.ease_m > 0.001 ? `ease ${distance(finding.ease_m)} (${percent(finding.ease)})` : "no ease";
-  return el("span", { class: "figures" }, `${finding.warnings.length ? "⚠" : "✓"} ${centimetres(finding.length_a_m)}, ${ease}`);
-}
-
-/** The way the correction would change the seam, in words. */
-function correctionText(seam, other) {
-  const parts = [];
-  if (sideName(seam.a) !== sideName(other.a)) parts.push(sideName(other.a));
-  if (sideName(seam.b) !== sideName(other.b)) parts.push(sideName(other.b));
-  if (other.gather && !seam.gather) parts.push("gathered");
-  if (other.layered && !seam.layered) parts.push("layered");
-  if (other.match && other.match !== seam.match) parts.push(other.match === "auto" ? "ends found" : "ends as picked");
-  return parts.join(", ") || "other order";
-}
-
-function correction(seam) {
-  const other = correctionOf(seam);
-  if (!other) return null;
-  const use = () => {
-    changeSeams(state.garment.seams.map((one) => (one.id === seam.id ? other : one)), `correcting ${seam.id}`, { selected: seam.id });
-    act(`Seam ${seam.id} corrected.`);
-  };
-  return el("button", { type: "button", class: "small", "data-key": `correct ${seam.id}`, onclick: use },
-    `Use the correction: ${correctionText(seam, other)}`);
-}
-
-function checkbox(seam, field, text) {
-  const flip = (event) => changeSeam(seam.id, { [field]: event.target.checked });
-  return el("label", { class: "check" },
-    el("input", { type: "checkbox", checked: !!seam[field], "data-key": `${field} ${seam.id}`, onchange: flip }), text);
-}
-
-function options(seam) {
-  const setStage = (event) => {
-    const stage = Math.max(0, Math.round(Number(event.target.value)) || 0);
-    changeSeam(seam.id, { stage });
-  };
-  const setMatch = (event) => changeSeam(seam.id, { match: event.target.value });
-  const match = seam.match ?? "as_picked";
-  return el("div", { class: "options" },
-    el("label", { class: "inline" }, "Sewn in step ",
-      el("input", { type: "number", min: 0, max: 99, step: 1, value: seam.stage ?? 0, "data-key": `stage ${seam.id}`, onchange: setStage })),
-    el("label", { class: "inline" }, "Ends",
-      el("select", { "data-key": `match ${seam.id}`, onchange: setMatch },
-        el("option", { value: "as_picked", selected: match === "as_picked" }, "as picked"),
-        el("option", { value: "auto", selected: match === "auto" }, "found"))),
-    checkbox(seam, "gather", "Gather"),
-    checkbox(seam, "layered", "Over another seam"),
-    checkbox(seam, "allow_twist", "Twist on purpose"));
-}
-
-/** How sure the service is of a seam that it suggested, and why. */
-function reason(seam) {
-  const found = suggestionOf(seam);
-  return found && el("p", { class: "note" }, `Suggested, ${percent(found.confidence)} sure: ${sentence(found.because)}`);
-}
-
-const WAYS = { cw: "clockwise", ccw: "counter-clockwise" };
-
-function details(seam, finding) {
-  const ways = finding?.ok && `${plural(finding.stitch_count, "stitch", "stitches")}; ${centimetres(finding.length_a_m)} on ${centimetres(finding.length_b_m)}; ${WAYS[finding.direction_a] ?? "either way"} with ${WAYS[finding.direction_b] ?? "either way"}${finding.reversed ? ", the second side turned" : ""}.`;
-  return el("div", { class: "more" },
-    (finding?.errors ?? []).map((fault) => faultItem(fault)),
-    correction(seam),
-    reason(seam),
-    (finding?.warnings ?? []).map((warning) => faultItem(warning, "warning")),
-    ways && el("p", { class: "note" }, ways),
-    options(seam));
+  return el("span", { class: "figures" }, `${finding.warnings.length ? "⚠" : "✓"} ${centimeters(finding.length_a_m)}, ${ease}`);
 }
 
 /** Seams in the order of sewing: by stage, then as listed. */
@@ -111,7 +45,7 @@ const iconButton = (seam, what, sign, act, disabled = false) =>
 function remove(seam, at) {
   const next = inOrder()[at + 1] ?? inOrder()[at - 1];
   deleteSeam(seam.id);
-  // The row is gone: go on from its neighbour.
+  // The row is gone: go on from its neighbor.
   queueMicrotask(() => byId("seam-list").querySelector(next ? `[data-key="${CSS.escape(`choose ${next.id}`)}"]` : "button")?.focus());
 }
 

@@ -1,9 +1,8 @@
-/** Fabric of each panel, measurements of the dress form, fineness of the mesh. */
+/** Fabric of all panels, measurements of the dress form, fineness of the mesh. */
 
 import { call, getJson } from "./api.js";
 import { byId, el, replaceChildren, setOptions } from "./dom.js";
 import { changeGarment } from "./history.js";
-import { panelsShown, titleOf } from "./panels.js";
 import { say } from "./say.js";
 import { DEFAULT_FORM, state, update, watch } from "./state.js";
 import { plural, problemItems } from "./words.js";
@@ -31,33 +30,10 @@ function loadFabricsLate() {
   if (state.pattern && Object.keys(state.fabrics).length === 0) loadFabrics().catch(() => {});
 }
 
-const allFabrics = () => ({ ...state.fabrics, ...state.garment.fabrics });
+/** Fabrics of the service and of the garment by id. */
+export const allFabrics = () => ({ ...state.fabrics, ...state.garment.fabrics });
 
 const fabricOptions = () => Object.entries(allFabrics()).map(([id, fabric]) => [id, fabric.name ?? id]);
-
-function setPanel(id, patch) {
-  const panel = { ...state.garment.panels[id], ...patch };
-  for (const [field, value] of Object.entries(panel)) if (value === "" || value === "auto") delete panel[field];
-  const panels = { ...state.garment.panels, [id]: panel };
-  if (Object.keys(panel).length === 0) delete panels[id];
-  changeGarment({ panels }, `${Object.keys(patch).join(" and ")} of ${id}`);
-}
-
-function select(panel, field, text, pairs) {
-  const chosen = state.garment.panels[panel.id]?.[field] ?? pairs[0][0];
-  const key = `${field} ${panel.id}`;
-  return el("label", {}, text,
-    el("select", { "data-key": key, "aria-label": `${text} of ${titleOf(panel)}`, onchange: (event) => setPanel(panel.id, { [field]: event.target.value }) },
-      pairs.map(([value, label]) => el("option", { value, selected: value === chosen }, label))));
-}
-
-function panelRow(panel) {
-  const found = state.check?.faces?.[panel.id];
-  const auto = found ? `Found: ${found}` : "Found";
-  return el("div", { class: "panel-row" }, el("strong", {}, titleOf(panel)),
-    select(panel, "fabric", "Fabric", [["", "As all"], ...fabricOptions()]),
-    select(panel, "face", "Face", [["auto", auto], ["up", "Up"], ["down", "Down"]]));
-}
 
 function drawFabric() {
   const id = state.garment.default_fabric;
@@ -66,8 +42,6 @@ function drawFabric() {
   setOptions(byId("default-fabric"), options, id);
   const fabric = allFabrics()[id];
   byId("fabric-note").textContent = fabric?.density_kg_m2 ? `${(fabric.density_kg_m2 * 1000).toFixed(0)} g/m²` : "";
-  byId("by-panel").hidden = !state.pattern;
-  replaceChildren(byId("panel-rows"), panelsShown().map(panelRow));
 }
 
 function measure([field, text, least, most]) {
@@ -93,7 +67,10 @@ function drawBody() {
   if (form) replaceChildren(byId("measures"), MEASURES.map(measure));
 }
 
-/** Sends the file of a body, which then is the garment's; its faults and remarks are shown beside it. */
+/**
+ * Sends the file of a body, which then is the garment's; its faults and remarks are shown beside
+ * it.
+ */
 export async function uploadBody(file) {
   const note = byId("body-note");
   note.textContent = "Reading the body…";
@@ -130,7 +107,7 @@ export function startSettings() {
   });
   byId("edge-length").addEventListener("change", (event) =>
     changeGarment({ simulate: { ...state.garment.simulate, edge_length_m: Number(event.target.value) } }, "the mesh"));
-  watch(["fabrics", "garment", "pattern", "check"], drawFabric);
+  watch(["fabrics", "garment"], drawFabric);
   watch(["pattern"], loadFabricsLate);
   watch(["garment"], drawBody);
   watch(["garment"], drawMesh);

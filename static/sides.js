@@ -1,4 +1,7 @@
-/** Sides of seams: edges joined to one run, darts in an edge, mirrored twins, stretches that are taken. */
+/**
+ * Sides of seams: edges joined to one run, darts in an edge, mirrored twins, stretches that are
+ * taken.
+ */
 
 import { along, edgesOf, reversedSide, runsOf } from "./outline.js";
 
@@ -112,7 +115,10 @@ function mirroredRun(run, find) {
   return { ...run, from, to, direction: run.direction === "cw" ? "ccw" : "cw" };
 }
 
-/** The sides of the seam on the other half of the body: `{a, b}`, or null where that is no other seam. */
+/**
+ * The sides of the seam on the other half of the body: `{a, b}`, or null where that is no other
+ * seam.
+ */
 export function twinOf({ a, b }, find) {
   const mirroredSide = (side) => {
     const runs = runsOf(side).map((run) => mirroredRun(run, find));

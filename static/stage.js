@@ -1,4 +1,7 @@
-/** The stage: brings result and body to the 3D view, which loads only when there is something to show. */
+/**
+ * The stage: brings result and body to the 3D view, which loads only when there is something to
+ * show.
+ */
 
 import { call, postJson } from "./api.js";
 import { byId } from "./dom.js";

@@ -1,4 +1,6 @@
-/** What the page knows, and who wants to hear of changes. Views only paint; they never keep a copy. */
+/**
+ * What the page knows, and who wants to hear of changes. Views only paint; they never keep a copy.
+ */
 
 /** The body that a new garment is draped on [m]: a woman in size M. */
 export const DEFAULT_FORM = { height_m: 1.68, bust_m: 0.92, waist_m: 0.74, hip_m: 0.98 };
@@ -23,6 +25,7 @@ export const state = {
   mirror: false, // true if a seam brings its twin on the other half of the body
   numbers: {}, // number of each seam by its id
   tape: null, // {from, to}: points of the sheet, null where not set
+  pointed: null, // id of the panel under the pointer, in the list or on the sheet
   selected: null, // id of the seam shown in full
   suggested: {}, // what the service said of seams that it suggested, by id: {confidence, because, sides}
   offers: [], // suggested seams that are not sewn before they are accepted

@@ -1,4 +1,7 @@
-/** Seams that the service suggests: they come beside those that are there, each with how sure it is and why. */
+/**
+ * Seams that the service suggests: they come beside those that are there, each with how sure it is
+ * and why.
+ */
 
 import { postJson } from "./api.js";
 import { byId } from "./dom.js";

@@ -4,17 +4,17 @@ import { el } from "./dom.js";
 import { makersText } from "./makers_words.js";
 import { state } from "./state.js";
 
-/** A length of cloth in centimetres. */
-export const centimetres = (metres) => `${(metres * 100).toFixed(1)} cm`;
+/** A length of cloth in centimeters. */
+export const centimeters = (meters) => `${(meters * 100).toFixed(1)} cm`;
 
-/** A small distance: micrometres, millimetres or centimetres, two significant digits. */
-export function distance(metres) {
-  if (!Number.isFinite(metres)) return "unknown";
-  const size = Math.abs(metres);
+/** A small distance: micrometers, millimeters or centimeters, two significant digits. */
+export function distance(meters) {
+  if (!Number.isFinite(meters)) return "unknown";
+  const size = Math.abs(meters);
   if (size === 0) return "0 mm";
   if (size < 1e-5) return "less than 0.01 mm";
-  if (size < 0.1) return `${Number((metres * 1000).toPrecision(2))} mm`;
-  return `${(metres * 100).toFixed(0)} cm`;
+  if (size < 0.1) return `${Number((meters * 1000).toPrecision(2))} mm`;
+  return `${(meters * 100).toFixed(0)} cm`;
 }
 
 export function seconds(value) {

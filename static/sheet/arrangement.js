@@ -1,4 +1,7 @@
-/** Places of the panels on the sheet, which is measured in metres with y down. A place, once given, stays. */
+/**
+ * Places of the panels on the sheet, which is measured in meters with y down. A place, once given,
+ * stays.
+ */
 
 /** Space around panels [px]: room for badges and corner numbers, below also for names. */
 const SPACE = { side: 42, across: 60, top: 36, below: 52 };
@@ -55,7 +58,10 @@ function placesOf(panels, boxes, rows, scale, below) {
   });
 }
 
-/** Arranges panels in rows for a window of this size [px]: `{places, scale, width, height}` in metres and px/m. */
+/**
+ * Arranges panels in rows for a window of this size [px]: `{places, scale, width, height}` in
+ * meters and px/m.
+ */
 export function arrange(panels, width, height) {
   const boxes = panels.map(boxOf);
   const scale = fittingScale(boxes, width, height);

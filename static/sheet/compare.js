@@ -6,7 +6,7 @@ const SAME = 0.01;
 const EASED = 0.08;
 const GATHERED = 0.25;
 
-const cm = (metres) => (metres * 100).toFixed(1);
+const cm = (meters) => (meters * 100).toFixed(1);
 
 /** The grade: `same`, `ease`, `much` or `no`. */
 export function gradeOf(first, second) {

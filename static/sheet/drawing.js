@@ -1,9 +1,12 @@
-/** Paints one panel: its lines in units of the sheet, and its marks and labels in pixels of the window. */
+/**
+ * Paints one panel: its lines in units of the sheet, and its marks and labels in pixels of the
+ * window.
+ */
 
 import { svg } from "../dom.js";
 import { along, outwards } from "../outline.js";
 import { titleOf } from "../panels.js";
-import { centimetres } from "../words.js";
+import { centimeters } from "../words.js";
 import { boxOf, onSheet } from "./arrangement.js";
 import { textWidth } from "./labels.js";
 import { NAME_FONT, shortName } from "./names.js";
@@ -26,7 +29,10 @@ const NUMBERED_WIDTH_PX = 48;
 /** How far below a panel its name may stand [px]. */
 const NAME_BELOW_PX = [24, 38, 52];
 
-/** A point of an edge in pixels, moved outwards by `px` (inwards where negative; the other way on a mirrored copy). */
+/**
+ * A point of an edge in pixels, moved outwards by `px` (inwards where negative; the other way on a
+ * mirrored copy).
+ */
 export function beside(points, fraction, map, px) {
   const { point: [x, y], tangent: [tx, ty] } = along(points, fraction);
   const [sx, sy] = map.point([x, y]);
@@ -36,7 +42,7 @@ export function beside(points, fraction, map, px) {
 /** What a screen reader says of an edge. */
 export function edgeLabel(panel, edge, seams) {
   const sewn = seams.length ? `, in seam ${seams.join(" and ")}` : ", not sewn";
-  return `${titleOf(panel)}, edge ${edge.index}, corner ${edge.from} to ${edge.to}, ${centimetres(edge.length_m)}${sewn}`;
+  return `${titleOf(panel)}, edge ${edge.index}, corner ${edge.from} to ${edge.to}, ${centimeters(edge.length_m)}${sewn}`;
 }
 
 /** Cloth, holes, lines and edges of a panel on the sheet; `bind(path, edge)` readies each edge. */
@@ -101,7 +107,10 @@ function innerName(panel, { width, height, x, middle }, spare) {
   return { places: [{ x, y: middle, width: inner + 6, height: 2 * ROW_PX + 2 }], draw };
 }
 
-/** The panel's name: in its middle, else below it, as much of it as has room; there it yields to numbers of seams. */
+/**
+ * The panel's name: in its middle, else below it, as much of it as has room; there it yields to
+ * numbers of seams.
+ */
 export function nameLabel(panel, map, scale, { spare, start }) {
   const box = boxOf(panel);
   const [width, height] = [(box.right - box.left) * scale, (box.top - box.bottom) * scale];

@@ -5,7 +5,7 @@ import { leftOut, titleOf } from "../panels.js";
 import { state } from "../state.js";
 import { differenceText, gradeText, likeness } from "./compare.js";
 import { edgeLabel } from "./drawing.js";
-import { firstLengthFor } from "./tag.js";
+import { firstLengths } from "./tag.js";
 
 /** Most edges that are shown as likely partners. */
 const PARTNERS = 5;
@@ -30,11 +30,10 @@ function seamsByEdge(sheet) {
 }
 
 /** Edges that are not sewn and about as long as the first side, the likeliest first. */
-function partners(sheet, seams) {
-  const { picked } = state;
-  if (!picked) return new Set();
+function partners(sheet, seams, firstLength) {
+  if (!state.picked) return new Set();
   const rated = sheet.all.flatMap((panel) => panel.edges.map((edge) => {
-    const length = firstLengthFor(picked, sheet.panels, panel, edge);
+    const length = firstLength(panel, edge);
     const key = keyOf(panel, edge);
     return { key, rate: length === null || seams.has(key) ? 0 : likeness(length, edge.length_m) };
   }));
@@ -43,15 +42,15 @@ function partners(sheet, seams) {
 }
 
 /** What is said of an edge beside the first side. */
-function comparison(sheet, panel, edge) {
-  const length = firstLengthFor(state.picked, sheet.panels, panel, edge);
+function comparison(length, edge) {
   return length === null ? "" : `; ${differenceText(length, edge.length_m)}: ${gradeText(length, edge.length_m)}`;
 }
 
 /** Brings names and states of the edges up to date, in place. */
 export function refreshEdges(cloth, sheet) {
   const seams = seamsByEdge(sheet);
-  const likely = partners(sheet, seams);
+  const firstLength = firstLengths(state.picked, sheet.panels);
+  const likely = partners(sheet, seams, firstLength);
   const spare = new Set(leftOut());
   const pickedEdges = new Set((state.picked ? runsOf(state.picked) : []).flatMap((run) => {
     const panel = sheet.panels.get(run.panel);
@@ -64,7 +63,7 @@ export function refreshEdges(cloth, sheet) {
     for (const path of group.querySelectorAll(".edge")) {
       const edge = panel.edges[path.dataset.edge];
       const { key } = path.dataset;
-      path.setAttribute("aria-label", edgeLabel(panel, edge, seams.get(key) ?? []) + comparison(sheet, panel, edge));
+      path.setAttribute("aria-label", edgeLabel(panel, edge, seams.get(key) ?? []) + comparison(firstLength(panel, edge), edge));
       path.setAttribute("aria-pressed", String(pickedEdges.has(key)));
       path.classList.toggle("likely", likely.has(key));
     }

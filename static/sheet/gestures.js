@@ -36,9 +36,11 @@ function followSpace(host) {
 }
 
 /**
- * Tells `on` of gestures: `pick(point, event)`, `hover(point or null, event)`, `pan(shift)`, `zoom(point, factor)`,
+ * Tells `on` of gestures: `pick(point, event)`, `hover(point or null, event)`, `pan(shift)`,
+ * `zoom(point, factor)`,
  * `fit(point)`, `trace(phase, point)` of a drag
- * along an edge; `on.isFree(point)` says whether a drag from there moves the sheet. Returns the state of the space bar.
+ * along an edge; `on.isFree(point)` says whether a drag from there moves the sheet. Returns the
+ * state of the space bar.
  */
 export function startGestures(host, on) {
   const space = followSpace(host);

@@ -1,4 +1,6 @@
-/** Labels that never lie on each other: each takes the first of its places that is free, or none. */
+/**
+ * Labels that never lie on each other: each takes the first of its places that is free, or none.
+ */
 
 const pen = document.createElement("canvas").getContext("2d");
 const widths = new Map();
@@ -17,7 +19,8 @@ export const touch = (a, b) =>
   Math.abs(a.x - b.x) * 2 < a.width + b.width && Math.abs(a.y - b.y) * 2 < a.height + b.height;
 
 /**
- * Places labels in the order of the list, the most important first. A label is `{places, draw}`: boxes
+ * Places labels in the order of the list, the most important first. A label is `{places, draw}`:
+ * boxes
  * `{x, y, width, height}` about their middles, and what it looks like in one of them.
  */
 export function placeLabels(labels, { width, height }) {

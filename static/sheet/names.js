@@ -13,7 +13,10 @@ export function commonStart(names) {
   return start.slice(0, Math.max(start.lastIndexOf(" "), start.lastIndexOf("-"), start.lastIndexOf("_"), -1) + 1);
 }
 
-/** The name as far as it has room [px]: whole, without the common start, or with a gap in its middle. */
+/**
+ * The name as far as it has room [px]: whole, without the common start, or with a gap in its
+ * middle.
+ */
 export function shortName(name, room, start) {
   const fits = (text) => textWidth(text, NAME_FONT) <= room;
   if (fits(name)) return name;

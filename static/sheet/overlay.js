@@ -1,4 +1,7 @@
-/** What lies over the cloth, of one size at every zoom: marks, seams, labels in the order of their importance. */
+/**
+ * What lies over the cloth, of one size at every zoom: marks, seams, labels in the order of their
+ * importance.
+ */
 
 import { leftOut } from "../panels.js";
 import { state } from "../state.js";

@@ -1,4 +1,6 @@
-/** Paints seams over the panels: matched colors, arrows of direction, threads between matched ends. */
+/**
+ * Paints seams over the panels: matched colors, arrows of direction, threads between matched ends.
+ */
 
 import { svg } from "../dom.js";
 import { along, outwards, runPoints, runsOf } from "../outline.js";

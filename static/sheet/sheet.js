@@ -1,6 +1,9 @@
-/** The sheet: panels as SVG, one focusable path per edge. Pointer and keyboard end in the same `select`. */
+/**
+ * The sheet: panels as SVG, one focusable path per edge. Pointer and keyboard end in the same
+ * `select`.
+ */
 
-import { byId, el, svg } from "../dom.js";
+import { byId, svg } from "../dom.js";
 import { along, runOfEdge } from "../outline.js";
 import { panelsShown } from "../panels.js";
 import { state, update, watch } from "../state.js";
@@ -13,9 +16,10 @@ import { placeLabels } from "./labels.js";
 import { commonStart } from "./names.js";
 import { labelsOf, marksOf } from "./overlay.js";
 import { drawSide } from "./seam_marks.js";
-import { drawTag, edgeRows, firstLengthFor, partRows } from "./tag.js";
-import { drawTape, tapeText } from "./tape.js";
+import { drawTag, edgeRows, firstLengths, partRows } from "./tag.js";
+import { caughtPoint, drawTape } from "./tape.js";
 import { advance, beginTrace, tracedRun } from "./trace.js";
+import { welcome } from "./welcome.js";
 import { fitted, panned, resized, toScreen, toSheet, zoomed } from "./view.js";
 
 /** How far from an edge it is still pointed at [px]. */
@@ -25,7 +29,10 @@ const TOUCH_REACH_PX = 24;
 const MARGIN_PX = 56;
 const EDGE_MARGIN_PX = 30;
 const ZOOM_STEP = 1.4;
-/** How near to an edge a click is on it whatever number lies there, and how near corners and notches catch a drag [px]. */
+/**
+ * How near to an edge a click is on it whatever number lies there, and how near corners and notches
+ * catch a drag [px].
+ */
 const ON_EDGE_PX = 5;
 const SNAP_PX = 10;
 
@@ -78,12 +85,19 @@ function fitAll() {
 }
 
 function fitPanel(panel) {
-  setView(fitted(sheetBox(panel, placeOf(panel)), sizeNow(), MARGIN_PX));
+  setView(fitted(sheetBox(panel, placeOf(panel)), sheet.size, MARGIN_PX));
+}
+
+/** Shows one panel as large as it fits. */
+export function fitPanelById(id) {
+  const panel = sheet?.panels.get(id);
+  if (panel) fitPanel(panel);
 }
 
 const zoomBy = (factor, at) => {
-  const { width, height } = sizeNow();
-  if (sheet) setView(zoomed(state.view, at ?? [width / 2, height / 2], factor));
+  if (!sheet) return;
+  const { width, height } = sheet.size;
+  setView(zoomed(state.view, at ?? [width / 2, height / 2], factor));
 };
 
 function drawHover() {
@@ -93,14 +107,15 @@ function drawHover() {
   if (!hovered) return hover.replaceChildren();
   const { panel, edge, direction, at } = hovered;
   pathFor(panel, edge)?.classList.add("hovered");
-  const firstLength = firstLengthFor(state.picked, sheet.panels, panel, edge);
+  const firstLength = firstLengths(state.picked, sheet.panels)(panel, edge);
   hover.replaceChildren(
     drawSide(scene(), runOfEdge(panel, edge, direction), "preview"),
-    drawTag({ rows: edgeRows(panel, edge, firstLength), at, window: sizeNow() }));
+    drawTag({ rows: edgeRows(panel, edge, firstLength), at, window: sheet.size }));
   return undefined;
 }
 
 function hover(found, at = null) {
+  pointAt(at);
   if (layers && state.tape) {
     layers.hover.replaceChildren(...(at && !state.tape.to ? drawTapeTo(tapePoint(at)) : []));
     return;
@@ -108,6 +123,16 @@ function hover(found, at = null) {
   if (!layers || (!found && !hovered)) return;
   hovered = found;
   drawHover();
+}
+
+/** Marks the panel that is pointed at, here or in the list. */
+function drawPointed() {
+  for (const group of layers?.cloth.children ?? []) group.classList.toggle("pointed", group.dataset.of === state.pointed);
+}
+
+function pointAt(at) {
+  const id = (at && (edgeAt(at)?.panel ?? panelAt(at))?.id) ?? null;
+  if (id !== state.pointed) update({ pointed: id });
 }
 
 /** What the painters of seams need. */
@@ -123,7 +148,7 @@ function moveTo(panel, edge) {
 
 /** Moves the sheet until the middle of an edge is seen. */
 function reveal(panel, edge) {
-  const { width, height } = sizeNow();
+  const { width, height } = sheet.size;
   const middle = edge.points[Math.floor(edge.points.length / 2)];
   const [x, y] = mapOf(panel).point(middle);
   const shift = (at, size) => Math.max(EDGE_MARGIN_PX - at, 0) + Math.min(size - EDGE_MARGIN_PX - at, 0);
@@ -222,7 +247,7 @@ function drag(phase, at, event) {
   if (phase === "move" || phase === "begin") {
     layers.hover.replaceChildren(...(run ? [
       drawSide(scene(), run, "preview"),
-      drawTag({ rows: partRows(sheet.panels, run, state.picked), at, window: sizeNow() }),
+      drawTag({ rows: partRows(sheet.panels, run, state.picked), at, window: sheet.size }),
     ] : []));
     return;
   }
@@ -232,18 +257,10 @@ function drag(phase, at, event) {
   if (phase === "end" && run) act.select(run, { more: event.shiftKey });
 }
 
-/** A point for the tape: a corner or a point of an edge that is near, else the ground. */
-function tapePoint(at) {
+const tapePoint = (at) => {
   const found = edgeAt(at);
-  if (!found) return toSheet(state.view, at);
-  const { panel, edge, fraction } = found;
-  const ends = [edge.points[0], edge.points.at(-1)].map((point) => onSheet(placeOf(panel), point));
-  const isNear = (point) => {
-    const [x, y] = toScreen(state.view, point);
-    return Math.hypot(x - at[0], y - at[1]) <= SNAP_PX;
-  };
-  return ends.find(isNear) ?? onSheet(placeOf(panel), along(edge.points, fraction).point);
-}
+  return found ? caughtPoint(found, placeOf(found.panel), state.view) : toSheet(state.view, at);
+};
 
 /** Lays the tape: the first click is its beginning, the second its end. */
 function measure(at) {
@@ -252,10 +269,7 @@ function measure(at) {
   update({ tape: from && !to ? { from, to: point } : { from: point, to: null } });
 }
 
-function drawTapeTo(end) {
-  const { from } = state.tape;
-  return from && end ? [drawTape(toScreen(state.view, from), toScreen(state.view, end), tapeText(from, end))] : [];
-}
+const drawTapeTo = (end) => drawTape(state.tape.from, end, state.view);
 
 function drawView() {
   if (!layers || !state.view) return;
@@ -263,7 +277,7 @@ function drawView() {
   layers.cloth.setAttribute("transform", `matrix(${k} 0 0 ${k} ${x} ${y})`);
   const painted = scene();
   layers.marks.replaceChildren(...marksOf(painted), ...(state.tape?.to ? drawTapeTo(state.tape.to) : []));
-  layers.labels.replaceChildren(...placeLabels(labelsOf(painted), sizeNow()));
+  layers.labels.replaceChildren(...placeLabels(labelsOf(painted), sheet.size));
   drawHover();
 }
 
@@ -288,19 +302,6 @@ function openSheet() {
   layers = { cloth: group("cloth-layer"), marks: group("overlay"), labels: group("overlay labels"), hover: group("overlay hover") };
   host().replaceChildren(svg("svg", { role: "group", "aria-label": "Panels of the pattern", "aria-describedby": "keys" },
     layers.cloth, layers.marks, layers.labels, layers.hover));
-}
-
-/** What is there before a pattern is. */
-function welcome() {
-  const by = (id) => () => byId(id).click();
-  const sample = (name) => () => document.querySelector(`.rail [data-sample="${name}"]`).click();
-  return el("div", { class: "welcome" },
-    el("p", {}, "Open a pattern, or drop its file anywhere on the page."),
-    el("div", { class: "tools" }, el("button", { type: "button", class: "primary", onclick: by("open-file") }, "Open a file…")),
-    el("p", { class: "note" }, "DXF, as exported for AAMA or ASTM or drawn in any CAD, or a GarmentCode specification"),
-    el("div", { class: "tools" },
-      el("button", { type: "button", onclick: sample("skirt") }, "Try the skirt"),
-      el("button", { type: "button", onclick: sample("top") }, "Try the top")));
 }
 
 function closeSheet() {
@@ -333,8 +334,10 @@ function draw() {
     closeSheet();
     return;
   }
-  if (sizeNow().width === 0) return;
-  if (!layers) openSheet();
+  if (!layers) {
+    if (sizeNow().width === 0) return;
+    openSheet();
+  }
   if (pattern !== state.pattern || sheet.all !== panelsShown()) takePanels();
   else refreshEdges(layers.cloth, sheet);
   scheduleView();
@@ -352,7 +355,10 @@ function onResize() {
   return undefined;
 }
 
-/** Puts the sheet to work: `on.select(run, options)` for a picked run, `on.selectSeam(id)`, `on.letGo()` for Escape. */
+/**
+ * Puts the sheet to work: `on.select(run, options)` for a picked run, `on.selectSeam(id)`,
+ * `on.letGo()` for Escape.
+ */
 export function startSheet(on) {
   act = on;
   const toggleTape = () => update({ tape: state.tape ? null : { from: null, to: null } });
@@ -383,5 +389,6 @@ export function startSheet(on) {
   });
   watch(["pattern", "garment", "leftOut", "suggested", "offers", "numbers", "check", "picked", "selected"], draw);
   watch(["view"], scheduleView);
+  watch(["pointed"], drawPointed);
   new ResizeObserver(onResize).observe(host());
 }

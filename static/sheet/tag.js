@@ -1,10 +1,12 @@
-/** The tag at the pointer: which edge it is, its length, and how it compares with the first side. */
+/**
+ * The tag at the pointer: which edge it is, its length, and how it compares with the first side.
+ */
 
 import { svg } from "../dom.js";
 import { lengthOfSide } from "../outline.js";
 import { titleOf } from "../panels.js";
 import { runName } from "../run_names.js";
-import { centimetres } from "../words.js";
+import { centimeters } from "../words.js";
 import { differenceText, gradeOf, gradeText } from "./compare.js";
 import { textWidth } from "./labels.js";
 
@@ -21,14 +23,14 @@ function comparisonRows(first, second) {
 
 /** Rows of the tag for an edge. */
 export function edgeRows(panel, edge, firstLength) {
-  const row = { text: `${titleOf(panel)}, edge ${edge.index}, ${centimetres(edge.length_m)}` };
+  const row = { text: `${titleOf(panel)}, edge ${edge.index}, ${centimeters(edge.length_m)}` };
   return firstLength === null ? [row] : [row, ...comparisonRows(firstLength, edge.length_m)];
 }
 
 /** Rows of the tag for a part of an outline. */
 export function partRows(panels, run, picked) {
   const length = lengthOfSide(panels, run);
-  const row = { text: `${runName(run)}, ${centimetres(length)}` };
+  const row = { text: `${runName(run)}, ${centimeters(length)}` };
   return picked ? [row, ...comparisonRows(lengthOfSide(panels, picked), length)] : [row];
 }
 
@@ -39,11 +41,18 @@ function cornerOf([x, y], width, height, window) {
   return [left, top];
 }
 
-/** The length of the first side, or null where the edge belongs to it or there is none. */
-export function firstLengthFor(picked, panels, panel, edge) {
-  if (!picked) return null;
-  const isOwn = [picked].flat().some((run) => run.panel === panel.id && [run.from, run.to].sort().join() === [edge.from, edge.to].sort().join());
-  return isOwn ? null : lengthOfSide(panels, picked);
+/** True if an edge is one of the picked runs. */
+const isOwn = (picked, panel, edge) => [picked].flat().some((run) =>
+  run.panel === panel.id && ((run.from === edge.from && run.to === edge.to) || (run.from === edge.to && run.to === edge.from)));
+
+/**
+ * Gives the length of the first side for an edge beside it: null for its own edges, or where there
+ * is none.
+ */
+export function firstLengths(picked, panels) {
+  if (!picked) return () => null;
+  const length = lengthOfSide(panels, picked);
+  return (panel, edge) => (isOwn(picked, panel, edge) ? null : length);
 }
 
 export function drawTag({ rows, at, window }) {

@@ -1,4 +1,7 @@
-/** The part of the sheet that is seen: a point of the sheet [m] lies at k·p + (x, y) on the screen [px]. */
+/**
+ * The part of the sheet that is seen: a point of the sheet [m] lies at k·p + (x, y) on the screen
+ * [px].
+ */
 
 /** Smallest and largest scale [px/m]. */
 const LEAST = 20;

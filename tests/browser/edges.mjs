@@ -25,7 +25,7 @@ async function filesToPick() {
 }
 
 const files = await filesToPick();
-const totals = { edges: 0, clicks: 0, tooShort: 0, refused: 0, longest: 0 };
+const totals = { edges: 0, clicks: 0, tooShort: 0, refused: 0, median: 0, longest: 0 };
 let service;
 let browser;
 let page;
@@ -40,7 +40,7 @@ before(async () => {
 
 after(async () => {
   console.log(`edges ${totals.edges}, clicks ${totals.clicks}, by arrow keys alone ${totals.tooShort}, files refused ${totals.refused}, `
-    + `longest pick ${totals.longest.toFixed(1)} ms`);
+    + `picks of the last file ${totals.median.toFixed(1)} ms, at most ${totals.longest.toFixed(1)} ms`);
   await browser?.close();
   await service?.stop();
 });
@@ -52,6 +52,8 @@ async function open(file) {
   const response = await answered;
   if (!response.ok()) return null;
   const { panels } = await response.json();
+  const drawer = page.locator("[data-drawer=seams]");
+  if (await drawer.getAttribute("aria-expanded") === "false") await drawer.click();
   await page.waitForFunction((ids) => {
     const drawn = new Set([...document.querySelectorAll("path.edge")].map((path) => path.dataset.panel));
     return drawn.size === ids.length && ids.every((id) => drawn.has(id));
@@ -101,6 +103,16 @@ async function clickAll(panel, { edge, points }, isMirrored) {
   return wrong;
 }
 
+/** Picks an edge that is too short to click by arrow keys; what went wrong. */
+async function pickByKeys(panel, { edge }) {
+  totals.tooShort += 1;
+  await page.locator(`path.edge[data-panel="${panel}"][data-edge="0"]`).focus();
+  for (let i = 0; i < edge; i++) await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  const { pressed, text } = await taken();
+  return pressed.join() === `${panel} ${edge}` ? [] : [`${panel} edge ${edge} by keys: ${text}`];
+}
+
 for (const file of files) {
   test(`every edge of ${basename(file)} is picked by a click at its middle and quarters`, async (context) => {
     const mirrored = await open(file);
@@ -114,7 +126,7 @@ for (const file of files) {
     for (const panel of await panelIds()) {
       for (const edge of await fit(panel)) {
         totals.edges += 1;
-        if (edge.length < LEAST_PX) totals.tooShort += 1;
+        if (edge.length < LEAST_PX) wrong.push(...await pickByKeys(panel, edge));
         else wrong.push(...await clickAll(panel, edge, mirrored.has(panel)));
       }
     }
@@ -123,13 +135,33 @@ for (const file of files) {
   });
 }
 
-test("a pick takes less than a frame", async () => {
-  await page.evaluate(() => {
-    window.longest = 0;
-    new PerformanceObserver((list) => {
-      for (const entry of list.getEntries()) window.longest = Math.max(window.longest, entry.processingEnd - entry.processingStart);
-    }).observe({ type: "event", durationThreshold: 16, buffered: true });
-  });
-  await page.waitForTimeout(200);
-  totals.longest = await page.evaluate(() => window.longest);
+/** Script time of picks of the panels shown last [ms], with the drawing that follows. */
+const pickTimes = () => page.evaluate(async () => {
+  const sheet = document.getElementById("sheet");
+  document.activeElement.blur();
+  const times = [];
+  for (const path of [...document.querySelectorAll("path.edge")].slice(0, 40)) {
+    const { x, y } = path.getPointAtLength(path.getTotalLength() / 3).matrixTransform(path.getScreenCTM());
+    const send = (type, Kind, detail) => sheet.dispatchEvent(new Kind(type, { bubbles: true, clientX: x, clientY: y, pointerId: 1, button: 0, detail }));
+    // Callbacks of one frame run in order: the drawing lies between these two.
+    const before = new Promise((done) => { requestAnimationFrame(() => done(performance.now())); });
+    const start = performance.now();
+    send("pointerdown", PointerEvent, 0);
+    send("pointerup", PointerEvent, 0);
+    send("click", MouseEvent, 1);
+    await Promise.resolve();
+    const script = performance.now() - start;
+    const drawn = await new Promise((done) => { requestAnimationFrame(() => done(performance.now())); });
+    times.push(script + drawn - await before);
+  }
+  return times.sort((a, b) => a - b);
+});
+
+test("a pick and what it draws take less than a frame", async () => {
+  await page.keyboard.press("Escape");
+  const times = await pickTimes();
+  totals.median = times[Math.floor(times.length / 2)];
+  totals.longest = times.at(-1);
+  // On a machine that does other work besides, single picks wait.
+  assert.ok(totals.median < 16, `${totals.median} ms`);
 });

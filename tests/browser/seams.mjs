@@ -97,7 +97,7 @@ test("edges that do not touch make a list of runs, by keys", async () => {
 test("a drag along an outline picks a part of it, caught by corners and notches, with its length", async () => {
   const tag = await drag("skirt-front", 1, 0.02, 0.7);
   assert.match(tag, /SKIRT FRONT 1 → .*, \d+\.\d cm/);
-  assert.equal(await page.locator(".pending .seam-line").count(), 1);
+  await page.locator(".pending .seam-line").waitFor({ state: "attached" });
   const pieces = await page.evaluate(() => fetch(`/v1/patterns/${new URLSearchParams(location.hash.slice(1)).get("pattern")}`).then((response) => response.json()));
   const front = pieces.panels.find((panel) => panel.id === "skirt-front");
   const index = front.notches.findIndex((notch) => notch.edge === 3);

@@ -46,7 +46,7 @@ const CHANGES = {
     await page.locator("#default-fabric").selectOption(await otherFabric(page));
   },
   "fabric of one panel": async () => {
-    if (!await page.getByLabel("Fabric of WAISTBAND").isVisible()) await page.locator("#by-panel summary").click();
+    if (!await page.getByLabel("Fabric of WAISTBAND").isVisible()) await page.locator("[data-row=waistband] summary").click();
     await page.getByLabel("Fabric of WAISTBAND").selectOption("cotton-poplin");
   },
   measurement: async () => {
