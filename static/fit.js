@@ -108,7 +108,7 @@ async function showResult(fit) {
   showError(fit, report);
   update({ report });
   if (!report) return;
-  say(verdictText(report, fit.status), !verdictOf(report, fit.status).good);
+  say(verdictText(report, fit.status), verdictOf(report, fit.status).good ? "good" : "bad");
   // The saved garment says which limbs its body has; a body of one's own it has whole.
   const { avatar } = await getJson(`${fitPath(fit.id)}/garment`);
   const shown = avatar?.body ? state.garment.avatar : avatar;
@@ -143,6 +143,7 @@ async function run() {
   try {
     const fit = await postJson("/v1/fits", garmentToSend());
     update({ ran });
+    say("The garment is being sewn. You can go on with the pattern meanwhile.");
     watchFit(fit);
   } catch (problem) {
     showFaults(problem);

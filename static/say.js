@@ -5,10 +5,7 @@ import { makersText } from "./makers_words.js";
 
 let done = ""; // the last change in words, until its check answers
 
-/**
- * Says something to everyone; `tone` is false, true or "bad" for what is wrong, "warn" for what is
- * doubtful.
- */
+/** Says something to everyone; `tone` is "good", "warn" for what is doubtful, "bad" or true. */
 export function say(text, tone = false) {
   const status = byId("status");
   const said = makersText(text);
@@ -16,6 +13,7 @@ export function say(text, tone = false) {
   status.title = said;
   status.classList.toggle("bad", tone === true || tone === "bad");
   status.classList.toggle("warn", tone === "warn");
+  status.classList.toggle("good", tone === "good");
 }
 
 /** Says what was changed; the verdict of the check is added to it. */

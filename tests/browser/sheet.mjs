@@ -182,4 +182,25 @@ test("edges without a seam that are as long as the first side are shown", async 
   await page.waitForFunction(() => !document.querySelector("path.edge.likely"));
 });
 
+test("two fingers zoom about their middle, one moves the sheet", async () => {
+  const client = await page.context().newCDPSession(page);
+  await page.getByRole("button", { name: "Fit", exact: true }).click();
+  const before = await view();
+  const { x, y } = await middleOf("#sheet");
+  const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([dx, dy], id) => ({ x: x + dx, y: y + dy, id })) });
+  await touch("touchStart", [-40, 0], [40, 0]);
+  for (const spread of [50, 60, 70, 80]) await touch("touchMove", [-spread, 0], [spread, 0]);
+  await touch("touchEnd");
+  const zoomed = await view();
+  near(zoomed.k / before.k, 2, 0.1);
+  await touch("touchStart", [0, 0]);
+  for (const step of [10, 20, 30]) await touch("touchMove", [step, step]);
+  await touch("touchEnd");
+  const moved = await view();
+  near(moved.k, zoomed.k, 1e-6);
+  near(moved.x - zoomed.x, 30, 2);
+  assert.equal(await page.locator(".pending").count(), 0);
+  await page.getByRole("button", { name: "Fit", exact: true }).click();
+});
+
 test("nothing failed", () => assert.deepEqual(record, { foreign: [], errors: [], breaches: [] }));
