@@ -51,13 +51,17 @@ check: page
 	cargo clippy --locked --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
 
+PAGE_SUITES = page layout sheet edges seams panels work faults
+
 # One profile for all: the browser drives the binary that the Rust tests built.
 test: page browser chromium valgrind
 	@if cargo nextest --version >/dev/null 2>&1; \
 	  then echo cargo nextest run; cargo nextest run --locked --workspace; \
 	  else echo cargo test; cargo test --locked --workspace --lib && cargo test --locked --test it && \
 	    cargo test --locked --test process -- --test-threads=1; fi
-	SEAMSTER_BIN=target/debug/seamster node tests/browser/page.mjs
+	@for suite in $(PAGE_SUITES); do \
+	  echo "tests/browser/$$suite.mjs"; \
+	  SEAMSTER_BIN=target/debug/seamster node tests/browser/$$suite.mjs || exit 1; done
 
 bench:
 	cargo run --release --locked -p seamster-tools -- bench $(SCENES)

@@ -20,7 +20,8 @@ export class Problem extends Error {
 
   /** From the `application/problem+json` object itself. */
   static fromBody(body, status, retryAfter) {
-    const text = body.detail || body.title || `The service answered ${status}.`;
+    const told = body.detail || body.title || `The service answered ${status}.`;
+    const text = /[.!?]$/.test(told) ? told : `${told}.`;
     const wait = retryAfter ? ` Try again in ${retryAfter} s.` : "";
     return new Problem(text + wait, status, body.errors ?? [], retryAfter);
   }
@@ -90,7 +91,10 @@ function parseEvent(block) {
   return event;
 }
 
-/** Server-sent events of one response; `EventSource` cannot send a token. Yields `{type, id, data}` with parsed data. */
+/**
+ * Server-sent events of one response; `EventSource` cannot send a token. Yields `{type, id, data}`
+ * with parsed data.
+ */
 export async function* events(path, { lastId, signal } = {}) {
   const headers = { Accept: "text/event-stream" };
   if (lastId) headers["Last-Event-ID"] = lastId;

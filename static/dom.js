@@ -1,4 +1,7 @@
-/** Small helpers to build elements. Text goes in as text nodes only: names from files are never parsed as markup. */
+/**
+ * Small helpers to build elements. Text goes in as text nodes only: names from files are never
+ * parsed as markup.
+ */
 
 const SVG = "http://www.w3.org/2000/svg";
 
@@ -29,7 +32,9 @@ export function replaceChildren(parent, ...children) {
   parent.querySelector(`[data-key="${CSS.escape(focused)}"]`)?.focus({ preventScroll: true });
 }
 
-/** Options of a select from `[value, label]` pairs, keeping what was chosen where it still exists. */
+/**
+ * Options of a select from `[value, label]` pairs, keeping what was chosen where it still exists.
+ */
 export function setOptions(select, pairs, chosen) {
   select.replaceChildren(...pairs.map(([value, label]) => el("option", { value, selected: value === chosen }, label)));
 }

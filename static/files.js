@@ -1,47 +1,22 @@
-/** Pattern and garment files: upload, samples, open, save, and what the address bar keeps. */
+/**
+ * Files of patterns, garments and bodies: opened by choice, drop or sample, read again in another
+ * way, saved.
+ */
 
 import { call, getJson } from "./api.js";
-import { byId, el, replaceChildren, setOptions } from "./dom.js";
+import { fromAddress } from "./address.js";
+import { byId, el, replaceChildren } from "./dom.js";
+import { change } from "./history.js";
+import { keepSeams } from "./kept_seams.js";
+import { openRail } from "./layout.js";
 import { plainPattern } from "./panels.js";
-import { forgetUndo, say } from "./picking.js";
-import { emptyGarment, state, update, watch } from "./state.js";
+import { say } from "./say.js";
+import { uploadBody } from "./settings.js";
+import { emptyGarment, state, update } from "./state.js";
 import { suggest } from "./suggest.js";
-import { faultItem, plural, problemItems } from "./words.js";
+import { plural, problemItems, sentence } from "./words.js";
 
-let lastFile = null; // to read it again in another way
-/** The parameters of the import, each with a field of its own. */
-const importFields = ["units", "size", "outlines", "notches", "unfold", "encoding"];
 let loads = 0;
-
-/** What the address bar says: `#pattern=…&fit=…`. */
-export const fromHash = () => Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
-
-function keepInHash() {
-  const parts = {};
-  if (state.pattern?.stored) parts.pattern = state.pattern.id;
-  if (state.fit) parts.fit = state.fit.id;
-  const hash = new URLSearchParams(parts).toString();
-  if (hash !== location.hash.slice(1)) history.replaceState(null, "", hash ? `#${hash}` : location.pathname);
-}
-
-const draftKey = (id) => `seamster.draft.${id}`;
-
-function keepDraft() {
-  if (!state.pattern?.stored) return;
-  try {
-    const { garment, suggested, leftOut, ran } = state;
-    const draft = { garment, suggested, leftOut, ran, fit: state.fit?.id };
-    sessionStorage.setItem(draftKey(state.pattern.id), JSON.stringify(draft));
-  } catch {
-    // A full store only loses the draft.
-  }
-}
-
-/** How a pattern was left in this tab: with the fit asked for, or with any if none is. */
-function draftOf(id, fit) {
-  const draft = JSON.parse(sessionStorage.getItem(draftKey(id)) ?? "null");
-  return draft && (!fit || draft.fit === fit) ? draft : null;
-}
 
 /** A garment from a file, over the defaults; the pattern is kept apart. */
 function garmentFrom(saved) {
@@ -49,37 +24,39 @@ function garmentFrom(saved) {
   return { ...emptyGarment(), ...garment, seams: Array.isArray(garment.seams) ? garment.seams : [], panels: garment.panels ?? {} };
 }
 
-/** Shows a pattern with a garment; the shown fit goes. */
-function show({ pattern, garment, suggested = {}, leftOut = [] }) {
-  forgetUndo();
-  update({ pattern, garment, suggested, leftOut, picked: null, selected: null, check: null, fit: null, report: null, ran: null, zoom: 1 });
-  const unchecked = pattern.stored ? "" : " The service does not hold this pattern: seams are checked when you sew.";
-  if (unchecked) say(`${pattern.name}.${unchecked}`);
-  else say(garment.seams.length
+function greeting({ pattern, garment }) {
+  if (!pattern.stored) return `${pattern.name}. The service does not hold this pattern: seams are checked when you sew.`;
+  return garment.seams.length
     ? `${pattern.name}: ${plural(pattern.panels.length, "panel")}, ${plural(garment.seams.length, "seam")}.`
-    : "Pick the first edge of a seam: click it near the end where sewing begins. Or have the seams suggested.");
+    : "Pick the first edge of a seam: click it near the end where sewing begins. Or have the seams suggested.";
 }
 
-/** Reads the next file as it says itself. */
-function forgetReading() {
-  setOptions(byId("import-size"), [["", "Sample"]], "");
-  for (const name of importFields) byId(`import-${name}`).value = "";
+/** True if there is work that another pattern takes the place of. */
+const hasWork = () => state.pattern !== null && state.garment.seams.length > 0;
+
+/** Shows a pattern with a garment; the shown fit goes. What was there can be brought back. */
+function show(found) {
+  const { pattern, garment, reading = { file: null, options: {} }, suggested = {}, offers = [], leftOut = [], numbers = {}, said } = found;
+  const replaced = hasWork() && !said ? ` Undo brings back ${state.pattern.name}.` : "";
+  const patch = {
+    pattern, garment, reading, suggested, offers, leftOut, numbers,
+    picked: null, pickedAt: null, growing: null, tape: null, selected: null, check: null, fit: null, report: null, ran: null,
+  };
+  if (state.pattern) change(patch, `opening ${pattern.name}`);
+  else update(patch);
+  say((said ?? greeting(found)) + replaced);
 }
 
 /** Sends a pattern file; answers the stored pattern. */
-async function upload(file) {
-  const query = new URLSearchParams();
-  for (const name of importFields) {
-    const { value } = byId(`import-${name}`);
-    if (value) query.set(name, value);
-  }
-  const path = `/v1/patterns${query.size ? `?${query}` : ""}`;
+async function upload(file, options) {
+  const query = new URLSearchParams(Object.entries(options).filter(([, value]) => value));
   const body = new FormData();
   body.append("file", file, file.name);
-  return { ...(await (await call(path, { method: "POST", body })).json()), stored: true };
+  const answer = await call(`/v1/patterns${query.size ? `?${query}` : ""}`, { method: "POST", body });
+  return { ...(await answer.json()), stored: true };
 }
 
-/** Runs a load; a later one wins, and faults are shown beside the file field. */
+/** Runs a load; a later one wins, and faults are shown beside the pattern. */
 async function load(work) {
   const mine = ++loads;
   byId("pattern-faults").replaceChildren();
@@ -91,32 +68,45 @@ async function load(work) {
   } catch (problem) {
     if (mine !== loads) return false;
     replaceChildren(byId("pattern-faults"), problemItems(problem));
-    say("The file could not be used.", true);
+    if (innerWidth >= 1000) openRail();
+    say(`The file could not be used. ${sentence(problem.faults?.[0]?.detail ?? problem.message)}`, true);
     return false;
   }
 }
 
 async function openPattern(file) {
-  if (file !== lastFile) {
-    forgetReading();
-  }
-  lastFile = file;
   await load(async () => {
-    const pattern = await upload(file);
-    return { pattern, garment: garmentFrom({ seams: pattern.seams ?? [] }) };
+    const pattern = await upload(file, {});
+    return { pattern, garment: garmentFrom({ seams: pattern.seams ?? [] }), reading: { file, options: {} } };
   });
 }
 
-async function openSample(name) {
+/** Reads the same file in another way; seams stay where their edges do. */
+export async function readAgain(options) {
+  const { pattern: before, reading: { file } } = state;
+  if (!file) return;
+  await load(async () => {
+    const pattern = await upload(file, options);
+    const { garment, lost } = keepSeams(state.garment, before, pattern);
+    const found = { pattern, garment, reading: { file, options }, leftOut: state.leftOut, suggested: state.suggested, numbers: state.numbers };
+    if (garment.seams.length === 0 && lost.length === 0) return { ...found, garment: { ...garment, seams: pattern.seams ?? [] } };
+    const gone = lost.length ? ` ${plural(lost.length, "seam")} went, because the edges are others: ${lost.join(", ")}. Undo brings all back.` : "";
+    return { ...found, said: `${plural(garment.seams.length, "seam")} kept.${gone}` };
+  });
+}
+
+export async function openSample(name) {
   await load(async () => {
     const [dxf, garment] = await Promise.all([call(`/samples/${name}.dxf`), getJson(`/samples/${name}.garment.json`)]);
-    lastFile = new File([await dxf.blob()], `${name}.dxf`);
-    forgetReading();
-    return { pattern: await upload(lastFile), garment: garmentFrom(garment) };
+    const file = new File([await dxf.blob()], `${name}.dxf`);
+    return { pattern: await upload(file, {}), garment: garmentFrom(garment), reading: { file, options: {} } };
   });
 }
 
-/** The pattern that a garment names: stored under its id, or whole in the file; and what the file left out of it. */
+/**
+ * The pattern that a garment names: stored under its id, or whole in the file; and what the file
+ * left out of it.
+ */
 async function patternOf(saved) {
   const named = saved.pattern;
   const id = typeof named === "string" ? named : named?.id;
@@ -134,21 +124,72 @@ async function patternOf(saved) {
   throw new Error("This garment file names no pattern. Open its DXF first, then the garment file.");
 }
 
+function parsed(text, name) {
+  try {
+    return JSON.parse(text);
+  } catch (error) {
+    throw new Error(`${name} is not JSON: ${error.message}`);
+  }
+}
+
 async function openGarment(file) {
   let asksForSeams = false;
   const shown = await load(async () => {
-    const text = await file.text();
-    let saved;
-    try {
-      saved = JSON.parse(text);
-    } catch (error) {
-      throw new Error(`${file.name} is not JSON: ${error.message}`);
-    }
+    const saved = parsed(await file.text(), file.name);
     asksForSeams = saved?.seams === "suggest";
-    if (!asksForSeams && !Array.isArray(saved?.seams)) throw new Error(`${file.name} is not a garment file: it has no list "seams".`);
+    if (!asksForSeams && !Array.isArray(saved?.seams)) throw new Error(`${file.name} is not a garment file: it has no list of seams.`);
     return { ...(await patternOf(saved)), garment: garmentFrom(saved) };
   });
   if (shown && asksForSeams) await suggest();
+}
+
+/** True if the text of a file is that of a garment, not of a pattern. */
+function isGarment(text) {
+  try {
+    const found = JSON.parse(text);
+    return found?.schema?.startsWith?.("seamster/garment") || (found?.seams !== undefined && found?.pattern !== undefined);
+  } catch {
+    return false;
+  }
+}
+
+/** Opens a file of any kind that the page knows. */
+export async function openFile(file) {
+  if (/\.(obj|glb|ply)$/i.test(file.name)) await uploadBody(file);
+  else if (/\.json$/i.test(file.name) && isGarment(await file.text())) await openGarment(file);
+  else await openPattern(file);
+}
+
+/** Opens work as a draft keeps it; with `fit` that fit is shown beside it, by `showFit`. */
+export async function openDraft(draft, showFit) {
+  const shown = await load(async () => {
+    const { pattern } = await patternOf({ pattern: draft.pattern ?? draft.patternId });
+    return { pattern, reading: draft.reading, garment: garmentFrom(draft.garment), suggested: draft.suggested, offers: draft.offers, leftOut: draft.leftOut, numbers: draft.numbers };
+  });
+  if (shown && draft.fit) await showFit(draft.fit, draft.ran);
+}
+
+/** Opens a fit with the garment that it sewed. */
+export async function openFit(id, showFit) {
+  const shown = await load(async () => {
+    const saved = await getJson(`/v1/fits/${encodeURIComponent(id)}/garment`);
+    return { ...(await patternOf(saved)), garment: garmentFrom(saved) };
+  });
+  if (shown) await showFit(id);
+}
+
+/** Opens what the address names, as this tab left it where it has a draft of that. */
+export async function openFromAddress(draft, showFit) {
+  const { pattern: id, fit } = fromAddress();
+  const isSame = draft && (fit ? draft.fit === fit : id ? draft.patternId === id : !draft.stored);
+  if (isSame) await openDraft(draft, showFit);
+  else if (fit) await openFit(fit, showFit);
+  else if (id) {
+    await load(async () => {
+      const { pattern } = await patternOf({ pattern: id });
+      return { pattern, garment: garmentFrom({ seams: pattern.seams }) };
+    });
+  }
 }
 
 /** Hands bytes to the browser as a file. */
@@ -161,73 +202,7 @@ export function save(blob, name) {
 /** A file name from the pattern's. */
 export const fileStem = () => (state.pattern?.name ?? "garment").replace(/[^\p{L}\p{N}_-]+/gu, "-").slice(0, 60) || "garment";
 
-function saveGarment() {
+export function saveGarment() {
   const saved = { ...state.garment, pattern: plainPattern() };
   save(new Blob([`${JSON.stringify(saved, null, 2)}\n`], { type: "application/json" }), `${fileStem()}.garment.json`);
-}
-
-/** What the address bar names, with the seams as they were left or as the fit had them. */
-export async function openFromHash(showFit) {
-  const { pattern: id, fit } = fromHash();
-  if (!id && !fit) return;
-  let draft = null;
-  const shown = await load(async () => {
-    const saved = fit ? await getJson(`/v1/fits/${encodeURIComponent(fit)}/garment`) : null;
-    const named = await patternOf(saved ?? { pattern: id });
-    draft = draftOf(named.pattern.id, fit);
-    const { suggested, leftOut = named.leftOut } = draft ?? {};
-    return { ...named, suggested, leftOut, garment: garmentFrom(draft?.garment ?? saved ?? { seams: named.pattern.seams }) };
-  });
-  if (shown && fit) await showFit(fit, draft?.ran);
-}
-
-function drawFacts() {
-  const { pattern } = state;
-  byId("save-garment").disabled = !pattern;
-  if (!pattern) return;
-  const { source } = pattern;
-  const allowance = { none: "none", unknown: "not stated", sew_line: "sew line used" }[source.allowance];
-  const rows = [["Name", pattern.name], ["Panels", String(pattern.panels.length)], ["Units", source.units],
-    source.sample_size && ["Size", source.sample_size], allowance && ["Seam allowance", allowance]].filter(Boolean);
-  replaceChildren(byId("pattern-facts"),
-    el("dl", { class: "facts" }, rows.flatMap(([term, value]) => [el("dt", {}, term), el("dd", {}, value)])),
-    pattern.warnings?.length > 0 && el("div", { class: "warnings" }, pattern.warnings.map((one) => faultItem(one, "warning"))));
-  const sizes = (source.sizes ?? []).map((size) => [size, size]);
-  setOptions(byId("import-size"), [["", "Sample"], ...sizes], byId("import-size").value);
-}
-
-function startDrop(drop) {
-  const over = (event) => {
-    event.preventDefault();
-    drop.classList.toggle("over", event.type === "dragover");
-  };
-  drop.addEventListener("dragover", over);
-  drop.addEventListener("dragleave", over);
-  drop.addEventListener("drop", (event) => {
-    over(event);
-    const [file] = event.dataTransfer.files;
-    if (file) openPattern(file);
-  });
-}
-
-export function startFiles() {
-  for (const button of document.querySelectorAll("[data-sample]")) {
-    button.addEventListener("click", () => openSample(button.dataset.sample));
-  }
-  const chosen = (input, open) => input.addEventListener("change", () => {
-    const [file] = input.files;
-    input.value = "";
-    if (file) open(file);
-  });
-  chosen(byId("pattern-file"), openPattern);
-  chosen(byId("open-garment-file"), openGarment);
-  byId("open-garment").addEventListener("click", () => byId("open-garment-file").click());
-  byId("save-garment").addEventListener("click", saveGarment);
-  for (const name of importFields) {
-    byId(`import-${name}`).addEventListener("change", () => lastFile && openPattern(lastFile));
-  }
-  startDrop(byId("drop"));
-  watch(["pattern"], drawFacts);
-  watch(["pattern", "fit"], () => state.pattern && keepInHash());
-  watch(["garment", "suggested", "leftOut", "ran", "fit"], keepDraft);
 }

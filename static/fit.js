@@ -1,18 +1,23 @@
 /** A fit: start, watch, cancel, show, download. */
 
+import { linkTo } from "./address.js";
 import { call, events, getJson, postJson, Problem } from "./api.js";
 import { byId, replaceChildren } from "./dom.js";
 import { fileStem, save } from "./files.js";
-import { reportSummary } from "./report.js";
+import { say } from "./say.js";
+import { reportSummary, verdictOf, verdictText } from "./report.js";
 import { garmentToSend, leftOut } from "./panels.js";
 import { state, update, watch } from "./state.js";
-import { distance, problemItems, scientific, seconds } from "./words.js";
+import { distance, problemItems, seconds } from "./words.js";
 import { showOutcome } from "./stage.js";
 
 const FINAL = new Set(["succeeded", "failed", "canceled"]);
 const STAGES = { mesh: "Meshing the panels", assemble: "Placing the panels", sew: "Sewing", drape: "Draping", export: "Writing the result" };
+/** Pause before a lost connection is tried again [ms], doubled up to the longest. */
 const RETRY_MS = 1000;
-const RETRIES = 20;
+const LONGEST_RETRY_MS = 8000;
+/** Failures in a row after which a person is told. */
+const TELL_AFTER = 2;
 
 let watching = null;
 let submitting = false;
@@ -31,43 +36,67 @@ function showProgress(progress) {
   byId("progress-figures").textContent = [
     progress.fraction !== undefined && `${Math.round(progress.fraction * 100)} %`,
     progress.seam_gap_m != null && `widest gap ${distance(progress.seam_gap_m)}`,
-    progress.residual != null && `residual ${scientific(progress.residual)}`,
     progress.cpu_s > 0 && `${seconds(progress.cpu_s)} of computing`,
   ].filter(Boolean).join(" · ");
 }
 
-/** Follows the events to a final status, resuming where a connection broke. */
+/** Follows the events until the connection breaks or they end; the last id seen. */
+async function followOnce(id, lastId, signal, onEvent) {
+  let last = lastId;
+  try {
+    for await (const event of events(`${fitPath(id)}/events`, { lastId, signal })) {
+      last = event.id ?? last;
+      onEvent();
+      if (event.type === "progress") showProgress(event.data);
+      if (event.type === "status" && event.data.status === "running") update({ fit: { ...state.fit, status: "running" } });
+    }
+  } catch (error) {
+    if (error.name === "AbortError" || (error.status >= 400 && error.status < 500)) throw error;
+  }
+  return last;
+}
+
+/**
+ * Follows a fit to its final status; a connection that broke is tried again for as long as the page
+ * is open.
+ */
 async function follow(id, signal) {
   let lastId = null;
-  for (let failures = 0; failures < RETRIES;) {
-    try {
-      for await (const event of events(`${fitPath(id)}/events`, { lastId, signal })) {
-        lastId = event.id ?? lastId;
-        failures = 0;
-        if (event.type === "progress") showProgress(event.data);
-        if (event.type === "status" && event.data.status === "running") update({ fit: { ...state.fit, status: "running" } });
-      }
-      const fit = await getJson(fitPath(id), { signal });
-      if (FINAL.has(fit.status)) return fit;
-    } catch (error) {
+  let failures = 0;
+  const isBack = () => {
+    if (failures >= TELL_AFTER) say("The service is back.");
+    failures = 0;
+  };
+  for (;;) {
+    lastId = await followOnce(id, lastId, signal, isBack);
+    const fit = await getJson(fitPath(id), { signal }).catch((error) => {
       if (error.name === "AbortError" || (error.status >= 400 && error.status < 500)) throw error;
-    }
+      return null;
+    });
+    if (fit) isBack();
+    if (fit && FINAL.has(fit.status)) return fit;
     failures += 1;
-    await pause(RETRY_MS);
+    if (failures === TELL_AFTER) say("The connection to the service is lost. It is tried again; the fit goes on meanwhile.", true);
+    await pause(Math.min(LONGEST_RETRY_MS, RETRY_MS * 2 ** (failures - 1)));
     signal.throwIfAborted();
   }
-  throw new Problem("The connection to the service was lost. Reload the page to look again.", 0, []);
 }
 
 /** Faults of a fit that the report tells, with all that belongs to them. */
 const REPORTED = new Set(["not_converged", "crossings", "body", "layers", "gap", "strain", "worn"].map((fault) => `fit/${fault}`));
+
+/** Shows faults in the report, and the first of them above the panes. */
+function showFaults(problem) {
+  replaceChildren(byId("fit-faults"), problemItems(problem));
+  say(problem.faults?.[0]?.detail ?? problem.message, true);
+}
 
 /** Why a fit failed, but for what the report says. */
 function showError(fit, report) {
   if (fit.status !== "failed" || !fit.error) return;
   const faults = fit.error.errors ?? [];
   if (report && faults.length > 0 && faults.every((fault) => REPORTED.has(fault.code))) return;
-  replaceChildren(byId("fit-faults"), problemItems(Problem.fromBody(fit.error, fit.error.status ?? 0)));
+  showFaults(Problem.fromBody(fit.error, fit.error.status ?? 0));
 }
 
 /** The result of a fit that ended; a failed one may still have its best shape. */
@@ -79,6 +108,7 @@ async function showResult(fit) {
   showError(fit, report);
   update({ report });
   if (!report) return;
+  say(verdictText(report, fit.status), verdictOf(report, fit.status).good ? "good" : "bad");
   // The saved garment says which limbs its body has; a body of one's own it has whole.
   const { avatar } = await getJson(`${fitPath(fit.id)}/garment`);
   const shown = avatar?.body ? state.garment.avatar : avatar;
@@ -99,8 +129,9 @@ async function watchFit(fit) {
     await showResult(done);
   } catch (problem) {
     if (problem.name === "AbortError") return;
-    update({ fit: isRunning() ? null : state.fit });
-    replaceChildren(byId("fit-faults"), problemItems(problem));
+    // The address keeps the fit: a reload looks again.
+    update({ fit: isRunning() && problem.status >= 400 ? null : state.fit });
+    showFaults(problem);
   }
 }
 
@@ -112,9 +143,10 @@ async function run() {
   try {
     const fit = await postJson("/v1/fits", garmentToSend());
     update({ ran });
+    say("The garment is being sewn. You can go on with the pattern meanwhile.");
     watchFit(fit);
   } catch (problem) {
-    replaceChildren(byId("fit-faults"), problemItems(problem));
+    showFaults(problem);
   } finally {
     submitting = false;
   }
@@ -125,7 +157,7 @@ async function cancel() {
   try {
     await call(fitPath(state.fit.id), { method: "DELETE" });
   } catch (problem) {
-    replaceChildren(byId("fit-faults"), problemItems(problem));
+    showFaults(problem);
   }
 }
 
@@ -170,31 +202,63 @@ async function download(what) {
   try {
     save(await (await call(`${fitPath(state.fit.id)}/${what}`)).blob(), fileStem() + name);
   } catch (problem) {
-    replaceChildren(byId("fit-faults"), problemItems(problem));
+    showFaults(problem);
   }
 }
 
-/** Shows a fit that the address bar names; `ran` is the garment it was run for, where that is not the one shown. */
+/**
+ * Shows a fit that the address bar names; `ran` is the garment it was run for, where that is not
+ * the one shown.
+ */
 export async function showFit(id, ran) {
   try {
     const fit = await getJson(fitPath(id));
     update({ ran: ran ?? asText() });
     await watchFit(fit);
   } catch (problem) {
-    replaceChildren(byId("fit-faults"), problemItems(problem));
+    showFaults(problem);
   }
 }
 
+async function copyLink() {
+  const link = linkTo(state.fit);
+  try {
+    await navigator.clipboard.writeText(link);
+    say("The link is copied. It works for whoever may use this service as you do; give others the garment file.");
+  } catch {
+    say(`The link to this fit: ${link}`);
+  }
+}
+
+/** What the shape on the stage is, where it is not simply the result. */
+function captionText() {
+  const { shape, fit, report } = state;
+  if (shape === null) return "";
+  if (shape !== fit?.id) return "The shape of an earlier fit";
+  if (fit.status === "canceled") return "Stopped before it came to rest";
+  if (state.ran !== asText()) return "As it was before the last changes";
+  if (fit.status === "failed" && report) return verdictOf(report, fit.status).text;
+  return "";
+}
+
+function drawCaption() {
+  byId("stage-caption").textContent = captionText();
+}
+
 export function startFit() {
+  byId("copy-link").addEventListener("click", copyLink);
   byId("run").addEventListener("click", run);
   byId("cancel").addEventListener("click", cancel);
   for (const button of document.querySelectorAll("[data-download]")) {
     button.addEventListener("click", () => download(button.dataset.download));
   }
   watch(["pattern"], () => {
-    // Another pattern was opened while a fit ran: the fit goes on, but is no longer shown.
-    if (!state.fit) watching?.abort();
+    // Another pattern was opened: the fit goes on, but neither it nor its faults are shown.
+    if (state.fit) return;
+    watching?.abort();
+    byId("fit-faults").replaceChildren();
   });
   watch(["pattern", "garment", "check", "fit", "report", "ran"], drawRun);
   watch(["fit", "report"], drawReport);
+  watch(["shape", "fit", "report", "garment", "ran", "leftOut"], drawCaption);
 }

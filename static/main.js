@@ -1,26 +1,47 @@
-/** Puts the parts of the page together. Read on: state.js, files.js, panels.js, sheet.js, picking.js, suggest.js, fit.js, viewer.js. */
+/**
+ * Puts the parts of the page together. Read on: state.js, history.js, files.js, panels.js,
+ * sheet/sheet.js, picking.js, suggest.js, fit.js, viewer.js.
+ */
 
-import { openFromHash, startFiles } from "./files.js";
+import { startAddress } from "./address.js";
+import { startCheck } from "./check.js";
+import { openFromAddress } from "./files.js";
 import { showFit, startFit } from "./fit.js";
-import { letGo, say, select, startPicking } from "./picking.js";
+import { startHistory } from "./history.js";
+import { startKeeping } from "./keeping.js";
+import { startLayout } from "./layout.js";
+import { startPanelList } from "./panel_list.js";
+import { letGo, select, selectSeam, startPicking } from "./picking.js";
+import { say } from "./say.js";
+import { startReading } from "./reading.js";
+import { startRecent } from "./recent.js";
 import { startSeamList } from "./seam_list.js";
 import { loadFabrics, startSettings } from "./settings.js";
-import { startSheet } from "./sheet.js";
+import { fitPanelById, startSheet } from "./sheet/sheet.js";
 import { startStage } from "./stage.js";
+import { startSuggest } from "./suggest.js";
 import { startToken } from "./token.js";
 
 startToken();
-startFiles();
+startLayout();
+startHistory(showFit);
+startReading();
+startRecent(showFit);
 startSettings();
-startSheet(select, letGo);
+startPanelList(fitPanelById);
+startSheet({ select, selectSeam, letGo });
 startPicking();
+startCheck();
 startSeamList();
+startSuggest();
 startStage();
 startFit();
+startAddress();
 
 try {
-  await loadFabrics();
-  await openFromHash(showFit);
+  const { draft, notice } = await startKeeping();
+  await Promise.all([loadFabrics(), openFromAddress(draft, showFit)]);
+  if (notice) say(notice);
 } catch (problem) {
   say(problem.message, true);
 }

@@ -1,4 +1,4 @@
-/** Ways along the outlines of panels, in pattern coordinates (metres, y up, stored clockwise). */
+/** Ways along the outlines of panels, in pattern coordinates (meters, y up, stored clockwise). */
 
 /** The runs of one side of a seam. */
 export const runsOf = (side) => (Array.isArray(side) ? side : [side]);
@@ -6,7 +6,9 @@ export const runsOf = (side) => (Array.isArray(side) ? side : [side]);
 /** The sign of the way out of a panel: the numbers of a mirrored copy run counter-clockwise. */
 export const outwards = (panel) => (panel.copy_of ? -1 : 1);
 
-/** Where a place lies on the outline: edge index plus fraction; null for holes and internal lines. */
+/**
+ * Where a place lies on the outline: edge index plus fraction; null for holes and internal lines.
+ */
 function position(panel, place) {
   if (typeof place === "number") return place < panel.corners.length ? place : null;
   if (place && "hole" in place) return null;
@@ -85,20 +87,14 @@ export function along(points, fraction) {
   return { point: [points[i - 1][0] + tangent[0] * left, points[i - 1][1] + tangent[1] * left], tangent };
 }
 
-/** Fraction of the arc length of the point of `points` that is nearest to `target`. */
-export function nearestFraction(points, target) {
-  let best = { distance: Infinity, at: 0 };
-  let done = 0;
-  for (let i = 1; i < points.length; i++) {
-    const size = step(points, i);
-    const d = [points[i][0] - points[i - 1][0], points[i][1] - points[i - 1][1]];
-    const t = size === 0 ? 0 : ((target[0] - points[i - 1][0]) * d[0] + (target[1] - points[i - 1][1]) * d[1]) / (size * size);
-    const u = Math.min(1, Math.max(0, t));
-    const distance = Math.hypot(points[i - 1][0] + d[0] * u - target[0], points[i - 1][1] + d[1] * u - target[1]);
-    if (distance < best.distance) best = { distance, at: done + u * size };
-    done += size;
-  }
-  return done === 0 ? 0 : best.at / done;
+/** Length of one side of a seam [m]; `panels` is a map by id. */
+export function lengthOfSide(panels, side) {
+  const lengths = runsOf(side).map((run) => {
+    const panel = panels.get(run.panel);
+    const points = panel ? runPoints(panel, run) : [];
+    return points.length < 2 ? 0 : lengthOf(points);
+  });
+  return lengths.reduce((sum, length) => sum + length, 0);
 }
 
 /** The run along one edge, picked clockwise or against it. */

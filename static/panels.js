@@ -1,4 +1,7 @@
-/** Panels as they are seen and sewn: mirrored copies that the garment names come along, spare panels stay out. */
+/**
+ * Panels as they are seen and sewn: mirrored copies that the garment names come along, spare panels
+ * stay out.
+ */
 
 import { runsOf } from "./outline.js";
 import { state } from "./state.js";
@@ -13,7 +16,10 @@ export const titleOf = (panel) => (panel.copy_of ? `${panel.name}, mirrored` : p
 
 const reflected = ([x, y]) => [0 - x, y];
 
-/** The panel reflected x -> -x, as the service has it: all numbers are kept, and `cw` is still from corner 0 to 1. */
+/**
+ * The panel reflected x -> -x, as the service has it: all numbers are kept, and `cw` is still from
+ * corner 0 to 1.
+ */
 function mirrored(panel) {
   const line = (points) => (points ?? []).map(reflected);
   const edges = (all) => all.map((edge) => ({ ...edge, points: line(edge.points) }));
@@ -52,9 +58,17 @@ export function panelsShown() {
   return shown.panels;
 }
 
+/** Forgets mirrored copies that the garment no longer names. */
+export function forgetCopies() {
+  shown = { pattern: null, garment: null, panels: [] };
+}
+
 export const panelOf = (id) => panelsShown().find((panel) => panel.id === id);
 
-/** Spare panels that stay out when the garment is sewn: those that no seam was suggested for, while nothing names them. */
+/**
+ * Spare panels that stay out when the garment is sewn: those that no seam was suggested for, while
+ * nothing names them.
+ */
 export function leftOut() {
   const named = new Set([...namedIds(state.garment)].map(sourceOf));
   return state.leftOut.filter((id) => !named.has(sourceOf(id)));

@@ -1,189 +1,136 @@
-/** Two picked edges become a seam; every change is checked by the service at once. */
+/** Two picked sides become a seam: one way in for pointer and keyboard. */
 
-import { postJson } from "./api.js";
 import { byId } from "./dom.js";
-import { reversedSide, wayOf } from "./outline.js";
-import { panelOf, titleOf } from "./panels.js";
-import { changeGarment, state, update, watch } from "./state.js";
-import { plural, sentence } from "./words.js";
+import { redo, undo } from "./history.js";
+import { edgesOf, lengthOfSide, runsOf } from "./outline.js";
+import { forgetCopies, panelOf, panelsShown } from "./panels.js";
+import { clockwise, runName, sideName } from "./run_names.js";
+import { act, say } from "./say.js";
+import { changeSeams, deleteSeam, freshId } from "./seams.js";
+import { dartIn, isSameStretch, joined, overlap, stretchesOf, twinOf } from "./sides.js";
+import { state, update, watch } from "./state.js";
+import { centimeters } from "./words.js";
 
-const UNDO_DEPTH = 100;
-const undone = [];
-let checking = null;
-let did = ""; // the last change in words, until its check answers
-
-/** Says something to everyone: shown above the sheet and read out. */
-export function say(text, bad = false) {
-  const status = byId("status");
-  status.firstElementChild.textContent = text;
-  status.classList.toggle("bad", bad);
-}
-
-/** Says what was changed; the verdict of the check is added to it. */
-export function act(text) {
-  did = text;
-  say(text);
-}
-
-export function panelName(id) {
-  const panel = panelOf(id);
-  return panel ? titleOf(panel) : id;
-}
-
-const placeName = (place) => {
-  if (typeof place === "number") return String(place);
-  if (place && "notch" in place) return `notch ${place.notch}`;
-  if (place && "edge" in place) return `edge ${place.edge} at ${place.at}`;
-  return JSON.stringify(place);
-};
-
-/** `FRONT 3 → 4`. */
-export const runName = (run) => `${panelName(run.panel)} ${placeName(run.from)} → ${placeName(run.to)}`;
-
-function freshId(a, b) {
-  const used = new Set(state.garment.seams.map((seam) => seam.id));
-  const stem = a.panel === b.panel ? a.panel : `${a.panel}-${b.panel}`;
-  for (let n = 1; ; n++) if (!used.has(`${stem}-${n}`)) return `${stem}-${n}`;
-}
-
-/** The panels of the garment with other placements; `null` takes one away. */
-function withPlacements(placements) {
-  const panels = { ...state.garment.panels };
-  for (const [id, placement] of Object.entries(placements)) {
-    const { placement: _, ...rest } = panels[id] ?? {};
-    panels[id] = placement ? { ...rest, placement } : rest;
-    if (Object.keys(panels[id]).length === 0) delete panels[id];
-  }
-  return panels;
-}
-
-/** Replaces the seams, and with them what a suggestion brings; all of it can be brought back. */
-export function changeSeams(seams, selected = state.selected, { placements = {}, leftOut = state.leftOut } = {}) {
-  undone.push({ seams: state.garment.seams, placed: Object.keys(placements), leftOut: state.leftOut });
-  if (undone.length > UNDO_DEPTH) undone.shift();
-  byId("undo").disabled = false;
-  changeGarment({ seams, panels: withPlacements(placements) });
-  update({ leftOut });
-  update({ selected: seams.some((seam) => seam.id === selected) ? selected : null });
-}
-
-export function undo() {
-  const last = undone.pop();
-  byId("undo").disabled = undone.length === 0;
-  if (!last) return;
-  const panels = withPlacements(Object.fromEntries(last.placed.map((id) => [id, null])));
-  changeGarment({ seams: last.seams, panels });
-  update({ leftOut: last.leftOut, selected: null, picked: null });
-  act("Undone.");
-}
-
-export function forgetUndo() {
-  undone.length = 0;
-  byId("undo").disabled = true;
-}
-
-export function changeSeam(id, patch) {
-  changeSeams(state.garment.seams.map((seam) => (seam.id === id ? { ...seam, ...patch } : seam)), id);
-}
-
-export function reverseSeam(id) {
-  const seam = state.garment.seams.find((one) => one.id === id);
-  changeSeam(id, { b: reversedSide(seam.b) });
-  act(`${id}: the second side now runs the other way.`);
-}
-
-export function deleteSeam(id) {
-  changeSeams(state.garment.seams.filter((seam) => seam.id !== id));
-  act(`Seam ${id} deleted.`);
+/** Takes a step of the history by `move` and says so. */
+function travel(move, verb) {
+  const words = move();
+  forgetCopies();
+  if (words !== null) act(`${verb}: ${words}.`);
 }
 
 export function letGo() {
   if (!state.picked) return;
-  update({ picked: null });
+  update({ picked: null, pickedAt: null });
   say("Let go. Pick the first edge of a seam.");
 }
 
-const clockwise = (run) => {
-  const panel = panelOf(run.panel);
-  // On a mirrored copy the numbers run the other way round.
-  return (wayOf(panel, run) === "ccw") === !panel.copy_of ? "counter-clockwise" : "clockwise";
+const lengthText = (side) => {
+  const panels = new Map(panelsShown().map((panel) => [panel.id, panel]));
+  return centimeters(lengthOfSide(panels, side));
 };
 
-/** The one way in for pointer and keyboard: the first edge, then its partner. */
-export function select(run) {
+function pickFirst(run, at) {
+  update({ picked: run, pickedAt: at, selected: null, growing: null });
+  const start = typeof run.from === "number" ? `corner ${run.from}` : "this place";
+  say(`First side: ${runName(run)}, ${clockwise(run)}. Now pick its partner, beginning at the end that meets ${start}. Shift adds edges.`);
+}
+
+/**
+ * Adds a run to the side that was picked last: the first one, or the second of the seam just made.
+ */
+function extend(run) {
+  if (state.picked) {
+    const picked = joined(state.picked, run);
+    update({ picked });
+    say(`First side: ${sideName(picked)}, ${lengthText(picked)}. Shift adds more, or pick its partner.`);
+    return;
+  }
+  const { growing } = state;
+  const seams = state.garment.seams.map((seam) => (seam.id === growing ? { ...seam, b: joined(seam.b, run) } : seam));
+  changeSeams(seams, `an edge more of ${growing}`, { selected: growing });
+  act(`Seam ${growing}: second side ${sideName(seams.find((seam) => seam.id === growing).b)}.`);
+}
+
+/** The twin on the other half of the body, where there is one and its edges are free. */
+function twinFor(seam) {
+  const twin = state.mirror ? twinOf(seam, panelOf) : null;
+  if (!twin) return [];
+  const taken = stretchesOf([...state.garment.seams, seam].flatMap(({ a, b }) => [a, b]), panelOf);
+  if (overlap(stretchesOf([twin.a, twin.b], panelOf), taken)) return [];
+  return [{ id: freshId(twin.a, twin.b, [seam]), ...twin }];
+}
+
+function sew(a, b) {
+  const seam = { id: freshId(a, b), a, b };
+  const twins = twinFor(seam);
+  update({ picked: null, pickedAt: null, growing: seam.id });
+  changeSeams([...state.garment.seams, seam, ...twins], `seam ${seam.id}`, { selected: seam.id });
+  act(`Seam ${seam.id}: ${sideName(a)} with ${sideName(b)}${twins.length ? `, and mirrored ${twins[0].id}` : ""}.`);
+}
+
+/** A second pick of the first side: a dart in it, the side turned, or let go. */
+function pickAgain(run, at) {
+  const panel = panelOf(run.panel);
+  const [{ edge }] = edgesOf(panel, run);
+  const pick = (direction, where) => ({ direction, notch: where?.notch });
+  const dart = dartIn(panel, panel.edges[edge], pick(runsOf(state.picked)[0].direction, state.pickedAt), pick(run.direction, at));
+  if (dart) return sew(dart.a, dart.b);
+  if (runsOf(state.picked)[0].direction === run.direction) return letGo();
+  update({ picked: run, pickedAt: at });
+  return say(`First side turned: ${runName(run)}, ${clockwise(run)}.`);
+}
+
+/**
+ * Picks a run: the first side, then its partner. `more` adds it to the side picked last; `at` says
+ * which notch was near.
+ */
+export function select(run, { more = false, at = null } = {}) {
   const first = state.picked;
-  if (!first) {
-    update({ picked: run, selected: null });
-    say(`First side: ${runName(run)}, ${clockwise(run)}. Now pick its partner, beginning at the end that meets corner ${run.from}.`);
+  if (more && (first || state.growing)) extend(run);
+  else if (!first) pickFirst(run, at);
+  else if (isSameStretch(first, run, panelOf)) pickAgain(run, at);
+  else sew(first, run);
+}
+
+/** Shows a seam in full, as a click of its number does. */
+export function selectSeam(id) {
+  update({ selected: state.selected === id ? null : id, picked: null, pickedAt: null, growing: null });
+}
+
+const isTyping = (target) => target.matches?.("input, select, textarea");
+
+function onKey(event) {
+  if (event.key === "Escape") letGo();
+  if (isTyping(event.target) || document.querySelector("dialog[open]")) return;
+  const key = event.key.toLowerCase();
+  if ((key === "delete" || key === "backspace") && state.selected !== null) {
+    event.preventDefault();
+    deleteSeam(state.selected);
     return;
   }
-  const same = first.panel === run.panel && [first.from, first.to].sort().join() === [run.from, run.to].sort().join();
-  if (same) {
-    if (first.direction === run.direction) letGo();
-    else {
-      update({ picked: run });
-      say(`First side turned: ${runName(run)}, ${clockwise(run)}.`);
-    }
-    return;
-  }
-  const seam = { id: freshId(first, run), a: first, b: run };
-  update({ picked: null });
-  changeSeams([...state.garment.seams, seam], seam.id);
-  act(`Seam ${seam.id}: ${runName(first)} with ${runName(run)}.`);
+  if (!(event.ctrlKey || event.metaKey)) return;
+  const isRedo = key === "y" || (key === "z" && event.shiftKey);
+  if (!isRedo && key !== "z") return;
+  event.preventDefault();
+  if (isRedo) travel(redo, "Done again");
+  else travel(undo, "Undone");
 }
 
-function verdict(check) {
-  const seam = check.seams.find((finding) => finding.id === state.selected);
-  const bad = check.seams.filter((finding) => !finding.ok).length;
-  if (seam && !seam.ok) return `Seam ${seam.id} cannot be sewn: ${sentence(seam.errors[0]?.detail ?? "see the list")}`;
-  if (bad) return `${bad} of ${plural(check.seams.length, "seam")} cannot be sewn.`;
-  if (seam) return "It can be sewn. Pick the next pair, or sew the garment.";
-  return check.seams.length === 1 ? "The seam can be sewn." : `All ${check.seams.length} seams can be sewn.`;
+/** Numbers of seams by id: a seam keeps its number and color whatever comes and goes. */
+function numberSeams() {
+  const { numbers, garment } = state;
+  const fresh = garment.seams.filter((seam) => numbers[seam.id] === undefined);
+  if (fresh.length === 0) return;
+  const used = garment.seams.map((seam) => numbers[seam.id] ?? 0);
+  const first = Math.max(0, ...used) + 1;
+  update({ numbers: { ...numbers, ...Object.fromEntries(fresh.map((seam, i) => [seam.id, first + i])) } });
 }
 
-function sayVerdict(check) {
-  const before = did;
-  did = "";
-  if (!state.picked) say([before, verdict(check)].filter(Boolean).join(" "), check.seams.some((finding) => !finding.ok));
-}
-
-async function check() {
-  checking?.abort();
-  const { pattern, garment } = state;
-  if (!pattern?.stored || garment.seams.length === 0) {
-    update({ check: null });
-    return;
-  }
-  const { signal } = (checking = new AbortController());
-  try {
-    const body = { seams: garment.seams, ...(Object.keys(garment.panels).length && { panels: garment.panels }), simulate: garment.simulate };
-    const answer = await postJson(`/v1/patterns/${pattern.id}/seams/check`, body, { signal });
-    update({ check: answer });
-    sayVerdict(answer);
-  } catch (problem) {
-    if (problem.name === "AbortError") return;
-    update({ check: { ok: false, seams: [], corrected: [], problem } });
-    say(`The seams could not be checked: ${problem.message}`, true);
-  }
-}
-
-/** Checks whenever seams or faces change. */
 export function startPicking() {
-  byId("undo").addEventListener("click", undo);
-  document.addEventListener("keydown", (event) => {
-    if (event.key === "Escape") letGo();
-    const typing = event.target.matches?.("input, select, textarea");
-    if ((event.ctrlKey || event.metaKey) && event.key === "z" && !event.shiftKey && !typing) {
-      event.preventDefault();
-      undo();
-    }
-  });
-  let asked = "";
-  watch(["pattern", "garment"], () => {
-    const { seams, panels, simulate } = state.garment;
-    const now = JSON.stringify([state.pattern?.id, seams, panels, simulate]);
-    if (now === asked) return;
-    asked = now;
-    check();
-  });
+  byId("undo").addEventListener("click", () => travel(undo, "Undone"));
+  byId("redo").addEventListener("click", () => travel(redo, "Done again"));
+  byId("mirror").addEventListener("click", () => update({ mirror: !state.mirror }));
+  document.addEventListener("keydown", onKey);
+  watch(["mirror"], () => byId("mirror").setAttribute("aria-pressed", String(state.mirror)));
+  watch(["garment"], numberSeams);
 }

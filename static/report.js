@@ -1,9 +1,10 @@
 /** The report in words: what to trust and what not. */
 
 import { el } from "./dom.js";
+import { makersText } from "./makers_words.js";
 import { distance, percent, plural, scientific, seconds, sentence } from "./words.js";
 
-const finding = (kind, text) => el("li", { class: kind }, el("span", {}, text));
+const finding = (kind, text) => el("li", { class: kind }, el("span", {}, makersText(text)));
 
 const CLOSED_M = 1e-3;
 const INSIDE_M = 1e-3;
@@ -50,7 +51,10 @@ function precision(report) {
   return parts.length ? finding("plain", `Estimated error: ${parts.join(", ")}.`) : null;
 }
 
-/** Crossings of cloth with cloth and with the body, where they were counted; faults with the sentence of the verdict. */
+/**
+ * Crossings of cloth with cloth and with the body, where they were counted; faults with the
+ * sentence of the verdict.
+ */
 function crossings(report) {
   const { self_intersections: pairs, body_intersections: onBody } = report;
   const items = [];
@@ -64,14 +68,22 @@ function crossings(report) {
   return items;
 }
 
-function verdictLine(report, status) {
+/** The verdict in a sentence, and whether it is a good one. */
+export function verdictOf(report, status) {
   if (!report.converged) {
-    return el("p", { class: "verdict bad" }, status === "canceled" ? "Stopped before it came to rest." : "The garment did not come to rest.");
+    return { good: false, text: status === "canceled" ? "Stopped before it came to rest." : "The garment did not come to rest." };
   }
-  if (!report.good) return el("p", { class: "verdict good" }, "The garment came to rest.");
+  if (!report.good) return { good: true, text: "The garment came to rest." };
   return report.good.ok
-    ? el("p", { class: "verdict good" }, "The garment came to rest, and nothing is wrong with it.")
-    : el("p", { class: "verdict bad" }, "The garment came to rest, but it is not right.");
+    ? { good: true, text: "The garment came to rest, and nothing is wrong with it." }
+    : { good: false, text: "The garment came to rest, but it is not right." };
+}
+
+/** The verdict with the first reason against it. */
+export function verdictText(report, status) {
+  const { text } = verdictOf(report, status);
+  const because = report.good?.because?.[0];
+  return because && report.converged ? `${text} ${sentence(because)}` : text;
 }
 
 /** How the body carries the garment, where that is judged. */
@@ -83,18 +95,18 @@ function support(worn) {
 
 /** The summary; `canceled` where the fit was stopped. */
 export function reportSummary(report, status) {
-  const verdict = verdictLine(report, status);
+  const { good, text } = verdictOf(report, status);
   const worn = report.worn ?? { ok: null, because: "not stated" };
-  const items = [
+  const items = [closing(report), ...crossings(report), inside(report), layers(report), support(worn),
+    finding("plain", `Largest strain ${percent(report.strain_max)}.`)];
+  const figures = [
     finding(report.converged ? "good" : "bad", reason(report)),
-    closing(report),
-    ...crossings(report),
-    inside(report),
-    layers(report),
-    support(worn),
     precision(report),
-    finding("plain", `Largest strain ${percent(report.strain_max)}.`),
     finding("plain", `${seconds(report.cpu_s.total)} of computing, ${plural(report.vertices, "vertex", "vertices")}, ${plural(report.stitches, "stitch", "stitches")}, method ${report.method}.`),
   ];
-  return [verdict, el("ul", { class: "findings" }, items.filter(Boolean))];
+  return [
+    el("p", { class: `verdict ${good ? "good" : "bad"}` }, text),
+    el("ul", { class: "findings" }, items.filter(Boolean)),
+    el("details", {}, el("summary", {}, "Details of the computation"), el("ul", { class: "findings" }, figures.filter(Boolean))),
+  ];
 }

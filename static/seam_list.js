@@ -1,98 +1,24 @@
 /** The list of seams: what is wrong with each, what would put it right, and its order of sewing. */
 
 import { byId, el, replaceChildren } from "./dom.js";
-import { runsOf } from "./outline.js";
 import { leftOut } from "./panels.js";
-import { act, changeSeam, changeSeams, deleteSeam, panelName, reverseSeam, runName } from "./picking.js";
-import { colourClass } from "./seam_marks.js";
-import { state, update, watch } from "./state.js";
-import { suggest, suggestionOf } from "./suggest.js";
-import { centimetres, distance, faultItem, percent, plural, problemItems, sentence } from "./words.js";
-
-const sideName = (side) => runsOf(side).map(runName).join(", ");
+import { selectSeam } from "./picking.js";
+import { panelName, sideName } from "./run_names.js";
+import { act } from "./say.js";
+import { seamDetails } from "./seam_details.js";
+import { changeSeams, deleteSeam, reverseSeam } from "./seams.js";
+import { colorClass } from "./sheet/seam_marks.js";
+import { state, watch } from "./state.js";
+import { accept, acceptOffer, refuseOffer, suggestionOf } from "./suggest.js";
+import { centimeters, distance, percent, plural, problemItems, sentence } from "./words.js";
 
 const findingOf = (seam) => state.check?.seams.find((finding) => finding.id === seam.id);
-
-/** What the service would have instead, where that differs. */
-function correctionOf(seam) {
-  const other = state.check?.corrected.find((one) => one.id === seam.id);
-  const sides = ({ a, b, match, gather, layered, allow_twist }) =>
-    JSON.stringify([runsOf(a), runsOf(b), match ?? "as_picked", !!gather, !!layered, !!allow_twist].map(withoutDirection));
-  return other && sides(other) !== sides(seam) ? other : null;
-}
-
-const withoutDirection = (part) =>
-  Array.isArray(part) ? part.map(({ panel, from, to }) => [panel, from, to]) : part;
 
 function figures(finding) {
   if (!finding) return el("span", { class: "figures" }, "");
   if (!finding.ok) return el("span", { class: "figures bad" }, "✗ cannot be sewn");
   const ease = finding.ease_m > 0.001 ? `ease ${distance(finding.ease_m)} (${percent(finding.ease)})` : "no ease";
-  return el("span", { class: "figures" }, `${finding.warnings.length ? "⚠" : "✓"} ${centimetres(finding.length_a_m)}, ${ease}`);
-}
-
-/** The way the correction would change the seam, in words. */
-function correctionText(seam, other) {
-  const parts = [];
-  if (sideName(seam.a) !== sideName(other.a)) parts.push(sideName(other.a));
-  if (sideName(seam.b) !== sideName(other.b)) parts.push(sideName(other.b));
-  if (other.gather && !seam.gather) parts.push("gathered");
-  if (other.layered && !seam.layered) parts.push("layered");
-  if (other.match && other.match !== seam.match) parts.push(`matched ${other.match.replace("_", " ")}`);
-  return parts.join(", ") || "other order";
-}
-
-function correction(seam) {
-  const other = correctionOf(seam);
-  if (!other) return null;
-  const use = () => {
-    changeSeams(state.garment.seams.map((one) => (one.id === seam.id ? other : one)), seam.id);
-    act(`Seam ${seam.id} corrected.`);
-  };
-  return el("button", { type: "button", class: "small", "data-key": `correct ${seam.id}`, onclick: use },
-    `Use the correction: ${correctionText(seam, other)}`);
-}
-
-function checkbox(seam, field, text) {
-  const flip = (event) => changeSeam(seam.id, { [field]: event.target.checked });
-  return el("label", { class: "check" },
-    el("input", { type: "checkbox", checked: !!seam[field], "data-key": `${field} ${seam.id}`, onchange: flip }), text);
-}
-
-function options(seam) {
-  const setStage = (event) => {
-    const stage = Math.max(0, Math.round(Number(event.target.value)) || 0);
-    changeSeam(seam.id, { stage });
-  };
-  const setMatch = (event) => changeSeam(seam.id, { match: event.target.value });
-  const match = seam.match ?? "as_picked";
-  return el("div", { class: "options" },
-    el("label", { class: "inline" }, "Sewn in step ",
-      el("input", { type: "number", min: 0, max: 99, step: 1, value: seam.stage ?? 0, "data-key": `stage ${seam.id}`, onchange: setStage })),
-    el("label", { class: "inline" }, "Ends",
-      el("select", { "data-key": `match ${seam.id}`, onchange: setMatch },
-        el("option", { value: "as_picked", selected: match === "as_picked" }, "as picked"),
-        el("option", { value: "auto", selected: match === "auto" }, "found"))),
-    checkbox(seam, "gather", "Gather"),
-    checkbox(seam, "layered", "Over another seam"),
-    checkbox(seam, "allow_twist", "Twist on purpose"));
-}
-
-/** How sure the service is of a seam that it suggested, and why. */
-function reason(seam) {
-  const found = suggestionOf(seam);
-  return found && el("p", { class: "note" }, `Suggested, ${percent(found.confidence)} sure: ${sentence(found.because)}`);
-}
-
-function details(seam, finding) {
-  const ways = finding?.ok && `${plural(finding.stitch_count, "stitch", "stitches")}; ${centimetres(finding.length_a_m)} on ${centimetres(finding.length_b_m)}; ways ${finding.direction_a ?? "?"} and ${finding.direction_b ?? "?"}${finding.reversed ? " (reversed by the service)" : ""}.`;
-  return el("div", { class: "more" },
-    (finding?.errors ?? []).map((fault) => faultItem(fault)),
-    correction(seam),
-    reason(seam),
-    (finding?.warnings ?? []).map((warning) => faultItem(warning, "warning")),
-    ways && el("p", { class: "note" }, ways),
-    options(seam));
+  return el("span", { class: "figures" }, `${finding.warnings.length ? "⚠" : "✓"} ${centimeters(finding.length_a_m)}, ${ease}`);
 }
 
 /** Seams in the order of sewing: by stage, then as listed. */
@@ -104,8 +30,8 @@ function move(seam, by) {
   const stage = other.stage ?? 0;
   const moved = order.filter((one) => one !== seam);
   moved.splice(at + by, 0, stage === (seam.stage ?? 0) ? seam : { ...seam, stage });
-  changeSeams(moved, state.selected);
-  act(`Seam ${seam.id} is now number ${at + by + 1}.`);
+  changeSeams(moved, `the place of ${seam.id}`);
+  act(`Seam ${seam.id} is now sewn as number ${at + by + 1} in order.`);
 }
 
 const inOrder = () =>
@@ -119,39 +45,63 @@ const iconButton = (seam, what, sign, act, disabled = false) =>
 function remove(seam, at) {
   const next = inOrder()[at + 1] ?? inOrder()[at - 1];
   deleteSeam(seam.id);
-  // The row is gone: go on from its neighbour.
+  // The row is gone: go on from its neighbor.
   queueMicrotask(() => byId("seam-list").querySelector(next ? `[data-key="${CSS.escape(`choose ${next.id}`)}"]` : "button")?.focus());
 }
 
 function row(seam, at, count) {
   const finding = findingOf(seam);
   const open = seam.id === state.selected;
-  const number = state.garment.seams.indexOf(seam);
-  const classes = ["seam", colourClass(number), open && "selected", finding?.ok === false && "bad"];
+  const number = state.numbers[seam.id] ?? state.garment.seams.indexOf(seam) + 1;
+  const classes = ["seam", colorClass(number), open && "selected", finding?.ok === false && "bad"];
   const found = suggestionOf(seam);
-  const choose = () => update({ selected: open ? null : seam.id, picked: null });
   return el("li", { class: classes.filter(Boolean).join(" ") },
     el("div", { class: "row" },
-      el("button", { type: "button", class: "choose", "aria-expanded": String(open), "data-key": `choose ${seam.id}`, title: found?.because, onclick: choose },
-        el("span", { class: "badge" }, String(number + 1)),
-        el("span", { class: "what" }, seam.id, found && [" ", el("span", { class: "tag" }, `suggested, ${percent(found.confidence)}`)]),
+      el("button", { type: "button", class: "choose", "aria-expanded": String(open), "data-key": `choose ${seam.id}`, title: found?.because, onclick: () => selectSeam(seam.id) },
+        el("span", { class: "badge" }, String(number)),
+        el("span", { class: "what" }, seam.id, found && [" ", el("span", { class: `tag${found.confidence < SURE ? " doubtful" : ""}` }, `suggested, ${percent(found.confidence)}`)]),
         figures(finding),
         el("small", { class: "sides" }, `${sideName(seam.a)} with ${sideName(seam.b)}`)),
+      found && iconButton(seam, "Accept", "✓", () => accept([seam.id])),
       iconButton(seam, "Reverse", "⇄", () => reverseSeam(seam.id)),
       iconButton(seam, "Sew earlier", "↑", () => move(seam, -1), at === 0),
       iconButton(seam, "Sew later", "↓", () => move(seam, 1), at === count - 1),
-      iconButton(seam, "Delete", "✕", () => remove(seam, at))),
-    open && details(seam, finding));
+      iconButton(seam, found ? "Refuse" : "Delete", "✕", () => remove(seam, at))),
+    open && seamDetails(seam, finding));
 }
 
-/** How many there are, and the button that finds more. */
-function head(count) {
-  const stored = state.pattern.stored;
-  const title = stored ? "Adds the seams that garments of this kind have; yours stay" : "The service does not hold this pattern: open its file first";
-  return el("div", { class: "head" },
-    el("span", {}, count ? `${plural(count, "seam")} in order of sewing` : "No seams yet"),
-    el("button", { type: "button", class: "small", "data-key": "suggest", title, disabled: !stored, onclick: suggest }, "Suggest seams"));
+/** How many there are, on the drawer's handle. */
+function drawCount() {
+  const { seams } = state.garment;
+  const bad = seams.filter((seam) => findingOf(seam)?.ok === false).length;
+  byId("seam-count").textContent = bad ? `${bad} of ${seams.length} ✗` : String(seams.length);
+  byId("seam-count").classList.toggle("bad", bad > 0);
 }
+
+/** Proposals above this confidence are not doubtful. */
+const SURE = 0.8;
+
+/** How many proposals wait to be looked at. */
+function proposalsHead(seams) {
+  const ids = seams.filter(suggestionOf).map((seam) => seam.id);
+  return ids.length > 0 && el("div", { class: "head" },
+    el("span", {}, `${plural(ids.length, "proposal")}, drawn dashed: sewn as they are, unless you refuse them`),
+    el("button", { type: "button", class: "small", "data-key": "accept all", onclick: () => accept(ids) }, "Accept all"));
+}
+
+function offerRow(offer) {
+  return el("li", { class: "seam offer" }, el("div", { class: "row" },
+    el("p", { class: "choose" }, el("span", { class: "what" }, offer.id, " ", el("span", { class: "tag doubtful" }, `offered, ${percent(offer.confidence)}`)),
+      el("small", { class: "sides" }, `${sideName(offer.a)} with ${sideName(offer.b)}: ${sentence(offer.because)}`)),
+    iconButton(offer, "Accept", "✓", () => acceptOffer(offer)),
+    iconButton(offer, "Refuse", "✕", () => refuseOffer(offer))));
+}
+
+/** Seams that are only offered. */
+const offerList = () => state.offers.length > 0 && [
+  el("p", { class: "note" }, "Offered, but less than half sure, and not sewn before you accept them:"),
+  el("ul", { "aria-label": "Offered seams" }, state.offers.map(offerRow)),
+];
 
 /** Panels that stay out. */
 function spareNote() {
@@ -165,12 +115,15 @@ function draw() {
   const problem = state.check?.problem;
   replaceChildren(byId("seam-list"),
     problem && el("div", { class: "faults" }, problemItems(problem)),
-    state.pattern && head(seams.length),
     spareNote(),
-    seams.length > 0 && el("ol", { "aria-label": "Seams in order of sewing" }, seams.map((seam, at) => row(seam, at, seams.length))));
+    proposalsHead(seams),
+    state.pattern && seams.length === 0 && el("p", { class: "note" }, "No seams yet."),
+    seams.length > 0 && el("ol", { "aria-label": "Seams in order of sewing" }, seams.map((seam, at) => row(seam, at, seams.length))),
+    offerList());
 }
 
 export function startSeamList() {
-  watch(["pattern", "garment", "suggested", "leftOut", "check", "selected"], draw);
+  watch(["pattern", "garment", "suggested", "offers", "leftOut", "check", "selected", "numbers"], draw);
+  watch(["garment", "check"], drawCount);
   watch(["selected", "check"], () => byId("seam-list").querySelector(".selected")?.scrollIntoView({ block: "nearest" }));
 }

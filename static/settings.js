@@ -1,9 +1,10 @@
-/** Fabric of each panel, measurements of the dress form, fineness of the mesh. */
+/** Fabric of all panels, measurements of the dress form, fineness of the mesh. */
 
 import { call, getJson } from "./api.js";
 import { byId, el, replaceChildren, setOptions } from "./dom.js";
-import { panelsShown, titleOf } from "./panels.js";
-import { changeGarment, DEFAULT_FORM, state, update, watch } from "./state.js";
+import { changeGarment } from "./history.js";
+import { say } from "./say.js";
+import { DEFAULT_FORM, state, update, watch } from "./state.js";
 import { plural, problemItems } from "./words.js";
 
 /** Measurements in the order in which they are asked, with what a person may have [cm]. */
@@ -24,33 +25,15 @@ export async function loadFabrics() {
   update({ fabrics: asMap(await getJson("/v1/fabrics")) });
 }
 
-const allFabrics = () => ({ ...state.fabrics, ...state.garment.fabrics });
+/** Fetches the fabrics where they could not be had before, as before a token was given. */
+function loadFabricsLate() {
+  if (state.pattern && Object.keys(state.fabrics).length === 0) loadFabrics().catch(() => {});
+}
+
+/** Fabrics of the service and of the garment by id. */
+export const allFabrics = () => ({ ...state.fabrics, ...state.garment.fabrics });
 
 const fabricOptions = () => Object.entries(allFabrics()).map(([id, fabric]) => [id, fabric.name ?? id]);
-
-function setPanel(id, patch) {
-  const panel = { ...state.garment.panels[id], ...patch };
-  for (const [field, value] of Object.entries(panel)) if (value === "" || value === "auto") delete panel[field];
-  const panels = { ...state.garment.panels, [id]: panel };
-  if (Object.keys(panel).length === 0) delete panels[id];
-  changeGarment({ panels });
-}
-
-function select(panel, field, text, pairs) {
-  const chosen = state.garment.panels[panel.id]?.[field] ?? pairs[0][0];
-  const key = `${field} ${panel.id}`;
-  return el("label", {}, text,
-    el("select", { "data-key": key, "aria-label": `${text} of ${titleOf(panel)}`, onchange: (event) => setPanel(panel.id, { [field]: event.target.value }) },
-      pairs.map(([value, label]) => el("option", { value, selected: value === chosen }, label))));
-}
-
-function panelRow(panel) {
-  const found = state.check?.faces?.[panel.id];
-  const auto = found ? `Found: ${found}` : "Found";
-  return el("div", { class: "panel-row" }, el("strong", {}, titleOf(panel)),
-    select(panel, "fabric", "Fabric", [["", "As all"], ...fabricOptions()]),
-    select(panel, "face", "Face", [["auto", auto], ["up", "Up"], ["down", "Down"]]));
-}
 
 function drawFabric() {
   const id = state.garment.default_fabric;
@@ -59,17 +42,20 @@ function drawFabric() {
   setOptions(byId("default-fabric"), options, id);
   const fabric = allFabrics()[id];
   byId("fabric-note").textContent = fabric?.density_kg_m2 ? `${(fabric.density_kg_m2 * 1000).toFixed(0)} g/m²` : "";
-  byId("by-panel").hidden = !state.pattern;
-  replaceChildren(byId("panel-rows"), panelsShown().map(panelRow));
 }
 
 function measure([field, text, least, most]) {
   const form = state.garment.avatar?.form ?? {};
-  const change = (event) => {
-    if (!event.target.reportValidity() || event.target.value === "") return;
-    changeGarment({ avatar: { form: { ...DEFAULT_FORM, ...form, [field]: Number((event.target.valueAsNumber / 100).toFixed(4)) } } });
-  };
   const value = Number(((form[field] ?? DEFAULT_FORM[field]) * 100).toFixed(2));
+  const change = (event) => {
+    const { target } = event;
+    if (!target.checkValidity() || target.value === "") {
+      target.value = value;
+      say(`${text} is between ${least} and ${most} cm; it stays at ${value} cm.`, true);
+      return;
+    }
+    changeGarment({ avatar: { form: { ...DEFAULT_FORM, ...form, [field]: Number((target.valueAsNumber / 100).toFixed(4)) } } }, `the ${text.toLowerCase()}`);
+  };
   return el("label", {}, `${text}, cm`,
     el("input", { type: "number", min: least, max: most, step: 0.5, value, "data-key": field, onchange: change }));
 }
@@ -81,25 +67,24 @@ function drawBody() {
   if (form) replaceChildren(byId("measures"), MEASURES.map(measure));
 }
 
-/** Sends the file of a body, which then is the garment's; its faults and remarks are shown beside it. */
-async function uploadBody(event) {
-  const [file] = event.target.files;
-  if (!file) return;
+/**
+ * Sends the file of a body, which then is the garment's; its faults and remarks are shown beside
+ * it.
+ */
+export async function uploadBody(file) {
   const note = byId("body-note");
   note.textContent = "Reading the body…";
   try {
     const body = new FormData();
     body.append("file", file, file.name);
     const avatar = await (await call("/v1/avatars", { method: "POST", body })).json();
-    changeGarment({ avatar: avatar.id });
+    changeGarment({ avatar: avatar.id }, `the body ${file.name}`);
     const { bust_m: bust, waist_m: waist, hip_m: hip } = avatar.girths;
     const girths = [["bust", bust], ["waist", waist], ["hip", hip]].map(([name, girth]) => `${name} ${(girth * 100).toFixed(1)} cm`);
     const remarks = avatar.file.warnings.map((warning) => el("li", {}, warning.detail));
     replaceChildren(note, [`${file.name}: ${plural(avatar.file.triangle_count, "triangle")}, ${girths.join(", ")}.`, el("ul", {}, ...remarks)]);
   } catch (problem) {
     replaceChildren(note, [el("ul", {}, ...problemItems(problem))]);
-  } finally {
-    event.target.value = "";
   }
 }
 
@@ -113,12 +98,17 @@ function drawMesh() {
 }
 
 export function startSettings() {
-  byId("default-fabric").addEventListener("change", (event) => changeGarment({ default_fabric: event.target.value }));
-  byId("use-form").addEventListener("click", () => changeGarment({ avatar: { form: { ...DEFAULT_FORM } } }));
-  byId("body-file").addEventListener("change", uploadBody);
+  byId("default-fabric").addEventListener("change", (event) => changeGarment({ default_fabric: event.target.value }, "the fabric"));
+  byId("use-form").addEventListener("click", () => changeGarment({ avatar: { form: { ...DEFAULT_FORM } } }, "the dress form"));
+  byId("body-file").addEventListener("change", async (event) => {
+    const [file] = event.target.files;
+    if (file) await uploadBody(file);
+    event.target.value = "";
+  });
   byId("edge-length").addEventListener("change", (event) =>
-    changeGarment({ simulate: { ...state.garment.simulate, edge_length_m: Number(event.target.value) } }));
-  watch(["fabrics", "garment", "pattern", "check"], drawFabric);
+    changeGarment({ simulate: { ...state.garment.simulate, edge_length_m: Number(event.target.value) } }, "the mesh"));
+  watch(["fabrics", "garment"], drawFabric);
+  watch(["pattern"], loadFabricsLate);
   watch(["garment"], drawBody);
   watch(["garment"], drawMesh);
 }

@@ -1,8 +1,11 @@
-/** The stage: brings result and body to the 3D view, which loads only when there is something to show. */
+/**
+ * The stage: brings result and body to the 3D view, which loads only when there is something to
+ * show.
+ */
 
 import { call, postJson } from "./api.js";
 import { byId } from "./dom.js";
-import { state, watch } from "./state.js";
+import { state, update, watch } from "./state.js";
 
 let viewer = null;
 let shownBody = "";
@@ -47,6 +50,7 @@ export async function showOutcome(fitId, avatar, intersections) {
   await view.showGarment(garment);
   view.mark(intersections.map((place) => place.at));
   shownBody = key;
+  update({ shape: fitId });
   note("");
 }
 
@@ -59,6 +63,7 @@ export function startStage() {
     if (state.fit) return;
     shows += 1;
     viewer?.clear();
+    update({ shape: null });
     note("The garment appears here.");
   });
 }

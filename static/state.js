@@ -1,4 +1,6 @@
-/** What the page knows, and who wants to hear of changes. Views only paint; they never keep a copy. */
+/**
+ * What the page knows, and who wants to hear of changes. Views only paint; they never keep a copy.
+ */
 
 /** The body that a new garment is draped on [m]: a woman in size M. */
 export const DEFAULT_FORM = { height_m: 1.68, bust_m: 0.92, waist_m: 0.74, hip_m: 0.98 };
@@ -14,17 +16,28 @@ export const emptyGarment = () => ({
 
 export const state = {
   pattern: null,
+  reading: { file: null, options: {} }, // the file that the pattern came from, and how it was read
   garment: emptyGarment(),
   fabrics: {},
-  picked: null, // the first edge of a pair: a run
+  picked: null, // the first side of a seam that is being picked
+  pickedAt: null, // where on it: {notch} if one was near
+  growing: null, // id of the seam made last, whose second side takes more edges
+  mirror: false, // true if a seam brings its twin on the other half of the body
+  numbers: {}, // number of each seam by its id
+  tape: null, // {from, to}: points of the sheet, null where not set
+  pointed: null, // id of the panel under the pointer, in the list or on the sheet
   selected: null, // id of the seam shown in full
   suggested: {}, // what the service said of seams that it suggested, by id: {confidence, because, sides}
+  offers: [], // suggested seams that are not sewn before they are accepted
   leftOut: [], // ids of panels that no seam was suggested for
   check: null, // the answer of seams/check, or {problem}
   fit: null,
   report: null,
+  shape: null, // id of the fit whose shape is on the stage
   ran: null, // the garment of the shown fit as text, to tell when it is out of date
-  zoom: 1,
+  history: { undo: null, redo: null }, // the changes that can be taken back and made again, in words
+  layout: { split: 50, rail: true, drawer: null, full: null },
+  view: null, // the part of the sheet that is seen: {x, y, k, home}
 };
 
 const listeners = [];
@@ -48,9 +61,4 @@ export function update(patch) {
   Object.assign(state, patch);
   if (changed.size === 0) queueMicrotask(flush);
   for (const key of Object.keys(patch)) changed.add(key);
-}
-
-/** Changes the garment; `patch` replaces its top-level fields. */
-export function changeGarment(patch) {
-  update({ garment: { ...state.garment, ...patch } });
 }

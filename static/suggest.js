@@ -1,10 +1,16 @@
-/** Seams that the service suggests: they come beside those that are there, each with how sure it is and why. */
+/**
+ * Seams that the service suggests: they come beside those that are there, each with how sure it is
+ * and why.
+ */
 
 import { postJson } from "./api.js";
-import { edgesOf, runsOf } from "./outline.js";
+import { byId } from "./dom.js";
+import { change } from "./history.js";
 import { panelOf, sewnIds, sourceOf } from "./panels.js";
-import { act, changeSeams, say } from "./picking.js";
-import { state, update } from "./state.js";
+import { act, say } from "./say.js";
+import { changeSeams } from "./seams.js";
+import { overlap, stretchesOf } from "./sides.js";
+import { state, update, watch } from "./state.js";
 import { plural, sentence } from "./words.js";
 
 let asking = false;
@@ -17,21 +23,9 @@ export function suggestionOf(seam) {
   return found?.sides === sidesOf(seam) ? found : null;
 }
 
-/** The stretches of edges that a seam takes: `{key, from, to}`. */
-function stretches(seam) {
-  return [...runsOf(seam.a), ...runsOf(seam.b)].flatMap((run) => {
-    const panel = panelOf(run.panel) ?? panelOf(sourceOf(run.panel));
-    const covered = panel ? edgesOf(panel, run) : [];
-    if (covered.length) return covered.map(({ edge, from, to }) => ({ key: `${run.panel} ${edge}`, from, to }));
-    return [{ key: JSON.stringify([run.panel, run.from, run.to]), from: 0, to: 1 }];
-  });
-}
+const find = (id) => panelOf(id) ?? panelOf(sourceOf(id));
 
-/** Whether a seam lies on a stretch that is taken. */
-function clashes(seam, taken) {
-  return stretches(seam).some(({ key, from, to }) =>
-    taken.some((other) => other.key === key && Math.min(to, other.to) - Math.max(from, other.from) > 1e-6));
-}
+const takenBy = (seams) => stretchesOf(seams.flatMap(({ a, b }) => [a, b]), find);
 
 function withFreshId(seam, used) {
   let { id } = seam;
@@ -47,30 +41,66 @@ function placementsFor(panels) {
   return Object.fromEntries(Object.entries(panels).filter(([id]) => isOpen(id)).map(([id, { placement }]) => [id, placement]));
 }
 
+/** A proposal below this confidence is an offer, which is not sewn before it is accepted. */
+const OFFER = 0.5;
+
+const plainSeam = ({ confidence, because, ...seam }) => seam;
+
+const reasonOf = (seam) => ({ confidence: seam.confidence, because: seam.because, sides: sidesOf(seam) });
+
+/** How many panels the proposals understand, in words. */
+function understood(seams) {
+  const sewn = new Set([...sewnIds(seams)].map(sourceOf));
+  const all = state.pattern.panels.filter((panel) => !panel.copy_of);
+  return `${all.filter((panel) => sewn.has(panel.id)).length} of ${plural(all.length, "panel")} understood`;
+}
+
+function summary(proposals, offers, kept) {
+  const parts = [`${plural(proposals.length, "seam")} suggested`];
+  if (offers.length) parts.push(`${offers.length} more only offered, as less than half sure`);
+  if (kept) parts.push(`${kept} left as they were picked`);
+  return `${parts.join(", ")}; ${understood([...proposals, ...offers])}.`;
+}
+
 function add(found) {
   const there = state.garment.seams;
-  const taken = there.flatMap(stretches);
+  const taken = takenBy(there);
   const used = new Set(there.map((seam) => seam.id));
-  const free = found.seams.filter((seam) => !clashes(seam, taken)).map((seam) => withFreshId(seam, used));
+  const free = found.seams.filter((seam) => !overlap(takenBy([seam]), taken)).map((seam) => withFreshId(seam, used));
   if (free.length === 0) {
     say(found.seams.length
       ? "Nothing to add: every suggested seam lies on an edge that is sewn already."
-      : "No seam is suggested: no panel was recognised by its name and shape. Pick the seams by hand.");
+      : "No seam is suggested: no panel was recognized by its name and shape. Pick the seams by hand.");
     return;
   }
-  const suggested = { ...state.suggested };
-  const seams = free.map(({ confidence, because, ...seam }) => {
-    suggested[seam.id] = { confidence, because, sides: sidesOf(seam) };
-    return seam;
-  });
+  const proposals = free.filter((seam) => seam.confidence >= OFFER);
+  const offers = free.filter((seam) => seam.confidence < OFFER);
+  const suggested = { ...state.suggested, ...Object.fromEntries(proposals.map((seam) => [seam.id, reasonOf(seam)])) };
   const sewn = new Set([...sewnIds(found.seams)].map(sourceOf));
-  const spare = state.pattern.panels.map((panel) => panel.id).filter((id) => !sewn.has(sourceOf(id)));
-  update({ suggested });
-  changeSeams([...there, ...seams], null, { placements: placementsFor(found.panels), leftOut: spare });
-  const kept = found.seams.length - free.length;
-  const offers = free.filter((seam) => seam.confidence < 0.5).length;
-  const unsure = offers ? `, ${offers} of them less than half sure: look at ${offers === 1 ? "it" : "these"} before you sew` : "";
-  act(`${plural(free.length, "seam")} suggested${unsure}${kept ? `, ${kept} left as they were picked` : ""}.`);
+  const leftOut = state.pattern.panels.map((panel) => panel.id).filter((id) => !sewn.has(sourceOf(id)));
+  changeSeams([...there, ...proposals.map(plainSeam)], "suggested seams",
+    { selected: null, placements: placementsFor(found.panels), leftOut, suggested, offers });
+  act(summary(proposals, offers, found.seams.length - free.length));
+}
+
+/** Takes proposals as they are: they are no longer marked as such. */
+export function accept(ids) {
+  const suggested = Object.fromEntries(Object.entries(state.suggested).filter(([id]) => !ids.includes(id)));
+  change({ suggested }, `accepting ${ids.length === 1 ? ids[0] : plural(ids.length, "proposal")}`);
+  act(ids.length === 1 ? `Seam ${ids[0]} accepted.` : `${plural(ids.length, "proposal")} accepted.`);
+}
+
+const withoutOffer = (id) => state.offers.filter((offer) => offer.id !== id);
+
+/** Makes an offer a seam. */
+export function acceptOffer(offer) {
+  changeSeams([...state.garment.seams, plainSeam(offer)], `accepting ${offer.id}`, { selected: offer.id, offers: withoutOffer(offer.id) });
+  act(`Seam ${offer.id} accepted.`);
+}
+
+export function refuseOffer(offer) {
+  change({ offers: withoutOffer(offer.id) }, `refusing ${offer.id}`);
+  act(`${offer.id} refused.`);
 }
 
 /** Asks the service for seams and adds those whose edges are free. */
@@ -88,4 +118,18 @@ export async function suggest() {
   } finally {
     asking = false;
   }
+}
+
+function drawButton() {
+  const { pattern } = state;
+  const button = byId("suggest");
+  button.disabled = !pattern?.stored;
+  button.title = !pattern || pattern.stored
+    ? "Adds the seams that garments of this kind have; yours stay"
+    : "The service does not hold this pattern: open its file first";
+}
+
+export function startSuggest() {
+  byId("suggest").addEventListener("click", suggest);
+  watch(["pattern"], drawButton);
 }

@@ -1,4 +1,6 @@
-/** The garment in 3D: orbit by pointer or arrow keys. Frames are drawn only when something changed. */
+/**
+ * The garment in 3D: orbit by pointer or arrow keys. Frames are drawn only when something changed.
+ */
 
 import * as THREE from "three";
 import { OrbitControls } from "./node_modules/three/examples/jsm/controls/OrbitControls.js";
@@ -8,11 +10,14 @@ import { GLTFLoader } from "./node_modules/three/examples/jsm/loaders/GLTFLoader
 const SIDES = { front: [0, 1], back: [0, -1], left: [1, 0], right: [-1, 0] };
 const KEY_TURN = Math.PI / 18;
 
-/** Muted cloth colours, one for each fabric in the garment. */
+/** Muted cloth colors, one for each fabric in the garment. */
 const CLOTH = [0x8fa9bf, 0xc79a86, 0x9db08e, 0xb9a3c4, 0xc9b37e, 0x86b1ad];
 const BODY = 0xb9b1a8;
 
-/** The body is drawn some 3 mm further away, so that its facets do not show through cloth that lies on it. The report has the true depth. */
+/**
+ * The body is drawn some 3 mm further away, so that its facets do not show through cloth that lies
+ * on it. The report has the true depth.
+ */
 const BODY_BEHIND = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 600 };
 const SEAM_LINE = 0x2c3338;
 const MARK = 0xd0342c;
@@ -40,17 +45,17 @@ function dispose(group) {
   group.clear();
 }
 
-/** Cloth from the loaded file: both faces, coloured by fabric, edges of panels drawn. */
+/** Cloth from the loaded file: both faces, colored by fabric, edges of panels drawn. */
 function dress(model) {
   const fabrics = [];
   model.traverse((object) => {
     if (!object.isMesh) return;
     const name = object.material.name;
     if (!fabrics.includes(name)) fabrics.push(name);
-    const colour = CLOTH[fabrics.indexOf(name) % CLOTH.length];
+    const color = CLOTH[fabrics.indexOf(name) % CLOTH.length];
     const textured = object.material.map;
     object.material = new THREE.MeshStandardMaterial({
-      name, map: textured, color: textured ? 0xffffff : colour, roughness: 0.9, side: THREE.DoubleSide,
+      name, map: textured, color: textured ? 0xffffff : color, roughness: 0.9, side: THREE.DoubleSide,
       polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
     });
     object.castShadow = true;

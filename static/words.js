@@ -1,18 +1,20 @@
 /** Numbers and faults as a person reads them. */
 
 import { el } from "./dom.js";
+import { makersText } from "./makers_words.js";
+import { state } from "./state.js";
 
-/** A length of cloth in centimetres. */
-export const centimetres = (metres) => `${(metres * 100).toFixed(1)} cm`;
+/** A length of cloth in centimeters. */
+export const centimeters = (meters) => `${(meters * 100).toFixed(1)} cm`;
 
-/** A small distance: micrometres, millimetres or centimetres, two significant digits. */
-export function distance(metres) {
-  if (!Number.isFinite(metres)) return "unknown";
-  const size = Math.abs(metres);
+/** A small distance: micrometers, millimeters or centimeters, two significant digits. */
+export function distance(meters) {
+  if (!Number.isFinite(meters)) return "unknown";
+  const size = Math.abs(meters);
   if (size === 0) return "0 mm";
   if (size < 1e-5) return "less than 0.01 mm";
-  if (size < 0.1) return `${Number((metres * 1000).toPrecision(2))} mm`;
-  return `${(metres * 100).toFixed(0)} cm`;
+  if (size < 0.1) return `${Number((meters * 1000).toPrecision(2))} mm`;
+  return `${(meters * 100).toFixed(0)} cm`;
 }
 
 export function seconds(value) {
@@ -31,12 +33,27 @@ export const plural = (count, word, many = `${word}s`) => `${count.toLocaleStrin
 /** A message with a capital first and a stop last. */
 export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1) + (/[.!?…]$/.test(text) ? "" : ".");
 
-/** One fault or warning with its place and what to do. */
+/** The part of the garment that a pointer of the service names, for a maker. */
+function placeText(pointer) {
+  const seam = /^\/seams\/(\d+)(?:\/([ab]))?/.exec(pointer);
+  if (seam) {
+    const id = state.garment.seams[seam[1]]?.id;
+    const side = { a: ", first side", b: ", second side" }[seam[2]] ?? "";
+    return id === undefined ? null : `Seam ${id}${side}`;
+  }
+  const panel = /^\/panels\/([^/]+)/.exec(pointer);
+  return panel && `Panel ${panel[1].replaceAll("~1", "/").replaceAll("~0", "~")}`;
+}
+
+/** One fault or warning with what to do; code and place in the data are behind "Details". */
 export function faultItem(fault, kind = "fault") {
+  const detail = makersText(fault.detail || fault.code);
+  const place = fault.pointer && placeText(fault.pointer);
+  const code = [fault.code, fault.pointer].filter(Boolean).join(" at ");
   return el("div", { class: kind },
-    el(kind === "fault" ? "strong" : "span", {}, sentence(fault.detail || fault.code)), " ",
-    fault.fix && el("span", { class: "fix" }, sentence(fault.fix)),
-    (fault.pointer || fault.code) && el("div", {}, el("code", {}, [fault.code, fault.pointer].filter(Boolean).join(" at "))));
+    el(kind === "fault" ? "strong" : "span", {}, place && !detail.includes(place.split(" ")[1]) ? `${place}: ${sentence(detail)}` : sentence(detail)), " ",
+    fault.fix && el("span", { class: "fix" }, sentence(makersText(fault.fix))),
+    code && el("details", { class: "code" }, el("summary", {}, "Details"), el("code", {}, code)));
 }
 
 /** Everything a failed call has to say. */

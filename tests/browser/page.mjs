@@ -30,6 +30,11 @@ after(async () => {
 const status = () => page.locator("#status").textContent();
 const seams = () => page.locator("#seam-list .seam");
 const edge = (panel, index) => page.locator(`path.edge[data-panel="${panel}"][data-edge="${index}"]`);
+/** Opens a page of the drawer. */
+async function openDrawer(name) {
+  const tab = page.locator(`[data-drawer="${name}"]`);
+  if (await tab.getAttribute("aria-expanded") === "false") await tab.click();
+}
 const until = (text) => page.waitForFunction((part) => document.getElementById("status").textContent.includes(part), text);
 
 /** The body of the next check that the page asks for. */
@@ -44,16 +49,15 @@ async function checkedAfter(act) {
 /** Clicks an edge at a fraction of its length, clockwise. */
 async function clickEdge(panel, index, fraction) {
   const at = await edge(panel, index).evaluate((path, share) => {
-    const point = path.getPointAtLength(path.getTotalLength() * share);
-    const box = path.ownerSVGElement.getBoundingClientRect();
-    return { x: box.left + point.x, y: box.top + point.y };
+    const { x, y } = path.getPointAtLength(path.getTotalLength() * share).matrixTransform(path.getScreenCTM());
+    return { x, y };
   }, fraction);
   await page.mouse.click(at.x, at.y);
 }
 
 async function deleteSeam(id) {
   const count = await seams().count();
-  const body = await checkedAfter(() => page.getByRole("button", { name: `Delete ${id}`, exact: true }).click());
+  const body = await checkedAfter(() => page.locator(`button[aria-label="Delete ${id}"], button[aria-label="Refuse ${id}"]`).click());
   assert.equal(body.seams.length, count - 1);
   assert.ok(!body.seams.some((seam) => seam.id === id));
 }
@@ -80,8 +84,8 @@ test("the page opens and offers samples and fabrics", async () => {
 });
 
 test("a file that is no pattern is refused with its reason", async () => {
-  await page.setInputFiles("#pattern-file", { name: "letter.dxf", mimeType: "image/vnd.dxf", buffer: Buffer.from("Dear Sir or Madam") });
-  await page.locator("#pattern-faults .fault code").first().waitFor();
+  await page.setInputFiles("#open-file", { name: "letter.dxf", mimeType: "image/vnd.dxf", buffer: Buffer.from("Dear Sir or Madam") });
+  await page.locator("#pattern-faults .fault code").first().waitFor({ state: "attached" });
   assert.match(await page.locator("#pattern-faults").textContent(), /pattern\//);
   const expected = tab.record.errors.splice(0);
   assert.ok(expected.every((text) => / 422 /.test(text)), expected.join("\n"));
@@ -96,6 +100,7 @@ test("the skirt sample shows its panels, corners and edges", async () => {
     assert.equal(await page.locator(`path.edge[data-panel="${id}"]`).count(), edges.length);
     assert.equal(edges.length, corners.length);
   }
+  await openDrawer("seams");
   assert.equal(await seams().count(), 6);
   assert.equal(await page.locator(".seam-mark").count(), 6);
   assert.ok(await page.locator("#run").isEnabled());
@@ -121,7 +126,7 @@ test("a seam is deleted and picked again by keyboard", async () => {
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("Enter");
   assert.match(await status(), /First side: .* 1 → 2, clockwise/);
-  assert.equal(await page.locator(".pending .arrow").count(), 1);
+  await page.locator(".pending .arrow").waitFor({ state: "attached" });
   await edge("skirt-back", 0).focus();
   await page.keyboard.press("ArrowLeft");
   const body = await checkedAfter(() => page.keyboard.press("Shift+Enter"));
@@ -147,7 +152,7 @@ test("a seam is deleted and picked again by pointer, the nearer end first", asyn
 
 test("escape lets go of the first edge", async () => {
   await clickEdge("skirt-front", 2, 0.2);
-  assert.equal(await page.locator(".pending").count(), 1);
+  await page.locator(".pending").waitFor({ state: "attached" });
   await page.keyboard.press("Escape");
   await page.waitForFunction(() => document.querySelectorAll(".pending").length === 0);
   assert.equal(await seams().count(), 6);
@@ -189,7 +194,7 @@ test("fabric and body go into the garment that is sewn, and the fit runs to the 
   await page.locator("#stage-note").evaluate((note) => { note.style.visibility = "hidden"; });
   emptyStage = await page.locator("#stage").screenshot();
   await page.locator("#edge-length").selectOption("0.02");
-  await page.locator("#by-panel summary").click();
+  await page.locator("[data-row=waistband] summary").click();
   await page.getByLabel("Fabric of WAISTBAND").selectOption("cotton-poplin");
   // A skirt does not touch the bust: the shape stays the sample's.
   const bust = page.getByLabel("Bust, cm");
@@ -203,7 +208,8 @@ test("fabric and body go into the garment that is sewn, and the fit runs to the 
   assert.equal(body.simulate.edge_length_m, 0.02);
   await page.locator("#progress").waitFor({ state: "visible" });
   assert.equal(await page.evaluate(() => document.activeElement.id), "cancel", "the focus stays where the button was");
-  await page.locator("#report .verdict").waitFor({ timeout: FIT_MS });
+  await page.locator("#report .verdict").waitFor({ state: "attached", timeout: FIT_MS });
+  await openDrawer("report");
   assert.equal(await page.locator("#fit-faults").textContent(), "");
   assert.match(await page.locator("#report").textContent(), /The garment came to rest.*All seams are closed/s);
   await page.locator("#stage canvas").waitFor();
@@ -220,11 +226,11 @@ test("the garment is seen in 3D from its sides", async () => {
   // The garment fills at least a tenth of the stage, whatever the shape of the window.
   assert.ok(await difference(browser, emptyStage, front) > 0.1);
   assert.ok(await difference(browser, front, left) > 0.01);
-  await page.getByLabel("Body", { exact: true }).uncheck();
+  await page.locator("#show-body").uncheck();
   const alone = await view("Left");
   assert.ok(await difference(browser, left, alone) > 0.005);
   assert.ok(await difference(browser, emptyStage, alone) > 0.05);
-  await page.getByLabel("Body", { exact: true }).check();
+  await page.locator("#show-body").check();
   await page.locator("#stage canvas").focus();
   await page.keyboard.press("ArrowRight");
   await page.waitForTimeout(1500);
@@ -235,7 +241,7 @@ test("the garment is seen in 3D from its sides", async () => {
 test("the result and the garment file are downloaded", async () => {
   const download = async (name) => {
     const waiting = page.waitForEvent("download");
-    await page.getByRole("button", { name, exact: true }).click();
+    await (name === "Save garment" ? page : page.locator("#downloads")).getByRole("button", { name, exact: true }).click();
     return readFile(await (await waiting).path());
   };
   const glb = await download("GLB");
@@ -251,7 +257,7 @@ test("the result and the garment file are downloaded", async () => {
 
 test("a reload shows the same fit and garment", async () => {
   await page.reload();
-  await page.locator("#report .verdict").waitFor();
+  await page.locator("#report .verdict").waitFor({ state: "attached" });
   assert.equal(await seams().count(), 6);
   assert.equal(await page.getByLabel("Bust, cm").inputValue(), "93");
   await page.locator("#stage canvas").waitFor();
@@ -267,6 +273,7 @@ test("a change asks for another run, which can be canceled", async () => {
   const id = await page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("fit"));
   const fit = await page.evaluate((of) => fetch(`/v1/fits/${of}`).then((response) => response.json()), id);
   assert.equal(fit.status, "canceled");
+  await page.locator("#stage-caption", { hasText: /earlier fit|Stopped/ }).waitFor();
   assert.ok(await page.locator("#run").isEnabled());
   const missing = tab.record.errors.splice(0);
   assert.ok(missing.every((text) => / 404 /.test(text)), missing.join("\n"));
@@ -276,8 +283,9 @@ test("a saved garment opens again", async () => {
   const waiting = page.waitForEvent("download");
   await page.getByRole("button", { name: "Save garment" }).click();
   const file = await (await waiting).path();
+  await openDrawer("seams");
   await deleteSeam("side-right");
-  await page.setInputFiles("#open-garment-file", { name: "skirt.garment.json", mimeType: "application/json", buffer: await readFile(file) });
+  await page.setInputFiles("#open-file", { name: "skirt.garment.json", mimeType: "application/json", buffer: await readFile(file) });
   await until("All 6 seams can be sewn");
   assert.equal(await seams().count(), 6);
 });
@@ -285,7 +293,7 @@ test("a saved garment opens again", async () => {
 const suggested = () => page.locator("#seam-list .tag");
 
 async function choosePattern(name, buffer) {
-  await page.setInputFiles("#pattern-file", { name, mimeType: "application/octet-stream", buffer });
+  await page.setInputFiles("#open-file", { name, mimeType: "application/octet-stream", buffer });
 }
 
 /** Presses the button by keyboard; the answer of the service. */
@@ -343,10 +351,11 @@ test("suggested seams are sewn, and a reload still says that they were suggested
   await page.locator("#edge-length").selectOption("0.02");
   const count = await seams().count();
   await page.getByRole("button", { name: "Sew and drape" }).click();
-  await page.locator("#report .verdict").waitFor({ timeout: FIT_MS });
+  await page.locator("#report .verdict").waitFor({ state: "attached", timeout: FIT_MS });
+  await openDrawer("report");
   assert.match(await page.locator("#report").textContent(), /The garment came to rest.*All seams are closed/s);
   await page.reload();
-  await page.locator("#report .verdict").waitFor();
+  await page.locator("#report .verdict").waitFor({ state: "attached" });
   assert.equal(await suggested().count(), count);
   assert.equal(await page.locator("#run-note").textContent(), "");
 });
@@ -376,8 +385,8 @@ test("a specification opens, its sleeve is mirrored and its spare panel left out
   assert.ok(JSON.stringify(body.seams).includes("sleeve~mirror"));
   assert.equal(await page.locator("#sheet [aria-label='Panel sleeve, mirrored']").count(), 1);
   assert.equal(await page.locator("#sheet [aria-label='Panel pole, left out']").count(), 1);
-  const points = (panel) => edge(panel, 1).evaluate((path) => path.getTotalLength());
-  assert.ok(Math.abs(await points("sleeve") - await points("sleeve~mirror")) < 1);
+  const length = (panel) => edge(panel, 1).evaluate((path) => path.getTotalLength());
+  assert.ok(Math.abs(await length("sleeve") - await length("sleeve~mirror")) < 1e-3);
   await edge("sleeve~mirror", 0).focus();
   await page.keyboard.press("Enter");
   assert.match(await status(), /sleeve, mirrored 0 → 1, counter-clockwise/);
@@ -399,7 +408,7 @@ test("a garment file that leaves its seams to the service has them suggested", a
   await page.getByRole("button", { name: "Skirt sample" }).click();
   await until("All 6 seams can be sewn");
   const buffer = Buffer.from(JSON.stringify({ ...garment, seams: "suggest" }));
-  await page.setInputFiles("#open-garment-file", { name: "suggest.json", mimeType: "application/json", buffer });
+  await page.setInputFiles("#open-file", { name: "suggest.json", mimeType: "application/json", buffer });
   await until("seams suggested");
   assert.ok(await suggested().count() > 0);
 });
@@ -408,7 +417,7 @@ test("a nest of sizes is read by size, or as drawn lines where the user says so"
   const outline = (k) => [[-200, 300], [200, 300], [260, -300], [-260, -300]].map(([x, y]) => `10\n${k * x}\n20\n${k * y}\n`).join("");
   const sizes = [0.96, 1, 1.04].map((k, i) => `0\nLWPOLYLINE\n8\n${38 + 2 * i}\n90\n4\n70\n1\n${outline(k)}`).join("");
   const dxf = `0\nSECTION\n2\nENTITIES\n${sizes}0\nENDSEC\n0\nEOF\n`;
-  await page.setInputFiles("#pattern-file", { name: "nest.dxf", mimeType: "image/vnd.dxf", buffer: Buffer.from(dxf) });
+  await page.setInputFiles("#open-file", { name: "nest.dxf", mimeType: "image/vnd.dxf", buffer: Buffer.from(dxf) });
   await page.waitForFunction(() => document.querySelectorAll("#import-size option").length >= 3);
   const sent = page.waitForRequest((request) => request.url().includes("/v1/patterns?"));
   await page.locator("#reading summary").click();
@@ -427,13 +436,15 @@ test("names from files are text, never markup", async () => {
   delete pattern.id;
   for (const panel of pattern.panels) panel.name = "<b id=injected>x</b>";
   const buffer = Buffer.from(JSON.stringify({ schema: "seamster/garment/1", pattern, seams: [] }));
-  await page.setInputFiles("#open-garment-file", { name: "odd.json", mimeType: "application/json", buffer });
+  await page.setInputFiles("#open-file", { name: "odd.json", mimeType: "application/json", buffer });
   await page.waitForFunction(() => document.getElementById("pattern-facts").textContent.includes("<img src=x"));
   assert.equal(await page.locator("#injected, main img").count(), 0);
   assert.equal(await page.title(), "Seamster");
 });
 
 test("nothing left the origin, broke the policy or failed", () => {
+  // A fit that was canceled before it had a shape has no report.
+  tab.record.errors = tab.record.errors.filter((text) => !/ 404 .*\/report/.test(text));
   assert.deepEqual(tab.record, { foreign: [], errors: [], breaches: [] });
 });
 
@@ -443,8 +454,8 @@ test("no part is cut off at 800, 1280 and 1920 pixels", async () => {
     await page.waitForTimeout(300);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
     assert.ok(wide <= 0, `${viewport.width}: ${wide} px too wide`);
-    const scrolled = await page.evaluate(() => [...document.querySelectorAll(".step")]
-      .filter((step) => step.scrollWidth > step.clientWidth).map((step) => step.id));
+    const scrolled = await page.evaluate(() => [...document.querySelectorAll(".bar, .rail, .pane-head, .drawer")]
+      .filter((step) => step.scrollWidth > step.clientWidth).map((step) => step.className));
     assert.deepEqual(scrolled, [], `${viewport.width}: wider than their columns`);
     assert.deepEqual(await axeFaults(page), []);
   }

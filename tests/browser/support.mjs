@@ -10,6 +10,8 @@ import axe from "axe-core";
 import { chromium } from "playwright-core";
 
 const READY_MS = 30_000;
+/** A debug binary on a busy machine takes its time over a check. */
+const PATIENCE_MS = 60_000;
 
 async function freePort() {
   const server = createServer();
@@ -63,7 +65,7 @@ export const startBrowser = () => chromium.launch({
 export async function openTab(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
   const page = await context.newPage();
-  page.setDefaultTimeout(15_000);
+  page.setDefaultTimeout(PATIENCE_MS);
   const record = { foreign: [], errors: [], breaches: [] };
   const origin = new URL(url).origin;
   page.on("request", (request) => {

@@ -1,0 +1,20 @@
+/** The address of the page: `#pattern=…&fit=…`, which shows the same to the same owner. */
+
+import { state, watch } from "./state.js";
+
+export const fromAddress = () => Object.fromEntries(new URLSearchParams(location.hash.slice(1)));
+
+function keep() {
+  const parts = {};
+  if (state.pattern?.stored) parts.pattern = state.pattern.id;
+  if (state.fit) parts.fit = state.fit.id;
+  const hash = new URLSearchParams(parts).toString();
+  if (hash !== location.hash.slice(1)) history.replaceState(null, "", hash ? `#${hash}` : location.pathname);
+}
+
+/** The address of a fit, for whoever has the same access to the service. */
+export const linkTo = (fit) => `${location.origin}${location.pathname}#${new URLSearchParams({ fit: fit.id })}`;
+
+export function startAddress() {
+  watch(["pattern", "fit"], () => state.pattern && keep());
+}

@@ -1,0 +1,72 @@
+/**
+ * Every change of the seams is checked by the service at once, and again when it can be reached
+ * again.
+ */
+
+import { postJson } from "./api.js";
+import { say, takeDone } from "./say.js";
+import { state, update, watch } from "./state.js";
+import { plural, sentence } from "./words.js";
+
+/** Pause before a check is tried again [ms], doubled up to the longest. */
+const RETRY_MS = 1000;
+const LONGEST_RETRY_MS = 16_000;
+
+let checking = null;
+let retry = null;
+
+/** The verdict on the seams: `{text, tone}`. */
+function verdict(check) {
+  const seam = check.seams.find((finding) => finding.id === state.selected);
+  const bad = check.seams.filter((finding) => !finding.ok).length;
+  if (seam && !seam.ok) return { text: `Seam ${seam.id} cannot be sewn: ${sentence(seam.errors[0]?.detail ?? "see the list")}`, tone: "bad" };
+  if (bad) return { text: `${bad} of ${plural(check.seams.length, "seam")} cannot be sewn.`, tone: "bad" };
+  if (seam?.warnings.length) return { text: `It can be sewn, but ${sentence(seam.warnings[0].detail)}`, tone: "warn" };
+  if (seam) return { text: "It can be sewn. Pick the next pair, or sew the garment.", tone: false };
+  const doubtful = check.seams.filter((finding) => finding.warnings.length > 0).length;
+  const doubt = doubtful ? ` ${plural(doubtful, "seam")} ${doubtful === 1 ? "is" : "are"} doubtful: see the list.` : "";
+  return { text: (check.seams.length === 1 ? "The seam can be sewn." : `All ${check.seams.length} seams can be sewn.`) + doubt, tone: doubt ? "warn" : false };
+}
+
+function sayVerdict(check) {
+  const before = takeDone();
+  const { text, tone } = verdict(check);
+  if (!state.picked) say([before, text].filter(Boolean).join(" "), tone);
+}
+
+const isPassing = (problem) => problem.status === 0 || problem.status >= 500;
+
+async function check(pause = RETRY_MS) {
+  checking?.abort();
+  clearTimeout(retry);
+  const { pattern, garment } = state;
+  if (!pattern?.stored || garment.seams.length === 0) {
+    update({ check: null });
+    return;
+  }
+  const { signal } = (checking = new AbortController());
+  try {
+    const body = { seams: garment.seams, ...(Object.keys(garment.panels).length && { panels: garment.panels }), simulate: garment.simulate };
+    const answer = await postJson(`/v1/patterns/${pattern.id}/seams/check`, body, { signal });
+    update({ check: answer });
+    sayVerdict(answer);
+  } catch (problem) {
+    if (problem.name === "AbortError") return;
+    update({ check: { ok: false, seams: [], corrected: [], problem } });
+    const again = isPassing(problem) ? " It is tried again." : "";
+    say(`The seams could not be checked. ${sentence(problem.message)}${again}`, true);
+    if (again) retry = setTimeout(check, pause, Math.min(2 * pause, LONGEST_RETRY_MS));
+  }
+}
+
+/** Checks whenever seams or faces change. */
+export function startCheck() {
+  let asked = "";
+  watch(["pattern", "garment"], () => {
+    const { seams, panels, simulate } = state.garment;
+    const now = JSON.stringify([state.pattern?.id, seams, panels, simulate]);
+    if (now === asked) return;
+    asked = now;
+    check();
+  });
+}

@@ -1,0 +1,74 @@
+/**
+ * Undo and redo of all work: every change of pattern or garment goes through `change`, which keeps
+ * what was before.
+ */
+
+import { byId } from "./dom.js";
+import { state, update, watch } from "./state.js";
+
+const DEPTH = 200;
+/** What is brought back. */
+const KEPT = ["pattern", "reading", "garment", "suggested", "offers", "leftOut", "numbers"];
+
+const past = [];
+const future = [];
+let reopen = () => {};
+
+const snapshot = (words) => ({
+  words, fit: state.fit, ran: state.ran,
+  ...Object.fromEntries(KEPT.map((name) => [name, state[name]])),
+});
+
+function tell() {
+  update({ history: { undo: past.at(-1)?.words ?? null, redo: future.at(-1)?.words ?? null } });
+}
+
+/** Changes the state by `patch`; `words` name the change for undo. */
+export function change(patch, words) {
+  past.push(snapshot(words));
+  if (past.length > DEPTH) past.shift();
+  future.length = 0;
+  update(patch);
+  tell();
+}
+
+/** Changes the garment; `patch` replaces its top-level fields. */
+export function changeGarment(patch, words) {
+  change({ garment: { ...state.garment, ...patch } }, words);
+}
+
+/** Goes one step from one list to the other; the words of that step, or null. */
+function step(from, to) {
+  const target = from.pop();
+  if (!target) return null;
+  to.push(snapshot(target.words));
+  const { words, fit, ran, ...kept } = target;
+  const isOther = kept.pattern !== state.pattern;
+  update({ ...kept, picked: null, selected: null, ...(isOther && { check: null, fit: null, report: null, ran: null }) });
+  tell();
+  if (isOther && fit) reopen(fit.id, ran);
+  return words;
+}
+
+/** Takes back the last change; its words, or null if there is none. */
+export const undo = () => step(past, future);
+
+/** Makes the change again that was taken back last. */
+export const redo = () => step(future, past);
+
+function drawButtons() {
+  for (const [id, verb] of [["undo", "Undo"], ["redo", "Redo"]]) {
+    const words = state.history[id];
+    byId(id).disabled = words === null;
+    byId(id).title = words === null ? verb : `${verb}: ${words}`;
+  }
+}
+
+/**
+ * Puts the buttons to work; `onReopen(id, ran)` shows the fit that belongs to a pattern that came
+ * back.
+ */
+export function startHistory(onReopen) {
+  reopen = onReopen;
+  watch(["history"], drawButtons);
+}

@@ -1,0 +1,39 @@
+/** Keeps the work of this tab, and tells where another tab works on the same pattern. */
+
+import { announce, keepDraft, openDrafts, otherDrafts } from "./drafts.js";
+import { fromAddress } from "./address.js";
+import { say } from "./say.js";
+import { state, watch } from "./state.js";
+
+const COPY = "This tab is a copy of another one. Each keeps its own work from here on.";
+const ELSEWHERE = "This pattern is open in another tab too. Each tab keeps its own work; Open lists both.";
+const OTHER_WORK = "There is other work on this pattern from another tab: Open lists it.";
+
+/** What of the state a draft keeps; the pattern itself only where the service does not hold it. */
+function work() {
+  const { pattern, reading, garment, suggested, offers, leftOut, numbers, ran, fit } = state;
+  return {
+    name: pattern.name, patternId: pattern.id, stored: Boolean(pattern.stored), pattern: pattern.stored ? null : pattern,
+    reading, garment, suggested, offers, leftOut, numbers, ran, fit: fit?.id ?? null,
+  };
+}
+
+/**
+ * Opens the drafts and keeps this tab's from now on: `{draft, notice}`, what it left and what to
+ * tell.
+ */
+export async function startKeeping() {
+  const { draft, isCopy } = await openDrafts();
+  const { pattern } = fromAddress();
+  const isOther = pattern && draft?.patternId !== pattern;
+  const others = isOther ? (await otherDrafts()).filter((one) => one.patternId === pattern && one.garment.seams.length > 0) : [];
+  watch(["pattern", "garment", "suggested", "offers", "leftOut", "ran", "fit"], () => state.pattern && keepDraft(work()));
+  const tell = announce(() => say(ELSEWHERE));
+  let told = null;
+  watch(["pattern"], () => {
+    const id = state.pattern?.id ?? null;
+    if (id !== told) tell(id);
+    told = id;
+  });
+  return { draft, notice: isCopy ? COPY : others.length ? OTHER_WORK : null };
+}
