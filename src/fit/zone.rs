@@ -14,7 +14,7 @@ const FIRST: f64 = 0.05;
 
 /// Levels of the trunk, and the landmarks at their heights.
 const LEVELS: [(Zone, &str); 5] = [
-    (Zone::Neck, "neck_front"),
+    (Zone::Neck, "neck_side_l"),
     (Zone::Shoulders, "shoulder_tip_l"),
     (Zone::Bust, "bust_front"),
     (Zone::Waist, "waist_front"),
@@ -120,7 +120,7 @@ mod tests {
         };
         let avatar = form.build().expect("a body");
         for (landmark, expected) in [
-            ("neck_back", Zone::Neck),
+            ("neck_side_r", Zone::Neck),
             ("bust_point_l", Zone::Bust),
             ("bust_back", Zone::Bust),
             ("waist_side_r", Zone::Waist),
