@@ -46,6 +46,13 @@ pub(crate) fn garment_bounds(limits: &Limits) -> JsonBounds {
             "/over/panels/*/triangles",
             TRIANGLES_PER_VERTEX * limits.mesh_vertices,
         ),
+        ("/start_from/panels", panels),
+        ("/start_from/panels/*/positions", limits.mesh_vertices),
+        ("/start_from/panels/*/uv", limits.mesh_vertices),
+        (
+            "/start_from/panels/*/triangles",
+            TRIANGLES_PER_VERTEX * limits.mesh_vertices,
+        ),
     ];
     JsonBounds::new(AnyPlace::of_requests(limits), lists)
 }
