@@ -8,8 +8,8 @@ use crate::scene::Scene;
 use crate::solver::{self, Context, Drape, SolverOptions, StartedFrom};
 use nalgebra::Vector3;
 
-/// Depth inside the body at which an earlier shape is no start \[m\]: a body of other measures moves
-/// its skin by less.
+/// Depth inside the body at which an earlier shape is no start \[m\]: a body of other measures
+/// moves its skin by less.
 const DEEPEST: f64 = 0.03;
 /// Change of a panel's width or height that is more than rounding \[m\].
 const SAME: f64 = 1e-6;

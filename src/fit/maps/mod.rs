@@ -1,8 +1,11 @@
 //! Maps on a draped garment (P11): how far the cloth is stretched, how hard the body presses on it,
 //! how far it stands off; each with its error from the mesh levels.
 
+mod shape_map;
 mod strain;
 mod summary;
+
+pub use shape_map::ShapeMap;
 
 use super::garment::MapKind;
 use crate::export::{GarmentMesh, VertexMaps};
@@ -10,21 +13,6 @@ use crate::scene::{self, Body, Scene};
 use crate::solver::{self, Drape, MapSummary, kept_distance};
 use nalgebra::Vector3;
 use strain::Strains;
-
-/// A map of a shape.
-#[derive(Clone, Debug)]
-pub struct ShapeMap {
-    /// `strain_warp`, `strain_weft`, `strain_share`, `pressure` or `gap`.
-    pub name: &'static str,
-    /// Unit of its values.
-    pub unit: &'static str,
-    /// RMS difference from the map of the next coarser mesh, where that came to rest.
-    pub error: Option<f64>,
-    /// Values at the vertices; `#V`.
-    pub values: Vec<f64>,
-    /// Its place in the maps of a panel.
-    place: fn(&mut VertexMaps) -> &mut Vec<f64>,
-}
 
 /// Adds the maps that are asked for of a drape of a scene, whose panels have these names, to its
 /// mesh, and returns their summaries.

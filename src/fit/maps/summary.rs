@@ -1,6 +1,6 @@
 //! Mean and largest value of a map on each panel and beside each zone of the body.
 
-use super::ShapeMap;
+use super::shape_map::ShapeMap;
 use crate::fit::zone::{self, Zone};
 use crate::scene::{Body, Scene};
 use crate::solver::{MapPart, MapSummary, vertex_areas};

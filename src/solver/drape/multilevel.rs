@@ -76,8 +76,8 @@ pub fn drape_on(
     )
 }
 
-/// Drapes on from any shape of the scene \[m; `#V`\], on its own mesh alone: seams that are open there
-/// are sewn first.
+/// Drapes on from any shape of the scene \[m; `#V`\], on its own mesh alone: seams that are open
+/// there are sewn first.
 pub fn drape_from(
     scene: &Scene,
     options: &SolverOptions,
