@@ -163,8 +163,8 @@ impl AnchoredPlacement {
     }
 
     /// Returns the same start further down the trunk by as much as `ways` \[m\] lead on the whole,
-    /// and clear of the body there: a band at the hem of a bodice starts below the waist. Where they
-    /// lead upwards it stays.
+    /// and clear of the body there: a band at the hem of a bodice starts below the waist. Where
+    /// they lead upwards it stays.
     pub(super) fn moved_down_the_trunk(
         &self,
         placed: Placed,
