@@ -7,8 +7,8 @@ use super::runner::Runner;
 use super::wake_signal::WakeSignal;
 use crate::job::queue::Queue;
 use crate::job::store::{JobNotice, StoreError};
-use std::sync::{Arc, RwLock};
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::sync::{Arc, RwLock};
 use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
