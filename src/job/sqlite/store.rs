@@ -68,7 +68,7 @@ impl SqliteStore {
         Ok(store)
     }
 
-    /// Checks that the file is still where it was opened: what is written to a file that was removed
+    /// Checks that the file is still where it was opened: what is written to one that was removed
     /// is lost.
     pub(super) fn check_place(&self) -> Result<(), StoreError> {
         let doing = || format!("looking at {}", self.file.display());
