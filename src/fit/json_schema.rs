@@ -1,6 +1,7 @@
 //! JSON Schema 2020-12 of a request type, made from the same derive as the `OpenAPI` document.
 
 use super::garment::Garment;
+use jsonschema::Validator;
 use serde_json::{Map, Value, json};
 use utoipa::ToSchema;
 
@@ -34,6 +35,14 @@ pub(super) fn of<T: ToSchema>() -> Value {
     }
     tighten(&mut root, 0);
     root
+}
+
+/// Makes the validator of a schema.
+pub(super) fn validator(schema: &Value) -> Validator {
+    jsonschema::draft202012::options()
+        .should_validate_formats(true)
+        .build(schema)
+        .expect("a generated schema is a schema; a test builds every one")
 }
 
 fn to_value(part: &impl serde::Serialize) -> Value {

@@ -65,20 +65,12 @@ pub(crate) fn garment_schema() -> &'static RequestSchema {
     &SCHEMA
 }
 
-/// Makes the validator of a schema.
-pub(super) fn validator(schema: &Value) -> Validator {
-    jsonschema::draft202012::options()
-        .should_validate_formats(true)
-        .build(schema)
-        .expect("a generated schema is a schema; a test builds every one")
-}
-
 impl RequestSchema {
     /// Returns the schema of `T`.
     pub(crate) fn of<T: ToSchema>() -> Self {
         let schema = json_schema::of::<T>();
         Self {
-            validator: validator(&schema),
+            validator: json_schema::validator(&schema),
             schema,
             leaves: LeafValidators::default(),
         }

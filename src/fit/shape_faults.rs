@@ -56,7 +56,7 @@ impl LeafValidators {
         {
             object.insert("$defs".to_owned(), defs.clone());
         }
-        let validator = Arc::new(super::request_schema::validator(&whole));
+        let validator = Arc::new(super::json_schema::validator(&whole));
         lock().insert(text, Arc::clone(&validator));
         validator
     }

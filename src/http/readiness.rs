@@ -1,9 +1,9 @@
 //! Readiness: looked at once for all who ask within a moment, so that asking costs nothing.
 
-use super::state::AppState;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::Mutex;
+use tokio::time::timeout;
 
 /// Age up to which the last look is the answer.
 const FRESH: Duration = Duration::from_secs(2);
@@ -14,32 +14,26 @@ const PATIENCE: Duration = Duration::from_secs(2);
 #[derive(Clone, Default)]
 pub(super) struct Readiness(Arc<Mutex<Option<(Instant, bool)>>>);
 
-impl AppState {
-    /// Returns true if jobs could be kept and found a moment ago.
-    pub(super) async fn is_ready(&self) -> bool {
-        let looked = tokio::time::timeout(PATIENCE, self.look());
+impl Readiness {
+    /// Returns true if `probe`, or the last one a moment ago, found that the store can be used.
+    pub(super) async fn is_ready(
+        &self,
+        probe: impl Future<Output = bool> + Send + 'static,
+    ) -> bool {
+        let looked = timeout(PATIENCE, self.look(probe));
         looked.await.unwrap_or(false)
     }
 
-    async fn look(&self) -> bool {
-        let mut last = Arc::clone(&self.readiness.0).lock_owned().await;
+    async fn look(&self, probe: impl Future<Output = bool> + Send + 'static) -> bool {
+        let mut last = Arc::clone(&self.0).lock_owned().await;
         if let Some((at, is_ready)) = *last
             && at.elapsed() < FRESH
         {
             return is_ready;
         }
-        let state = self.clone();
         // A task of its own: who gives up leaves the lock with it, and nobody begins another.
         let look = tokio::spawn(async move {
-            let probed = state.run_unbounded(|app| app.queue.probe()).await;
-            let is_ready = match probed {
-                Ok(Ok(())) => true,
-                Ok(Err(error)) => {
-                    tracing::error!(%error, "not ready");
-                    false
-                }
-                Err(_) => false,
-            };
+            let is_ready = probe.await;
             *last = Some((Instant::now(), is_ready));
             is_ready
         });

@@ -30,7 +30,7 @@ pub(crate) struct AnyPlace {
 #[derive(Clone, Debug, Default)]
 pub(super) struct BoundedPlace {
     items: Option<usize>,
-    below: BTreeMap<&'static str, BoundedPlace>,
+    below: BTreeMap<&'static str, Self>,
 }
 
 impl AnyPlace {

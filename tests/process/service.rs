@@ -85,7 +85,7 @@ fn second_service_on_the_same_folder_is_refused() {
 /// Process ids of the processes that a service started.
 fn children(service: &Service) -> Vec<String> {
     let id = service.id();
-    let tasks = std::fs::read_dir(format!("/proc/{id}/task")).unwrap();
+    let tasks = std::fs::read_dir(format!("/proc/{id}/task")).expect("it runs");
     let children = tasks.filter_map(|task| {
         let list = task.ok()?.path().join("children");
         std::fs::read_to_string(list).ok()

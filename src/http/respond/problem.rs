@@ -33,7 +33,7 @@ pub struct Problem {
     pub errors: Vec<Fault>,
     /// Number of the faults of the request; absent where counting stopped.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub errors_total: Option<usize>,
+    pub errors_total: Option<u32>,
     /// Header of the answer; boxed, as it is seldom there.
     #[serde(skip)]
     header: Option<Box<(HeaderName, String)>>,
@@ -67,7 +67,7 @@ impl Problem {
     /// Adds the faults of the request.
     pub(super) fn with_faults(mut self, faults: impl Into<Faults>) -> Self {
         self.errors = faults.into().0;
-        self.errors_total = Some(self.errors.len());
+        self.errors_total = u32::try_from(self.errors.len()).ok();
         self.errors.truncate(MOST_LISTED);
         self
     }

@@ -39,9 +39,23 @@ pub(super) async fn live() -> Json<Health> {
     (status = 503, description = "It cannot now", body = Problem, content_type = "application/problem+json")
 ))]
 pub(super) async fn ready(State(state): State<AppState>) -> Result<Json<Health>, Problem> {
-    if state.is_ready().await {
+    let probed = state.clone();
+    let probe = async move { probe(&probed).await };
+    if state.readiness.is_ready(probe).await {
         Ok(Health::ok())
     } else {
         Err(Problem::store_unavailable())
+    }
+}
+
+/// Returns true if the store can be used, and logs why not.
+async fn probe(state: &AppState) -> bool {
+    match state.run_unbounded(|app| app.queue.probe()).await {
+        Ok(Ok(())) => true,
+        Ok(Err(error)) => {
+            tracing::error!(%error, "not ready");
+            false
+        }
+        Err(_) => false,
     }
 }

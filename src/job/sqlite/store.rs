@@ -68,8 +68,8 @@ impl SqliteStore {
         Ok(store)
     }
 
-    /// Checks that the file is still where it was opened: what is written to a file that was
-    /// removed is lost.
+    /// Checks that the file is still where it was opened: what is written to one that was removed
+    /// is lost.
     pub(super) fn check_place(&self) -> Result<(), StoreError> {
         let doing = || format!("looking at {}", self.file.display());
         let place = file_place(&self.file).map_err(|cause| StoreError::new(doing(), cause))?;

@@ -1,7 +1,5 @@
 //! Readiness tells what the service can do, and nothing is taken that would be lost.
 
-#![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
-
 use seamster_fixtures::server::{Server, config};
 use serde_json::json;
 use std::fs;
