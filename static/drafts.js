@@ -61,6 +61,7 @@ export async function openDrafts() {
   if (!isOwn) await claim(tab);
   sessionStorage.setItem(TAB, tab);
   const draft = known === null ? null : await inStore("readonly", (store) => store.get(known)).catch(() => null);
+  prune();
   return { draft: draft ?? null, isCopy: known !== null && !isOwn };
 }
 
@@ -70,18 +71,21 @@ export async function allDrafts() {
   return found.sort((a, b) => b.at - a.at);
 }
 
+/** Lets the oldest drafts go. */
+async function prune() {
+  for (const old of (await allDrafts()).slice(MOST)) {
+    await inStore("readwrite", (store) => store.delete(old.tab)).catch(() => {});
+  }
+}
+
 /** Drafts of other tabs. */
 export const otherDrafts = async () => (await allDrafts()).filter((draft) => draft.tab !== tab);
 
-/**
- * Keeps the work of this tab; the oldest drafts of others go. Without a store the work only lasts
- * until a reload.
- */
+/** Keeps the work of this tab. */
 export async function keepDraft(work) {
   if (tab === null) return;
   try {
     await inStore("readwrite", (store) => store.put({ ...work, tab, at: Date.now() }));
-    for (const old of (await allDrafts()).slice(MOST)) await inStore("readwrite", (store) => store.delete(old.tab));
   } catch {
     // A full or forbidden store only loses the draft.
   }

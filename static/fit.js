@@ -107,7 +107,10 @@ async function showResult(fit) {
   });
   showError(fit, report);
   update({ report });
-  if (!report) return;
+  if (!report) {
+    if (fit.status === "canceled") say("Canceled before the garment had a shape.");
+    return;
+  }
   say(verdictText(report, fit.status), verdictOf(report, fit.status).good ? "good" : "bad");
   // The saved garment says which limbs its body has; a body of one's own it has whole.
   const { avatar } = await getJson(`${fitPath(fit.id)}/garment`);
@@ -195,6 +198,9 @@ function drawReport() {
   const { fit, report } = state;
   replaceChildren(byId("report"), report ? reportSummary(report, fit?.status) : []);
   byId("downloads").hidden = !report;
+  const isGood = report && verdictOf(report, fit?.status).good;
+  byId("report-mark").textContent = report ? (isGood ? "✓" : "✗") : "";
+  byId("report-mark").classList.toggle("bad", Boolean(report) && !isGood);
 }
 
 async function download(what) {

@@ -86,7 +86,8 @@ function pickAgain(run, at) {
  */
 export function select(run, { more = false, at = null } = {}) {
   const first = state.picked;
-  if (more && (first || state.growing)) extend(run);
+  const grows = state.garment.seams.some((seam) => seam.id === state.growing);
+  if (more && (first || grows)) extend(run);
   else if (!first) pickFirst(run, at);
   else if (isSameStretch(first, run, panelOf)) pickAgain(run, at);
   else sew(first, run);

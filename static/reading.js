@@ -65,7 +65,10 @@ export function startReading() {
     event.target.value = "";
     if (file) openFile(file);
   });
-  for (const name of FIELDS) byId(`import-${name}`).addEventListener("change", () => readAgain(chosen()));
+  for (const name of FIELDS) byId(`import-${name}`).addEventListener("change", async () => {
+      await readAgain(chosen());
+      drawFacts();
+    });
   startDrop();
   watch(["pattern", "reading"], drawFacts);
 }

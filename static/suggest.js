@@ -94,8 +94,9 @@ const withoutOffer = (id) => state.offers.filter((offer) => offer.id !== id);
 
 /** Makes an offer a seam. */
 export function acceptOffer(offer) {
-  changeSeams([...state.garment.seams, plainSeam(offer)], `accepting ${offer.id}`, { selected: offer.id, offers: withoutOffer(offer.id) });
-  act(`Seam ${offer.id} accepted.`);
+  const seam = withFreshId(plainSeam(offer), new Set(state.garment.seams.map(({ id }) => id)));
+  changeSeams([...state.garment.seams, seam], `accepting ${offer.id}`, { selected: seam.id, offers: withoutOffer(offer.id) });
+  act(`Seam ${seam.id} accepted.`);
 }
 
 export function refuseOffer(offer) {

@@ -89,6 +89,33 @@ for (const viewport of SIZES) {
   }
 }
 
+test("on a phone sewing is in sight", async () => {
+  const { page, context } = await openSkirt({ width: 390, height: 800 });
+  await page.locator("#run:enabled").waitFor();
+  const box = await boxOf(page, "#run");
+  assert.ok(box.x >= 0 && box.x + box.width <= 390, `it ends at ${box.x + box.width}`);
+  assert.deepEqual(await axeFaults(page), []);
+  await context.close();
+});
+
+test("there are two sizes of type beside headings", async () => {
+  const { page, context } = await openSkirt(SIZES[0]);
+  await page.locator("[data-drawer=seams]").click();
+  await page.locator("#seam-list .choose").first().click();
+  await page.locator(".help summary").click();
+  const sizes = await page.evaluate(() => {
+    const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    const found = new Set();
+    while (texts.nextNode()) {
+      const parent = texts.currentNode.parentElement;
+      if (texts.currentNode.data.trim() && parent.checkVisibility() && !parent.closest("h1, h2, h3, option")) found.add(getComputedStyle(parent).fontSize);
+    }
+    return [...found].sort();
+  });
+  assert.deepEqual(sizes, ["12px", "13px"]);
+  await context.close();
+});
+
 test("the rail folds, panes fill the work, and the splitter moves by mouse and keys", async () => {
   const { page, context } = await openSkirt(SIZES[0]);
   const sheet = () => boxOf(page, "#sheet");
