@@ -83,7 +83,7 @@ fn who_resumes_after_the_last_event_is_told_to_stop() {
     let last = text
         .lines()
         .filter_map(|line| line.strip_prefix("id: "))
-        .last();
+        .next_back();
     let late = server.request("GET", &events, &[("last-event-id", last.unwrap())]);
     assert_eq!((late.status, late.bytes.len()), (204, 0));
 }
