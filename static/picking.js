@@ -39,6 +39,11 @@ function pickFirst(run, at) {
  * Adds a run to the side that was picked last: the first one, or the second of the seam just made.
  */
 function extend(run) {
+  const side = state.picked ?? state.garment.seams.find((seam) => seam.id === state.growing).b;
+  if (overlap(stretchesOf([run], panelOf), stretchesOf([side], panelOf))) {
+    say("This edge is in the side already.");
+    return;
+  }
   if (state.picked) {
     const picked = joined(state.picked, run);
     update({ picked });

@@ -33,25 +33,32 @@ export const plural = (count, word, many = `${word}s`) => `${count.toLocaleStrin
 /** A message with a capital first and a stop last. */
 export const sentence = (text) => text.charAt(0).toUpperCase() + text.slice(1) + (/[.!?…]$/.test(text) ? "" : ".");
 
-/** The part of the garment that a pointer of the service names, for a maker. */
-function placeText(pointer) {
+/** The part of the garment that a pointer of the service names: `{id, text}`, or null. */
+function partAt(pointer) {
   const seam = /^\/seams\/(\d+)(?:\/([ab]))?/.exec(pointer);
   if (seam) {
     const id = state.garment.seams[seam[1]]?.id;
     const side = { a: ", first side", b: ", second side" }[seam[2]] ?? "";
-    return id === undefined ? null : `Seam ${id}${side}`;
+    return id === undefined ? null : { id, text: `Seam ${id}${side}` };
   }
   const panel = /^\/panels\/([^/]+)/.exec(pointer);
-  return panel && `Panel ${panel[1].replaceAll("~1", "/").replaceAll("~0", "~")}`;
+  if (!panel) return null;
+  const id = panel[1].replaceAll("~1", "/").replaceAll("~0", "~");
+  return { id, text: `Panel ${id}` };
+}
+
+/** The sentence of a fault, with the part that it is about where it does not name that itself. */
+function factOf(fault) {
+  const detail = makersText(fault.detail || fault.code);
+  const part = fault.pointer ? partAt(fault.pointer) : null;
+  return part && !detail.includes(part.id) ? `${part.text}: ${sentence(detail)}` : sentence(detail);
 }
 
 /** One fault or warning with what to do; code and place in the data are behind "Details". */
 export function faultItem(fault, kind = "fault") {
-  const detail = makersText(fault.detail || fault.code);
-  const place = fault.pointer && placeText(fault.pointer);
   const code = [fault.code, fault.pointer].filter(Boolean).join(" at ");
   return el("div", { class: kind },
-    el(kind === "fault" ? "strong" : "span", {}, place && !detail.includes(place.split(" ")[1]) ? `${place}: ${sentence(detail)}` : sentence(detail)), " ",
+    el(kind === "fault" ? "strong" : "span", {}, factOf(fault)), " ",
     fault.fix && el("span", { class: "fix" }, sentence(makersText(fault.fix))),
     code && el("details", { class: "code" }, el("summary", {}, "Details"), el("code", {}, code)));
 }

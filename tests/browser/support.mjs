@@ -9,7 +9,7 @@ import { setTimeout as pause } from "node:timers/promises";
 import axe from "axe-core";
 import { chromium } from "playwright-core";
 
-const READY_MS = 30_000;
+const READY_MS = 120_000;
 /** A debug binary on a busy machine takes its time over a check. */
 const PATIENCE_MS = 60_000;
 
