@@ -8,7 +8,7 @@ mod summary;
 pub use shape_map::ShapeMap;
 
 use super::garment::MapKind;
-use crate::export::{GarmentMesh, VertexMaps};
+use crate::export::GarmentMesh;
 use crate::scene::{self, Body, Scene};
 use crate::solver::{self, Drape, MapSummary, kept_distance};
 use nalgebra::Vector3;
