@@ -88,8 +88,8 @@ pub struct Limits {
     pub requests: usize,
     /// Time in which the head of a request must come, also of the next one on a connection \[s\].
     pub head_timeout_s: f64,
-    /// Time that a client may leave a connection waiting, to send a body or to take an answer
-    /// \[s\]: every 4 KiB that get through give it a second back.
+    /// Time for which a client may leave a connection waiting, to send a body or to take an answer;
+    /// every 4 KiB that get through give it a second back \[s\].
     pub stall_timeout_s: f64,
     /// Bytes of bodies that are held at the same time.
     pub upload_bytes_in_flight: usize,
