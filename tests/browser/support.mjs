@@ -11,7 +11,7 @@ import { chromium } from "playwright-core";
 
 const READY_MS = 120_000;
 /** A debug binary on a busy machine takes its time over a check. */
-const PATIENCE_MS = 60_000;
+const PATIENCE_MS = 180_000;
 
 async function freePort() {
   const server = createServer();
