@@ -128,6 +128,20 @@ impl Walk<'_> {
         let fix = format!("give {most} at most");
         self.note(RequestCode::WrongLength, detail, fix)
     }
+
+    /// Notes that the entries of a list or an object that breaks off are too many, if they are: what
+    /// is before the break would be read. Returns the error of the break.
+    fn broken_off<E: Error>(
+        &mut self,
+        error: E,
+        (count, most): (usize, usize),
+        kind: Kind,
+    ) -> Result<(), E> {
+        if count > most {
+            self.end::<E>(count, most, kind)?;
+        }
+        Err(error)
+    }
 }
 
 /// The word for the entries of a list or an object, and the memory of each \[bytes\].
@@ -172,20 +186,30 @@ impl<'de> Visitor<'de> for At<'_, '_> {
             walk.take(VALUE)?;
             count += 1;
         }
-        while items.next_element::<IgnoredAny>()?.is_some() {
-            count += 1;
+        loop {
+            match items.next_element::<IgnoredAny>() {
+                Ok(Some(_)) => count += 1,
+                Ok(None) => return walk.end(count, most, ITEMS),
+                Err(error) => return walk.broken_off(error, (count, most), ITEMS),
+            }
         }
-        walk.end(count, most, ITEMS)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, mut fields: A) -> Result<(), A::Error> {
         let Self { walk, place } = self;
         let most = walk.most(place);
         let mut count = 0;
-        while let Some(name) = fields.next_key_seed(Name { walk })? {
+        loop {
+            let name = match fields.next_key_seed(Name { walk }) {
+                Ok(Some(name)) => name,
+                Ok(None) => return walk.end(count, most, FIELDS),
+                Err(error) => return walk.broken_off(error, (count, most), FIELDS),
+            };
             count += 1;
             if count > most {
-                fields.next_value::<IgnoredAny>()?;
+                if let Err(error) = fields.next_value::<IgnoredAny>() {
+                    return walk.broken_off(error, (count, most), FIELDS);
+                }
                 continue;
             }
             let below = place.and_then(|place| place.field(&name));
@@ -194,7 +218,6 @@ impl<'de> Visitor<'de> for At<'_, '_> {
             fields.next_value_seed(At { walk, place: below })?;
             walk.path.pop();
         }
-        walk.end(count, most, FIELDS)
     }
 
     fn visit_str<E: Error>(self, text: &str) -> Result<(), E> {
@@ -321,6 +344,13 @@ mod tests {
     fn what_is_no_json_is_left_to_its_reader() {
         for text in ["", "[1,", "{\"a\"", "nul", "[1] 2"] {
             assert_eq!(faults(text), [], "{text}");
+        }
+    }
+
+    #[test]
+    fn what_breaks_off_after_too_many_items_is_refused_for_these() {
+        for text in ["[1,2,3,4,5", "[1,2,3,4,}", r#"{"a":1,"b":1,"c":1,"d":1,"e"#] {
+            assert_eq!(faults(text).len(), 1, "{text}");
         }
     }
 }
