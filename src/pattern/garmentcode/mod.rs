@@ -95,9 +95,10 @@ fn check_size(bytes: &[u8], limits: &Limits) -> Result<(), Faults> {
         memory: limits.json_memory_bytes / MEMORY_SHARE,
         ..AnyPlace::of_requests(limits)
     };
+    // What is a little over its limit is read and told as a fault of the pattern.
     let panels = ("/pattern/panels", 2 * limits.panels);
-    let points = ("/pattern/panels/*/vertices", limits.panel_vertices);
-    let edges = ("/pattern/panels/*/edges", limits.panel_vertices);
+    let points = ("/pattern/panels/*/vertices", 2 * limits.panel_vertices);
+    let edges = ("/pattern/panels/*/edges", 2 * limits.panel_vertices);
     let size = measure(bytes, &JsonBounds::new(elsewhere, [panels, points, edges]));
     Faults(size.faults).or(())
 }
