@@ -340,7 +340,7 @@ fn study_writes_a_table_and_a_plot_and_recommends() {
 fn sew_refuses_an_unknown_format_before_it_sews() {
     let output = run(&["sew", "absent.dxf", "absent.json", "-o", "out.stl"]);
     assert_eq!(code(&output), Some(2));
-    assert!(stderr(&output).contains(".glb, .obj or .json"));
+    assert!(stderr(&output).contains(".glb, .obj, .ply or .json"));
 }
 
 #[test]
