@@ -129,8 +129,8 @@ impl Walk<'_> {
         self.note(RequestCode::WrongLength, detail, fix)
     }
 
-    /// Notes that the entries of a list or an object that breaks off are too many, if they are: what
-    /// is before the break would be read. Returns the error of the break.
+    /// Notes that the entries of a list or an object that breaks off are too many, if they are:
+    /// what is before the break would be read. Returns the error of the break.
     fn broken_off<E: Error>(
         &mut self,
         error: E,
