@@ -51,7 +51,9 @@ check: page
 	cargo clippy --locked --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
 
-PAGE_SUITES = page layout sheet edges seams panels work faults
+PAGE_SUITES = page sheet seams panels work
+# These look at every size, every edge and every fault of a connection: minutes.
+LONG_PAGE_SUITES = layout edges faults
 
 # One profile for all: the browser drives the binary that the Rust tests built.
 test: page browser chromium valgrind
@@ -88,7 +90,11 @@ fuzz: page
 	done
 
 # What takes too long for every change.
-soak: page stability fuzz
+soak: page browser chromium stability fuzz
+	cargo build --locked --bin seamster
+	@for suite in $(LONG_PAGE_SUITES); do \
+	  echo "tests/browser/$$suite.mjs"; \
+	  SEAMSTER_BIN=target/debug/seamster node tests/browser/$$suite.mjs || exit 1; done
 	cargo test --release --locked --test it -- --ignored
 	SEAMSTER_MUTATIONS=10000 cargo test --release --locked --test it pattern::loss
 	@for run in $$(seq 10); do \
