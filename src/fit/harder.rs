@@ -42,7 +42,6 @@ pub(super) fn settle(
         return found;
     }
     let first = std::mem::replace(drape, again);
-    drape.coarser_shape = first.coarser_shape;
     join(&mut drape.report, first.report);
     found_again
 }
@@ -50,6 +49,7 @@ pub(super) fn settle(
 /// Adds to the report of the second rest what the way to the first cost and told.
 fn join(report: &mut DrapeReport, first: DrapeReport) {
     report.mesh_error_m = first.mesh_error_m;
+    report.started_from = first.started_from;
     report.newton_iterations += first.newton_iterations;
     report.levels.splice(0..0, first.levels);
     report.cpu_s.sew += first.cpu_s.sew;
