@@ -41,14 +41,13 @@ pub struct VertexMaps {
     /// The same along the weft.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub strain_weft: Vec<f64>,
-    /// Share of the extension that the fabric gives in wear, in the direction in which it is
-    /// largest.
+    /// Largest share of the extension that the fabric gives in wear, over all directions.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub strain_share: Vec<f64>,
     /// Pressure of the body on the cloth \[kPa\].
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub pressure_kpa: Vec<f64>,
-    /// Distance from the body, negative within it \[mm\].
+    /// Gap to the body, 0 in contact; within the body the depth, negative \[mm\].
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub gap_mm: Vec<f64>,
 }

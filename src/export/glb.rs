@@ -122,7 +122,11 @@ impl GlbWriter {
                 &maps.pressure_kpa,
                 "pressure of the body in kPa",
             ),
-            ("_GAP", &maps.gap_mm, "distance from the body in mm"),
+            (
+                "_GAP",
+                &maps.gap_mm,
+                "gap to the body in mm, its depth within the body, negative",
+            ),
         ] {
             if !values.is_empty() {
                 let values: Vec<[f64; 1]> = values.iter().map(|value| [*value]).collect();

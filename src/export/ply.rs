@@ -3,18 +3,25 @@
 
 use super::garment_mesh::GarmentMesh;
 use super::normals;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// Writes a garment as binary PLY: one list of vertices with positions \[m\], normals, pattern
-/// coordinates \[m\] as `s` and `t`, and the maps that the mesh has, by their names; one of
+/// coordinates \[m\] as `s` and `t`, and the maps that the mesh has, by their names and in their
+/// order, no number where a panel lacks one; one of
 /// triangles, each with the number of its panel. Comments name the panels in that order.
 pub fn ply(mesh: &GarmentMesh) -> Vec<u8> {
     let mut file = header(mesh).into_bytes();
+    let names = map_names(mesh);
     for (panel, normals) in mesh.panels.iter().zip(normals::of_garment(mesh)) {
-        let maps: Vec<&[f64]> = panel.maps.named().map(|(_, values)| values).collect();
+        let own: BTreeMap<_, _> = panel.maps.named().collect();
+        let maps: Vec<Option<&[f64]>> = names.iter().map(|name| own.get(name).copied()).collect();
         for (v, (position, normal)) in panel.positions.iter().zip(&normals).enumerate() {
             let values = position.iter().chain(normal.iter()).chain(&panel.uv[v]);
-            let values = values.copied().chain(maps.iter().map(|values| values[v]));
+            let of_maps = maps
+                .iter()
+                .map(|values| values.map_or(f64::NAN, |values| values[v]));
+            let values = values.copied().chain(of_maps);
             file.extend(values.flat_map(|value| single(value).to_le_bytes()));
         }
     }
@@ -32,6 +39,17 @@ pub fn ply(mesh: &GarmentMesh) -> Vec<u8> {
     file
 }
 
+/// Returns the names of the maps that any panel has, in their order.
+fn map_names(mesh: &GarmentMesh) -> Vec<&'static str> {
+    let mut names = vec![];
+    for (name, _) in mesh.panels.iter().flat_map(|panel| panel.maps.named()) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    names
+}
+
 fn header(mesh: &GarmentMesh) -> String {
     let mut text = String::from(
         "ply\nformat binary_little_endian 1.0\ncomment seamster; metres, y up; s t = pattern coordinates in metres\n",
@@ -44,8 +62,7 @@ fn header(mesh: &GarmentMesh) -> String {
     let vertices: usize = mesh.panels.iter().map(|panel| panel.positions.len()).sum();
     let triangles: usize = mesh.panels.iter().map(|panel| panel.triangles.len()).sum();
     let _ = writeln!(text, "element vertex {vertices}");
-    let maps = mesh.panels.first().map(|panel| panel.maps.named());
-    let maps = maps.into_iter().flatten().map(|(name, _)| name);
+    let maps = map_names(mesh).into_iter();
     let names = ["x", "y", "z", "nx", "ny", "nz", "s", "t"]
         .into_iter()
         .chain(maps);

@@ -257,8 +257,8 @@ pub enum StartRef {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, ToSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StartShape {
-    /// Its energy \[J\].
-    pub energy_j: f64,
+    /// The body that it is worn on.
+    pub avatar: Option<AvatarRef>,
     /// Its panels.
     pub panels: Vec<StartPanel>,
 }
@@ -323,6 +323,6 @@ pub enum MapKind {
     Strain,
     /// Pressure of the body on the cloth \[kPa\].
     Pressure,
-    /// Distance from the body \[mm\].
+    /// Gap to the body, 0 in contact \[mm\].
     Gap,
 }

@@ -46,6 +46,8 @@ pub(crate) fn garment_bounds(limits: &Limits) -> JsonBounds {
             "/over/panels/*/triangles",
             TRIANGLES_PER_VERTEX * limits.mesh_vertices,
         ),
+        ("/start_from/avatar/body/vertices", limits.body_vertices),
+        ("/start_from/avatar/body/triangles", limits.body_triangles),
         ("/start_from/panels", panels),
         ("/start_from/panels/*/positions", limits.mesh_vertices),
         ("/start_from/panels/*/uv", limits.mesh_vertices),

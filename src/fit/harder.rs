@@ -5,9 +5,10 @@
 //! soft contact is what a solver gets through. Where cloth is drawn over a ridge by more, its
 //! vertices and the middles of its edges stay outside, but triangles between them meet the body.
 
+use super::costs;
 use super::crossings::{self, FoundCrossings};
 use crate::scene::Scene;
-use crate::solver::{self, Context, Drape, DrapeReport, SolverOptions, TermTime};
+use crate::solver::{self, Context, Drape, DrapeReport, SolverOptions};
 
 /// Pairs of triangles of cloth and body up to which skin that is harder helps.
 const MOST_PAIRS: usize = 200;
@@ -50,22 +51,11 @@ pub(super) fn settle(
 fn join(report: &mut DrapeReport, first: DrapeReport) {
     report.mesh_error_m = first.mesh_error_m;
     report.started_from = first.started_from;
-    report.newton_iterations += first.newton_iterations;
-    report.levels.splice(0..0, first.levels);
-    report.cpu_s.sew += first.cpu_s.sew;
-    report.cpu_s.drape += first.cpu_s.drape;
-    report.plan = first.plan;
-    report.support = first.support;
-    for TermTime { name, cpu_s } in first.terms {
-        match report.terms.iter_mut().find(|term| term.name == name) {
-            Some(term) => term.cpu_s += cpu_s,
-            None => report.terms.push(TermTime { name, cpu_s }),
-        }
-    }
-    let new = first
-        .fallbacks
-        .into_iter()
-        .filter(|word| !report.fallbacks.contains(word));
-    let new: Vec<_> = new.chain([FALLBACK.to_owned()]).collect();
+    report.plan = first.plan.clone();
+    report.support = first.support.clone();
+    let is_new = |word: &&String| !report.fallbacks.contains(word);
+    let new: Vec<_> = first.fallbacks.iter().filter(is_new).cloned().collect();
     report.fallbacks.extend(new);
+    report.fallbacks.push(FALLBACK.to_owned());
+    costs::add(report, first);
 }

@@ -4,7 +4,6 @@ use super::garment::Garment;
 use crate::export::GarmentMesh;
 use crate::pattern::Pattern;
 use crate::scene::{self, BodySource, Fabric};
-use crate::solver::DrapeReport;
 use std::sync::Arc;
 use uuid::Uuid;
 
@@ -32,8 +31,6 @@ pub struct FinishedFit {
     pub garment: Garment,
     /// The shape that it ended in.
     pub mesh: GarmentMesh,
-    /// Its report.
-    pub report: DrapeReport,
 }
 
 /// The reason why there is no such finished fit.

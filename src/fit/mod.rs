@@ -3,6 +3,7 @@
 //! [`read_garment`] → [`resolve`] → [`run`] → [`FitOutcome`].
 
 mod ahead;
+mod costs;
 mod crossings;
 mod garment;
 mod garment_bounds;
@@ -29,12 +30,13 @@ mod shape_faults;
 mod sides;
 mod start_from;
 mod starts;
+mod stored_surface;
 mod suggest;
 mod support;
 mod unsupported;
 mod validate;
 mod verdict;
-mod warm;
+mod warm_start;
 mod zone;
 
 pub(crate) use ahead::size_warnings;

@@ -3,6 +3,7 @@
 
 use super::garment::{AvatarRef, Garment, InnerGarment, InnerPanel, OverRef};
 use super::library::{AssetLibrary, FinishedFit, NoFinishedFit};
+use super::stored_surface;
 use crate::config::Limits;
 use crate::fault::{Fault, GarmentCode};
 use crate::scene::{DressForm, FixedCloth, FixedPanel};
@@ -13,8 +14,6 @@ use uuid::Uuid;
 
 /// Put before the names of the panels of an inner garment: once for each garment on it.
 const PREFIX: &str = "over:";
-/// Largest coordinate of an inner garment \[m\].
-const LARGEST: f64 = 100.0;
 /// Thickness of an inner garment \[m\]: that of a fabric.
 const THICKNESS: RangeInclusive<f64> = 1e-5..=0.02;
 /// Coulomb coefficient of an inner garment.
@@ -51,7 +50,7 @@ pub(super) fn inline_over(
 
 /// Finds the surface of a finished fit, and of all that it is worn over.
 fn found(id: Uuid, library: &dyn AssetLibrary) -> Result<InnerGarment, Fault> {
-    let FinishedFit { garment, mesh, .. } =
+    let FinishedFit { garment, mesh } =
         library.finished_fit(id).map_err(|none| refused(id, none))?;
     let mut panels = match garment.over {
         Some(OverRef::Whole(inner)) => inner.panels,
@@ -135,19 +134,17 @@ fn surface_fault(detail: impl Into<String>) -> Fault {
 fn fixed_cloth(inner: &InnerGarment, limits: &Limits) -> Result<FixedCloth, Fault> {
     let count = |of: fn(&InnerPanel) -> usize| inner.panels.iter().map(of).sum::<usize>();
     let vertices = count(|panel| panel.positions.len());
-    let most = limits.mesh_vertices;
-    // A sheet has about twice as many triangles as vertices.
     let triangles = count(|panel| panel.triangles.len());
-    if vertices > most || triangles > 2 * most {
-        let detail = format!(
-            "the garments beneath have {vertices} vertices and {triangles} triangles; at most {most} and {} are taken",
-            2 * most
-        );
-        return Err(surface_fault(detail));
-    }
+    stored_surface::check_size(vertices, triangles, limits)
+        .map_err(|detail| surface_fault(format!("the garments beneath: {detail}")))?;
     let mut cloth = FixedCloth::default();
     for panel in &inner.panels {
-        let wrong = |what: &str| surface_fault(format!("panel {} {what}", excerpt(&panel.panel)));
+        let wrong = |what: &str| {
+            surface_fault(format!(
+                "panel {} {what}",
+                stored_surface::excerpt(&panel.panel)
+            ))
+        };
         check_panel(panel, limits).map_err(wrong)?;
         let (first, first_triangle) = (cloth.vertices.len(), cloth.triangles.len());
         let positions = panel.positions.iter();
@@ -165,13 +162,8 @@ fn fixed_cloth(inner: &InnerGarment, limits: &Limits) -> Result<FixedCloth, Faul
     Ok(cloth)
 }
 
-fn excerpt(name: &str) -> String {
-    name.chars().take(60).collect()
-}
-
 /// Returns in words the first thing that is wrong with a panel, if anything is.
 fn check_panel(panel: &InnerPanel, limits: &Limits) -> Result<(), &'static str> {
-    let is_wrong = |p: &f64| !(-LARGEST..=LARGEST).contains(p);
     let id = panel.panel.trim_start_matches(PREFIX);
     if id.chars().count() > limits.name_chars {
         return Err("has too long a name");
@@ -179,20 +171,5 @@ fn check_panel(panel: &InnerPanel, limits: &Limits) -> Result<(), &'static str> 
     if !THICKNESS.contains(&panel.thickness_m) || !FRICTION.contains(&panel.friction) {
         return Err("has a thickness or friction that no fabric has");
     }
-    if panel.positions.iter().flatten().any(is_wrong) {
-        return Err("has a position that is not near the body");
-    }
-    let corner = |v: &u32| panel.positions.get(*v as usize).copied().map(Vector3::from);
-    let has_area = |t: &[u32; 3]| {
-        let [a, b, c] = [corner(&t[0])?, corner(&t[1])?, corner(&t[2])?];
-        Some((b - a).cross(&(c - a)).norm() > 0.0)
-    };
-    for triangle in &panel.triangles {
-        match has_area(triangle) {
-            Some(true) => {}
-            Some(false) => return Err("has a triangle without area"),
-            None => return Err("has a triangle with a corner that is not there"),
-        }
-    }
-    Ok(())
+    stored_surface::check(&panel.positions, &panel.triangles)
 }

@@ -1,7 +1,8 @@
 //! A garment resolved: every id it refers to replaced by its value, and everything checked.
 
-use super::garment::StartShape;
-use super::garment::{AvatarRef, Garment, PanelSpec, PatternRef, SeamsSpec, WindSpec};
+use super::garment::{
+    AvatarRef, Garment, PanelSpec, PatternRef, SeamsSpec, StartRef, StartShape, WindSpec,
+};
 use super::layers;
 use super::library::AssetLibrary;
 use super::limbs;
@@ -43,8 +44,6 @@ pub struct ResolvedGarment {
     pub(super) avatar: Option<BodySource>,
     /// The garments that it is worn over, if there are any.
     pub(super) over: Option<Arc<FixedCloth>>,
-    /// The shape that it starts from, if it does from one.
-    pub(super) start: Option<Arc<StartShape>>,
     /// Bodies made before.
     pub(super) bodies: Arc<AvatarCache>,
     /// The layer of each panel, counted from the body outwards; empty where they have no order.
@@ -82,6 +81,14 @@ impl ResolvedGarment {
         &self.file
     }
 
+    /// Returns the shape that it starts from, if it does from one.
+    pub(super) fn start(&self) -> Option<&StartShape> {
+        match &self.file.start_from {
+            Some(StartRef::Whole(start)) => Some(start),
+            Some(StartRef::Id(_)) | None => None,
+        }
+    }
+
     /// Returns the seams with their reasons, where the garment left them to the service; else none.
     pub fn suggested(&self) -> &[SuggestedSeam] {
         &self.suggested
@@ -106,7 +113,7 @@ pub fn resolve(
     references::inline_fabrics(&mut garment, library, limits, &mut faults);
     let avatar = references::inline_avatar(&mut garment, library, &mut faults);
     let over = over::inline_over(&mut garment, library, limits, &mut faults);
-    let start = start_from::inline_start(&mut garment, library, limits, &mut faults);
+    start_from::inline_start(&mut garment, library, limits, &mut faults);
     let mut pattern = references::find_pattern(garment.pattern.take(), library, limits)
         .map_err(|found| joined(&mut faults, found))?;
     let ListedSeams { pairs, suggested } = suggest::list_seams(&mut garment, &mut pattern, limits)
@@ -157,7 +164,6 @@ pub fn resolve(
         fabrics: fabrics.fabrics,
         avatar,
         over,
-        start,
         layers: layers::ranks(&specs),
         bodies: Arc::default(),
         pins,

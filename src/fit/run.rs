@@ -10,13 +10,13 @@ use super::resolve::ResolvedGarment;
 use super::starts;
 use super::support;
 use super::verdict::{Demands, verdict};
-use super::warm;
+use super::warm_start;
 use crate::export::{DrapedPanel, GarmentMesh, VertexMaps};
 use crate::fault::{Faults, PlacementCode, Warning, quoted_list};
 use crate::memory;
 use crate::mesh::{self, ClothMesh, PanelRange};
 use crate::scene::{self, Avatar, Body, BodySource, Limbs, PanelParts, Parts, Scene};
-use crate::solver::{Analysis, Context, DrapeReport, SkippedTerm, SolverOptions};
+use crate::solver::{Analysis, Context, DrapeReport, SkippedTerm};
 use nalgebra::Vector3;
 use std::sync::Arc;
 
@@ -44,21 +44,21 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
     let assembled = (context.cpu_s)();
     let names = garment.pattern.panels.iter().map(|panel| &*panel.id);
     let names: Vec<_> = names.collect();
-    let (mut drape, left_start) = warm::drape(
+    let (mut drape, left_start) = warm_start::drape(
         (&scene, &names),
-        garment.start.as_deref(),
-        &less_spent(options, assembled - began),
+        garment.start(),
+        &options.less_spent(assembled - began),
         context,
     );
     let mut found = None;
     if !drape.canceled {
-        let left = less_spent(options, (context.cpu_s)() - began);
+        let left = options.less_spent((context.cpu_s)() - began);
         found = harder::settle(&mut scene, (&mut drape, &names), &left, context);
     }
     let solved = (context.cpu_s)();
     let mut mesh = garment_mesh(garment, &scene, &drape.positions);
     let kinds = &garment.garment().maps;
-    if !kinds.is_empty() {
+    if !kinds.is_empty() && !drape.canceled {
         drape.report.maps = maps::add(kinds, (&scene, &names), &drape, &mut mesh);
     }
     let mut report = drape.report;
@@ -79,7 +79,8 @@ pub fn run(garment: &ResolvedGarment, context: &mut Context<'_>) -> Result<FitOu
     report.warnings.extend(warnings);
     report.warnings.extend(left_start);
     report.warnings.extend(size_warnings(&scene));
-    if !options.method.is_time_stepping() {
+    let is_sewn_here = report.started_from.is_none() && !options.method.is_time_stepping();
+    if is_sewn_here {
         report.warnings.extend(sewn_first(&scene, &names));
     }
     Ok(FitOutcome {
@@ -138,15 +139,6 @@ fn left_out_limbs(garment: &ResolvedGarment) -> Vec<SkippedTerm> {
         because: "no panel starts near them, or `limbs` leaves them out".to_owned(),
     });
     skipped.collect()
-}
-
-/// Takes the CPU time `spent` already \[s\] off the time limit.
-fn less_spent(options: &SolverOptions, spent: f64) -> SolverOptions {
-    let left = |limit: f64| (limit - spent).max(0.0);
-    SolverOptions {
-        time_limit_s: options.time_limit_s.map(left),
-        ..options.clone()
-    }
 }
 
 /// Assembles the scene of a resolved garment, before anything moves.

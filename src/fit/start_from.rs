@@ -1,43 +1,40 @@
 //! The shape that a garment is to be sewn on from (P12): found by the id of its fit, put into the
 //! garment file by content, and checked.
 
-use super::garment::{Garment, StartPanel, StartRef, StartShape};
+use super::garment::{AvatarRef, DressFormSpec, Garment, StartPanel, StartRef, StartShape};
 use super::library::{AssetLibrary, FinishedFit, NoFinishedFit};
+use super::stored_surface;
 use crate::config::Limits;
 use crate::fault::{Fault, GarmentCode};
-use std::sync::Arc;
+use crate::pattern::Point2;
 use uuid::Uuid;
 
-/// Largest coordinate of a start \[m\].
-const LARGEST: f64 = 100.0;
-
-/// Puts the shape that `garment` starts from into it, and returns that shape; none if there is none
-/// or it is at fault.
+/// Puts the shape that `garment`, complete but for it, starts from into it; none if it is at fault.
 pub(super) fn inline_start(
     garment: &mut Garment,
     library: &dyn AssetLibrary,
     limits: &Limits,
     faults: &mut Vec<Fault>,
-) -> Option<Arc<StartShape>> {
-    let start = match garment.start_from.take()? {
-        StartRef::Id(id) => found(id, library),
-        StartRef::Whole(start) => Ok(*start),
+) {
+    let start = match garment.start_from.take() {
+        None => return,
+        Some(StartRef::Id(id)) => found(id, library).map(Box::new),
+        Some(StartRef::Whole(start)) => Ok(start),
     };
-    match start.and_then(|start| check(&start, limits).map(|()| start)) {
-        Ok(start) => {
-            garment.start_from = Some(StartRef::Whole(Box::new(start.clone())));
-            Some(Arc::new(start))
-        }
-        Err(fault) => {
-            faults.push(fault);
-            None
-        }
+    let checked = start.and_then(|start| {
+        check_avatar(garment.avatar.as_ref(), start.avatar.as_ref())?;
+        check_surface(&start, limits)?;
+        Ok(start)
+    });
+    match checked {
+        Ok(start) => garment.start_from = Some(StartRef::Whole(start)),
+        Err(fault) => faults.push(fault),
     }
 }
 
 /// Finds the shape in which a fit ended.
 fn found(id: Uuid, library: &dyn AssetLibrary) -> Result<StartShape, Fault> {
-    let FinishedFit { mesh, report, .. } =
+    let FinishedFit { garment, mesh } =
         library.finished_fit(id).map_err(|none| refused(id, none))?;
     let panels = mesh.panels.into_iter().map(|panel| StartPanel {
         panel: panel.panel,
@@ -46,7 +43,7 @@ fn found(id: Uuid, library: &dyn AssetLibrary) -> Result<StartShape, Fault> {
         triangles: panel.triangles,
     });
     Ok(StartShape {
-        energy_j: report.energy_j.total(),
+        avatar: garment.avatar,
         panels: panels.collect(),
     })
 }
@@ -66,53 +63,81 @@ fn refused(id: Uuid, none: NoFinishedFit) -> Fault {
     }
 }
 
-/// Checks that a start is a shape of triangles within the limits.
-fn check(start: &StartShape, limits: &Limits) -> Result<(), Fault> {
+/// Checks that both are worn on bodies of one kind: dress forms in the same pose and with the same
+/// limbs, whatever their measures, or one body of one's own. Beside arms in another pose a sleeve
+/// would hang in the air.
+fn check_avatar(avatar: Option<&AvatarRef>, earlier: Option<&AvatarRef>) -> Result<(), Fault> {
+    let detail = match (avatar, earlier) {
+        (None, None) => return Ok(()),
+        // An avatar that is not known is a fault of its own.
+        (Some(AvatarRef::Id(_)), _) => return Ok(()),
+        (Some(AvatarRef::Form(one)), Some(AvatarRef::Form(other))) => {
+            match difference(one, other) {
+                None => return Ok(()),
+                Some(what) => format!("the earlier fit is worn on a dress form {what}"),
+            }
+        }
+        (one, other) if one == other => return Ok(()),
+        _ => "the earlier fit is worn on another body, or on none".to_owned(),
+    };
+    let fault = Fault::new(GarmentCode::StartAvatar, "/start_from", detail);
+    Err(fault.fix("leave it out: sewn from flat panels it fits any body"))
+}
+
+/// Returns the difference of two dress forms, besides their measures, in words; none if there is
+/// none. Limbs that the garment leaves to the service are those that its panels need.
+fn difference(one: &DressFormSpec, other: &DressFormSpec) -> Option<&'static str> {
+    let (one, other) = (one.form, other.form);
+    if one.pose != other.pose {
+        Some("in another pose")
+    } else if one.limbs.is_some() && one.limbs != other.limbs {
+        Some("with other limbs")
+    } else {
+        None
+    }
+}
+
+/// Checks that a start is a surface with pattern coordinates, within the limits.
+fn check_surface(start: &StartShape, limits: &Limits) -> Result<(), Fault> {
     let fault = |detail: String| {
-        Fault::new(GarmentCode::StartShape, "/start_from", detail).fix(
-            "give the id of a fit that has succeeded, or `start_from` of a saved file as it is",
-        )
+        let fix =
+            "give the id of a fit that has succeeded, or `start_from` of a saved file as it is";
+        Fault::new(GarmentCode::StartShape, "/start_from", detail).fix(fix)
     };
     let count = |of: fn(&StartPanel) -> usize| start.panels.iter().map(of).sum::<usize>();
-    let vertices = count(|panel| panel.positions.len());
-    // A sheet has about twice as many triangles as vertices.
-    if vertices > limits.mesh_vertices || count(|p| p.triangles.len()) > 2 * limits.mesh_vertices {
-        let detail = format!(
-            "the start has {vertices} vertices; at most {} are taken",
-            limits.mesh_vertices
-        );
-        return Err(fault(detail));
-    }
-    let named = |panel: &StartPanel, what| {
-        let id: String = panel.panel.chars().take(60).collect();
-        fault(format!("panel {id} of the start {what}"))
-    };
+    let [vertices, triangles] = [
+        count(|panel| panel.positions.len()),
+        count(|panel| panel.triangles.len()),
+    ];
+    stored_surface::check_size(vertices, triangles, limits)
+        .map_err(|detail| fault(format!("the start has {detail}")))?;
     for panel in &start.panels {
-        check_panel(panel, limits).map_err(|what| named(panel, what))?;
+        let id = stored_surface::excerpt(&panel.panel);
+        check_panel(panel, limits)
+            .map_err(|what| fault(format!("panel {id} of the start {what}")))?;
     }
     Ok(())
 }
 
 /// Returns in words the first thing that is wrong with a panel, if anything is.
 fn check_panel(panel: &StartPanel, limits: &Limits) -> Result<(), &'static str> {
-    let is_wrong = |p: &f64| !(-LARGEST..=LARGEST).contains(p);
-    let count = panel.positions.len();
     if panel.panel.chars().count() > limits.name_chars {
         return Err("has too long a name");
     }
-    if panel.uv.len() != count {
+    if panel.uv.len() != panel.positions.len() {
         return Err("has not as many pattern coordinates as positions");
     }
-    if panel.positions.iter().flatten().any(is_wrong) || panel.uv.iter().flatten().any(is_wrong) {
-        return Err("has a position that is not near the body");
+    if panel.uv.iter().flatten().any(stored_surface::is_far) {
+        return Err("has a pattern coordinate that is none");
     }
-    if panel
-        .triangles
-        .iter()
-        .flatten()
-        .any(|v| *v as usize >= count)
-    {
-        return Err("has a triangle with a corner that is not there");
+    stored_surface::check(&panel.positions, &panel.triangles)?;
+    let area = |t: &[u32; 3]| twice_area(t.map(|v| panel.uv[v as usize]));
+    if panel.triangles.iter().any(|t| area(t) == 0.0) {
+        return Err("has a triangle without area on the pattern");
     }
     Ok(())
+}
+
+fn twice_area([p, q, r]: [Point2; 3]) -> f64 {
+    (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 }

@@ -1,6 +1,6 @@
 //! Settings that the garment file can state and this version cannot follow: refused, never ignored.
 
-use super::garment::{Garment, PanelSpec, SelfContact};
+use super::garment::{Garment, MapKind, PanelSpec, SelfContact};
 use crate::fault::{Fault, GarmentCode, pointer_token};
 use crate::solver::{Analysis, SolverOptions};
 
@@ -32,7 +32,8 @@ fn fault(under: &str, (is_wrong, field, what, fix): StatedSetting) -> Option<Fau
     })
 }
 
-fn garment_settings(garment: &Garment) -> [StatedSetting; 3] {
+fn garment_settings(garment: &Garment) -> [StatedSetting; 4] {
+    let is_of_body = |map: &MapKind| *map != MapKind::Strain;
     [
         (
             garment.over.is_some()
@@ -53,6 +54,12 @@ fn garment_settings(garment: &Garment) -> [StatedSetting; 3] {
             "start_from",
             "starting from another fit with a method that steps in time",
             "leave it out, or give the method \"newton\"",
+        ),
+        (
+            garment.over.is_some() && garment.maps.iter().any(is_of_body),
+            "maps",
+            "pressure or gap of a garment that is worn over another, whose cloth is not the body,",
+            "ask for \"strain\" alone",
         ),
     ]
 }

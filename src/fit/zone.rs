@@ -36,13 +36,6 @@ pub(super) enum Zone {
 }
 
 impl Zone {
-    pub(super) fn is_trunk(self) -> bool {
-        !matches!(
-            self,
-            Self::LeftArm | Self::RightArm | Self::LeftLeg | Self::RightLeg
-        )
-    }
-
     pub(super) fn name(self) -> &'static str {
         match self {
             Self::Neck => "neck",

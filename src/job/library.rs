@@ -34,15 +34,13 @@ impl AssetLibrary for Queue {
         let read = || -> Result<Option<FinishedFit>, StoreError> {
             let garment = self.request(JobKind::Fit, id)?;
             let mesh = self.file(&record, ResultFile::Mesh)?;
-            let report = self.file(&record, ResultFile::Report)?;
-            let (Some(garment), Some(mesh), Some(report)) = (garment, mesh, report) else {
+            let Some((garment, mesh)) = garment.zip(mesh) else {
                 return Ok(None);
             };
             let unreadable = |cause| StoreError::of_data(format!("reading fit {id}"), cause);
             Ok(Some(FinishedFit {
                 garment: serde_json::from_slice(&garment).map_err(unreadable)?,
                 mesh: serde_json::from_slice(&mesh).map_err(unreadable)?,
-                report: serde_json::from_slice(&report).map_err(unreadable)?,
             }))
         };
         self.catalogue().noted(read()).ok_or(NoFinishedFit::Unknown)

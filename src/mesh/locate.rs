@@ -5,6 +5,10 @@ use super::geometry::area;
 use crate::pattern::point::Point2;
 use std::collections::BTreeMap;
 
+/// Most cells along the bounding box of a triangle: those of a mesh are much alike, those of a file
+/// need not be.
+const MOST_CELLS: f64 = 16.0;
+
 /// The triangles of one panel, ready to be searched.
 #[derive(Debug)]
 pub struct Locator<'a> {
@@ -24,7 +28,11 @@ impl<'a> Locator<'a> {
         let triangles = mesh.panels[panel].triangles.clone();
         let boxes: Vec<[Point2; 2]> = triangles.clone().map(|t| bounds(mesh, t)).collect();
         let widths = boxes.iter().map(|[l, h]| (h[0] - l[0]).max(h[1] - l[1]));
-        let side = (widths.sum::<f64>() / boxes.len().max(1) as f64).max(1e-6);
+        let [sum, largest] = widths.fold([0.0, 0.0_f64], |[sum, largest], width| {
+            [sum + width, largest.max(width)]
+        });
+        let mean = sum / boxes.len().max(1) as f64;
+        let side = mean.max(largest / MOST_CELLS).max(1e-6);
         let mut locator = Self {
             mesh,
             cells: BTreeMap::new(),
@@ -55,6 +63,8 @@ impl<'a> Locator<'a> {
                     barycentric(point, corners.map(|v| self.mesh.uv[v])),
                 )
             });
+            // A triangle without area holds no point.
+            let weighed = weighed.filter(|(_, w)| w.iter().all(|w| w.is_finite()));
             let least = |w: &[f64; 3]| w.iter().copied().fold(f64::INFINITY, f64::min);
             let best = weighed.max_by(|(_, p), (_, q)| least(p).total_cmp(&least(q)))?;
             Some([0, 1, 2].map(|k| (best.0[k], best.1[k])))

@@ -66,6 +66,15 @@ impl Default for SolverOptions {
 }
 
 impl SolverOptions {
+    /// Returns the same options with the CPU time `spent` already \[s\] taken off the time limit.
+    #[must_use]
+    pub fn less_spent(&self, spent: f64) -> Self {
+        Self {
+            time_limit_s: self.time_limit_s.map(|limit| (limit - spent).max(0.0)),
+            ..self.clone()
+        }
+    }
+
     /// Returns the stiffness of a stitch with which sewing begins \[N/m\].
     pub(crate) fn sewing_stiffness(&self) -> f64 {
         self.seam_stiffness_n_m.unwrap_or(SEWING_STIFFNESS)

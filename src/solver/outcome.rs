@@ -16,8 +16,9 @@ pub(crate) const ESTIMATE_RESIDUAL_LIMIT: f64 = 1e-2;
 pub struct Drape {
     /// Position of each vertex \[m\]; `#V`. The best shape so far where it did not converge.
     pub positions: Vec<Vector3<f64>>,
-    /// The shape of the next coarser mesh \[m\], where that came to rest and handed it on.
-    pub coarser_shape: Option<Vec<Vector3<f64>>>,
+    /// The shape that the next coarser mesh handed on to this one, where both came to rest \[m;
+    /// `#V`\]: at the vertices that both have, its own.
+    pub handed_on: Option<Vec<Vector3<f64>>>,
     /// Points at which friction holds it.
     pub anchors: FrictionAnchors,
     /// Quality of the shape.
@@ -31,7 +32,7 @@ impl Drape {
     pub fn of_shape(positions: &[Vector3<f64>]) -> Self {
         Self {
             positions: positions.to_vec(),
-            coarser_shape: None,
+            handed_on: None,
             anchors: FrictionAnchors::default(),
             report: DrapeReport::default(),
             canceled: false,
@@ -54,8 +55,8 @@ pub(crate) struct DrapeOutcome {
     pub(crate) balance: ForceBalance,
     /// Distance to the solution on this mesh.
     pub(crate) estimate: Option<ErrorEstimate>,
-    /// The shape of the next coarser level \[m\], where both are at rest.
-    pub(crate) coarser_shape: Option<Vec<Vector3<f64>>>,
+    /// The shape that the next coarser level handed on \[m\], where both are at rest.
+    pub(crate) handed_on: Option<Vec<Vector3<f64>>>,
     /// Distance to the shape that the next coarser level handed on \[m\], where both are at rest.
     pub(crate) mesh_error_m: Option<f64>,
     /// Gaps, strain and penetration.

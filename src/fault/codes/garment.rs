@@ -44,11 +44,14 @@ fault_codes! {
         PatternUnknown = "pattern_unknown":
             "No stored pattern has this id.",
             "Upload it first: `POST /v1/patterns`.";
+        StartAvatar = "start_avatar":
+            "The fit that this garment is to start from is worn on a body of another kind or pose.",
+            "Leave `start_from` out, or give the id of a fit on a body of this kind and pose.";
         StartLeft = "start_left":
             "The garment was sewn from flat panels, not from the shape in `start_from`.",
             "Nothing need be done: the detail says why.";
         StartShape = "start_shape":
-            "The shape to start from is none.",
+            "`start_from` holds no surface of cloth with pattern coordinates.",
             "Give the id of a fit that has succeeded, or `start_from` of a saved file as it is.";
         StartUnfinished = "start_unfinished":
             "The fit that this garment is to start from has not succeeded.",

@@ -13,9 +13,10 @@ use crate::scene::{self, Body, Scene};
 use crate::solver::{self, Drape, MapSummary, kept_distance};
 use nalgebra::Vector3;
 use strain::Strains;
+use summary::ClothParts;
 
-/// Adds the maps that are asked for of a drape of a scene, whose panels have these names, to its
-/// mesh, and returns their summaries.
+/// Adds the maps that are wanted of a drape of a scene, whose panels have these names, to its mesh,
+/// and returns their summaries.
 pub(super) fn add(
     kinds: &[MapKind],
     (scene, names): (&Scene, &[&str]),
@@ -23,8 +24,8 @@ pub(super) fn add(
     mesh: &mut GarmentMesh,
 ) -> Vec<MapSummary> {
     let maps = shape_maps(kinds, scene, drape);
-    let summary = |map| summary::summary(map, (scene, names), &drape.positions);
-    let summaries = maps.iter().map(summary).collect();
+    let parts = ClothParts::new(scene, names, &drape.positions);
+    let summaries = maps.iter().map(|map| parts.summary(map)).collect();
     for (panel, range) in mesh.panels.iter_mut().zip(&scene.mesh.panels) {
         for map in &maps {
             let values = map.values[range.vertices.clone()].to_vec();
@@ -41,8 +42,8 @@ pub(super) fn add(
 /// this one.
 pub fn shape_maps(kinds: &[MapKind], scene: &Scene, drape: &Drape) -> Vec<ShapeMap> {
     let mut maps = maps(kinds, scene, &drape.positions);
-    let coarser = drape.coarser_shape.as_ref();
-    if let Some(coarser) = coarser.and_then(|shape| coarser_maps(kinds, scene, shape)) {
+    let handed_on = drape.handed_on.as_ref();
+    if let Some(coarser) = handed_on.and_then(|shape| coarser_maps(kinds, scene, shape)) {
         for (map, coarser) in maps.iter_mut().zip(&coarser) {
             map.error = rms(&map.values, coarser);
         }
@@ -82,8 +83,8 @@ fn maps(kinds: &[MapKind], scene: &Scene, positions: &[Vector3<f64>]) -> Vec<Sha
     maps
 }
 
-/// Returns the distance of each vertex from the body, less the one that contact keeps, negative
-/// within the body \[mm\].
+/// Returns the gap between each vertex and the body \[mm\]: its distance less the one that contact
+/// keeps, 0 in contact; within the body its depth, negative.
 fn gaps(scene: &Scene, body: &Body, positions: &[Vector3<f64>]) -> Vec<f64> {
     let kept = kept_distance(scene);
     let gap = |p: &Vector3<f64>| {
@@ -97,16 +98,17 @@ fn gaps(scene: &Scene, body: &Body, positions: &[Vector3<f64>]) -> Vec<f64> {
     positions.iter().map(gap).collect()
 }
 
-/// Returns the maps of a shape of the next coarser mesh, carried over to this one.
+/// Returns the maps of the next coarser mesh, carried over to this one, to which it handed on
+/// `shape` \[m; `#V`\].
 fn coarser_maps(kinds: &[MapKind], scene: &Scene, shape: &[Vector3<f64>]) -> Option<Vec<Vec<f64>>> {
-    let coarser = scene::coarser(scene).filter(|c| c.scene.start.len() == shape.len())?;
-    let carried = |map: ShapeMap| {
+    let coarser = scene::coarser(scene)?;
+    let own: Vec<_> = coarser.finer.iter().map(|&v| shape[v]).collect();
+    let maps = maps(kinds, &coarser.scene, &own).into_iter().map(|map| {
         let at =
             |corners: &[(usize, f64); 3]| corners.iter().map(|(v, w)| map.values[*v] * w).sum();
         coarser.weights.iter().map(at).collect()
-    };
-    let maps = maps(kinds, &coarser.scene, shape);
-    Some(maps.into_iter().map(carried).collect())
+    });
+    Some(maps.collect())
 }
 
 /// Returns the RMS difference of two maps; none of empty ones.

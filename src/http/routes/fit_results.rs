@@ -156,9 +156,14 @@ pub(super) async fn measures(
     PathId(id): PathId,
     headers: HeaderMap,
 ) -> Result<Response, Problem> {
+    let guard = CancelOnDrop(CancelToken::new());
+    let cancel = guard.0.clone();
     let make = move |app: &App| {
         let mesh: GarmentMesh = read_result(app, id, ResultFile::Mesh)?;
-        let measures = fit::measures(&resolved(app, id)?, &mesh)?;
+        let garment = resolved(app, id)?;
+        let measures = with_context(app, &cancel, |context| {
+            fit::measures(&garment, &mesh, context)
+        })?;
         let json = serde_json::to_vec(&measures);
         Ok::<_, Problem>(json.expect("lists of numbers always serialize"))
     };
@@ -208,14 +213,19 @@ impl Drop for CancelOnDrop {
 
 /// Assembles the scene of a stored garment as the worker does.
 fn assemble_scene(app: &App, id: Uuid, cancel: &CancelToken) -> Result<Vec<u8>, Problem> {
-    let resolved = resolved(app, id)?;
-    let context = Context {
+    let garment = resolved(app, id)?;
+    let json = with_context(app, cancel, |context| fit::scene_json(&garment, context))?;
+    Ok(json)
+}
+
+/// Calls `make` with the context of work that is not followed and has no time limit.
+fn with_context<T>(app: &App, cancel: &CancelToken, make: impl FnOnce(&Context<'_>) -> T) -> T {
+    make(&Context {
         cpu_s: &|| 0.0,
         cancel,
         progress: &mut |_| {},
         limits: app.limits(),
-    };
-    Ok(fit::scene_json(&resolved, &context)?)
+    })
 }
 
 /// Reads the stored garment of a fit and resolves it as the worker does.

@@ -153,11 +153,11 @@ impl AnchoredPlacement {
                 reach
             }
         } else {
-            around.max(CLEARANCE).max(spot.reach[0])
+            around.max(CLEARANCE).max(spot.radius)
         };
-        if spot.tilt.is_some() && spot.turn == Some(1.0) {
+        if spot.tilt.is_some() && spot.turn == Some(1.0) && wrap == Wrap::Cylinder {
             let outline: Vec<_> = outline(panel).map(|uv| up * Vector2::from(uv)).collect();
-            placed.taper = Taper::of(&outline, placed.radius, spot.reach);
+            placed.taper = Taper::of(&outline, placed.radius, spot.line);
         }
         placed
     }

@@ -7,7 +7,7 @@ use nalgebra::{Rotation3, Vector3};
 /// Room left between an arm and a sleeve at the start \[m\].
 const CLEARANCE: f64 = 0.01;
 /// Distance from the axis of an arm at which cloth clears a hand \[m\].
-pub(super) const HAND: f64 = 0.046;
+const HAND: f64 = 0.046;
 /// A sleeve starts at this angle from the body where that has no arms \[rad\]: so that it clears
 /// the sides.
 const SPREAD: f64 = 0.7;
@@ -28,9 +28,9 @@ pub(super) struct LimbPose {
     pub(super) direction: Vector3<f64>,
     /// Distance from the line at which cloth clears the limb \[m\].
     pub(super) radius: f64,
-    /// Distance at the lower end for which a straight line from `radius` at the upper one clears
-    /// all of the limb between \[m\].
-    pub(super) end_radius: f64,
+    /// Distances at `top` and at the lower end between which a straight line clears all of the limb
+    /// beyond the trunk, and a hand below \[m\].
+    pub(super) line: [f64; 2],
 }
 
 impl LimbPose {
@@ -43,12 +43,18 @@ impl LimbPose {
         let tip = avatar.and_then(|avatar| avatar.landmarks.get(name).copied());
         let tip = tip.unwrap_or_else(|| NO_BODY.component_mul(&Vector3::new(side, 1.0, 1.0)));
         match avatar.and_then(|avatar| avatar.limb(limb)) {
-            Some(axis) => Self::along(axis, &tip, length),
+            Some(axis) => {
+                let pose = Self::along(axis, &tip, length);
+                Self {
+                    line: [pose.line[0], pose.line[1].max(HAND)],
+                    ..pose
+                }
+            }
             None => Self {
                 top: tip,
                 direction: Vector3::new(side * SPREAD.sin(), -SPREAD.cos(), 0.0),
                 radius: CLEARANCE,
-                end_radius: CLEARANCE,
+                line: [CLEARANCE; 2],
             },
         }
     }
@@ -87,11 +93,18 @@ impl LimbPose {
         let radius = reach().fold(0.0, f64::max);
         let last = (middles.len() - 1) as f64;
         let at_end = |(k, reach): (usize, f64)| radius - (radius - reach) * last / k as f64;
+        let end_radius = reach().enumerate().skip(1).map(at_end).fold(0.0, f64::max);
+        let top = mean + direction * direction.dot(&(tip - mean));
+        let down = |p: &Vector3<f64>| (p - top).dot(&direction);
+        let [first, end] = [0, middles.len() - 1].map(|k| down(&middles[k].0));
         Self {
-            top: mean + direction * direction.dot(&(tip - mean)),
+            top,
             direction,
             radius,
-            end_radius: reach().enumerate().skip(1).map(at_end).fold(0.0, f64::max),
+            line: [
+                radius + (radius - end_radius) * first / (end - first),
+                end_radius,
+            ],
         }
     }
 

@@ -6,7 +6,7 @@
 
 use super::Placed;
 use super::anchored::{bounds, outline};
-use super::limb_pose::{HAND, LimbPose};
+use super::limb_pose::LimbPose;
 use super::panel_placement::{OwnStitch, PanelPlacement};
 use super::taper::Taper;
 use crate::pattern::{Panel, Wrap};
@@ -83,7 +83,8 @@ fn half_round(flat: &Placed, panel: &Panel, avatar: &Avatar) -> Option<HalfRound
             axis: pose.top + pose.direction * stretch.middle,
             tilt: pose.tilt(),
             outward: if is_before { 0.0 } else { PI },
-            reach: stretch.reach(),
+            least_radius: pose.radius,
+            line: pose.line,
         };
         HalfRound {
             limb: stretch.limb,
@@ -122,17 +123,6 @@ struct LimbStretch {
     pose: LimbPose,
     /// Way along the pose's direction to the middle of the panel \[m\].
     middle: f64,
-}
-
-impl LimbStretch {
-    /// Radii that clear the limb at both ends of the stretch, a hand beyond the wrist too \[m\].
-    fn reach(&self) -> [f64; 2] {
-        let end = match self.limb {
-            Limb::ArmLeft | Limb::ArmRight => self.pose.end_radius.max(HAND),
-            Limb::LegLeft | Limb::LegRight => self.pose.end_radius,
-        };
-        [self.pose.radius, end]
-    }
 }
 
 /// Returns the stretch that a panel with these points on a side of the body is beside: of the leg
@@ -208,8 +198,9 @@ struct LimbPlace {
     axis: Vector3<f64>,
     tilt: Rotation3<f64>,
     outward: f64,
-    /// Radii that clear the limb at the panel's upper and lower end \[m\].
-    reach: [f64; 2],
+    least_radius: f64,
+    /// Radii at the panel's upper and lower end between which it may narrow \[m\].
+    line: [f64; 2],
 }
 
 /// Returns the turn of the drawing that takes the side of it which leads along `up`, as seen in its
@@ -232,7 +223,7 @@ fn up_along(placed: &Placed, up: &Vector3<f64>) -> Option<Rotation2<f64>> {
 fn rolled(flat: &Placed, panel: &Panel, up: Rotation2<f64>, place: &LimbPlace) -> Placed {
     let [[left, right], [bottom, top]] = bounds(panel, &up);
     let center_y = 0.5 * (bottom + top);
-    let radius = ((right - left) / HALF).max(place.reach[0]);
+    let radius = ((right - left) / HALF).max(place.least_radius);
     let turned: Vec<_> = outline(panel).map(|uv| up * Vector2::from(uv)).collect();
     // The drawing's own +x once it is turned, as it lay in space, against that of the roll.
     let drawn = flat.up * (up.inverse() * Vector2::x());
@@ -248,7 +239,7 @@ fn rolled(flat: &Placed, panel: &Panel, up: Rotation2<f64>, place: &LimbPlace) -
         radius,
         wrap: Wrap::Cylinder,
         cone: None,
-        taper: Taper::of(&turned, radius, place.reach),
+        taper: Taper::of(&turned, radius, place.line),
         tilt: Some(place.tilt),
         rotation: Rotation3::identity(),
         offset: Vector3::zeros(),

@@ -1,6 +1,6 @@
 //! Key points of a body, and the pose of panels that are put there.
 
-use super::limb_pose::{HAND, LimbPose};
+use super::limb_pose::LimbPose;
 use crate::pattern::PlacementAnchor;
 use crate::scene::Avatar;
 use crate::scene::avatar::Limb;
@@ -62,8 +62,10 @@ pub(super) struct Spot {
     pub(super) turn: Option<f64>,
     /// Turn of the axis onto that of an arm.
     pub(super) tilt: Option<Rotation3<f64>>,
-    /// Radii that a rolled panel has at least, at its upper and at its lower end \[m\].
-    pub(super) reach: [f64; 2],
+    /// Radius that a rolled panel has at least \[m\].
+    pub(super) radius: f64,
+    /// Radii at its upper and its lower end between which it may narrow in a straight line \[m\].
+    pub(super) line: [f64; 2],
 }
 
 impl Spot {
@@ -76,7 +78,8 @@ impl Spot {
             outward,
             turn,
             tilt: None,
-            reach: [0.0; 2],
+            radius: 0.0,
+            line: [0.0; 2],
         };
         let neck = |outward: f64, turn: f64| Self {
             axis: body.neck,
@@ -87,7 +90,8 @@ impl Spot {
             Self {
                 axis: pose.top,
                 tilt: Some(pose.tilt()),
-                reach: [pose.radius, pose.end_radius.max(HAND)],
+                radius: pose.radius,
+                line: pose.line,
                 ..spot(0.0, true, outward, Some(turn))
             }
         };

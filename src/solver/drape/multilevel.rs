@@ -20,6 +20,7 @@ use crate::solver::outcome::{
 use crate::solver::report::cost_model;
 use crate::solver::report::describe::describe;
 use crate::solver::report::measure::{measure_shape, rms_distance, seam_gap};
+use crate::solver::report::schema::StartedFrom;
 use crate::solver::statistics::{Fallback, SolveStatistics};
 use nalgebra::Vector3;
 
@@ -89,7 +90,12 @@ pub fn drape_from(
     let from = Drape::of_shape(positions);
     let mut solve = MultilevelSolve::new(&hierarchy, options, Some(&from), context);
     solve.is_sewn = seam_gap(&stitches, positions) < WELDED_GAP;
-    describe(scene, solve.run())
+    let mut drape = describe(scene, solve.run());
+    let at_start = measure_unrelaxed(scene, options, positions, context.cpu_s);
+    drape.report.started_from = Some(StartedFrom {
+        energy_j: at_start.energy,
+    });
+    drape
 }
 
 /// A drape from level to level.
@@ -106,13 +112,7 @@ struct MultilevelSolve<'a, 's, 'c, 'w> {
     /// True if the seams are closed.
     is_sewn: bool,
     /// The shape that the finest level began with, if it was one at rest.
-    handed_on: Option<HandedOn>,
-}
-
-/// The shape of a level, as it is and as the finest level began with it \[m\].
-struct HandedOn {
-    coarse: Vec<Vector3<f64>>,
-    refined: Vec<Vector3<f64>>,
+    handed_on: Option<Vec<Vector3<f64>>>,
 }
 
 /// A shape, the number of its level (0 is the finest), and how the levels ended.
@@ -268,10 +268,7 @@ impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
             self.handed_on = None;
         } else {
             let is_whole = refined.len() == self.hierarchy.scene(0).start.len();
-            self.handed_on = (is_at_rest && is_whole).then(|| HandedOn {
-                coarse: x.to_vec(),
-                refined: refined.clone(),
-            });
+            self.handed_on = (is_at_rest && is_whole).then(|| refined.clone());
         }
         refined
     }
@@ -303,10 +300,8 @@ impl<'a, 's, 'c, 'w> MultilevelSolve<'a, 's, 'c, 'w> {
             end: last.end,
             balance,
             estimate,
-            mesh_error_m: handed_on
-                .as_ref()
-                .map(|shape| rms_distance(&shape.refined, &x)),
-            coarser_shape: handed_on.map(|shape| shape.coarse),
+            mesh_error_m: handed_on.as_ref().map(|shape| rms_distance(shape, &x)),
+            handed_on,
             measures,
             sunk_m: sunk.fold(0.0, |sum, relaxed| sum + relaxed.sunk_m),
             halving_s: relaxed.and_then(|relaxed| relaxed.remaining?.halving_s),

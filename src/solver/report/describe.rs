@@ -31,7 +31,7 @@ pub(crate) fn describe(scene: &Scene, outcome: DrapeOutcome) -> Drape {
     let report = drape_report(scene, &outcome);
     Drape {
         positions: outcome.positions,
-        coarser_shape: outcome.coarser_shape,
+        handed_on: outcome.handed_on,
         anchors: outcome.anchors,
         canceled: outcome.canceled,
         report,

@@ -110,8 +110,9 @@ pub struct DrapeReport {
 /// The shape of an earlier fit that a drape began with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, ToSchema)]
 pub struct StartedFrom {
-    /// Energy of the earlier fit at its end \[J\], beside the one of this fit in `energy_j`.
-    pub energy_j: f64,
+    /// Energy by term of that shape as this garment begins with it, with its own fabrics and body
+    /// \[J\]: `energy_j` is what became of it.
+    pub energy_j: Energy,
 }
 
 /// A map in short: its values on panels and beside zones of the body.
@@ -123,7 +124,8 @@ pub struct MapSummary {
     /// Unit of its values.
     pub unit: String,
     /// Error of its values by the mesh: RMS difference from those of the mesh of a third of the
-    /// vertices; null where that did not come to rest.
+    /// vertices. Null where there is none, or it did not come to rest, or on another skin, and
+    /// where the garment started from an earlier fit.
     pub error: Option<f64>,
     /// Its values on each panel.
     pub panels: Vec<MapPart>,
@@ -218,13 +220,6 @@ pub struct Energy {
     pub seam: f64,
     /// Contact with the body.
     pub contact: f64,
-}
-
-impl Energy {
-    /// Returns the sum of all terms \[J\].
-    pub fn total(&self) -> f64 {
-        self.stretch + self.bend + self.gravity + self.seam + self.contact
-    }
 }
 
 /// Support of the garment by the body.

@@ -45,8 +45,14 @@ fn the_next_try_starts_from_the_last_shape() {
         garment["start_from"] = json!(first);
         let warm = sewn(&server, &garment);
         let [cold, warm_report] = [&cold, &warm].map(|id| report(&server, id));
-        let source = &warm_report["started_from"]["energy_j"];
-        assert_eq!(source.as_f64(), Some(energy(&report(&server, &first))));
+        // What it began with has more energy than what became of it.
+        let began = warm_report["started_from"]["energy_j"].as_object();
+        let began: f64 = began
+            .into_iter()
+            .flatten()
+            .filter_map(|(_, e)| e.as_f64())
+            .sum();
+        assert!(began > energy(&warm_report), "{began} with {fabric}");
         assert!(cold["started_from"].is_null());
         let apart = (energy(&warm_report) - energy(&cold)).abs();
         assert!(apart < two_millimeters(density), "{apart} J with {fabric}");
@@ -65,15 +71,12 @@ fn a_shape_that_is_no_start_is_told_and_left() {
     let server = Server::start();
     let first = sewn(&server, &tube(0.0, "cotton-poplin"));
     let mut other_panels = tube(0.0, "cotton-poplin");
-    for name in ["front", "back"] {
-        let start = server.get(&format!("/v1/fits/{first}/garment")).json();
-        assert!(start["panels"][name].is_object());
-    }
     let shape = mesh(&server, &first);
     let panels: Vec<Value> = shape["panels"].as_array().expect("panels").iter().map(|panel| {
         json!({"panel": format!("{}2", panel["panel"].as_str().expect("an id")), "positions": panel["positions"], "uv": panel["uv"], "triangles": panel["triangles"]})
     }).collect();
-    other_panels["start_from"] = json!({"energy_j": 0.0, "panels": panels});
+    let avatar = server.get(&format!("/v1/fits/{first}/garment")).json()["avatar"].clone();
+    other_panels["start_from"] = json!({"avatar": avatar, "panels": panels});
     let fit = sewn(&server, &other_panels);
     let report = report(&server, &fit);
     assert!(report["started_from"].is_null());
@@ -91,6 +94,18 @@ fn a_shape_that_is_no_start_is_told_and_left() {
     let mut unknown = tube(0.0, "cotton-poplin");
     unknown["start_from"] = json!("019a0000-0000-7000-8000-000000000000");
     refused(&unknown, "garment/start_unknown");
+    let mut posed = tube(0.0, "cotton-poplin");
+    posed["start_from"] = json!(first);
+    posed["avatar"] = json!({"form": {"height_m": 1.68, "bust_m": 0.92, "waist_m": 0.74, "hip_m": 0.98, "pose": "t"}});
+    refused(&posed, "garment/start_avatar");
+    posed["avatar"] = Value::Null;
+    refused(&posed, "garment/start_avatar");
+    let mut flat = other_panels.clone();
+    let panel = &mut flat["start_from"]["panels"][0];
+    let corners: [usize; 3] =
+        serde_json::from_value(panel["triangles"][0].clone()).expect("a triangle");
+    panel["uv"][corners[0]] = panel["uv"][corners[1]].clone();
+    refused(&flat, "garment/start_shape");
     let mut broken = other_panels.clone();
     broken["start_from"]["panels"][0]["triangles"][0] = json!([0, 1, 4_000_000]);
     refused(&broken, "garment/start_shape");
@@ -155,6 +170,10 @@ fn a_fit_has_maps_and_measures() {
         .expect("it is round the hip");
     let value = |name: &str| hip[name].as_f64().expect("a number");
     assert!((value("body_m") - 0.98).abs() < 5e-3, "{hip}");
-    assert!((value("cloth_m") - value("body_m") - value("ease_m")).abs() < 1e-12);
-    assert!(value("cloth_m") > 0.97 && value("cloth_m") < 1.5, "{hip}");
+    // Its girth there is between those of its two ends on the pattern, but for its stretch.
+    let stretch = 1.0
+        + report(&server, &fit)["strain_max"]
+            .as_f64()
+            .expect("a number");
+    assert!((0.8..1.2 * stretch).contains(&value("cloth_m")), "{hip}");
 }

@@ -1,6 +1,7 @@
 //! Cloth on bodies: pressure of a hoop, weight carried, friction on a slope and round a cylinder.
 
 use nalgebra::Vector3;
+use seamster::fit::{self, MapKind};
 use seamster::mesh::Stitch;
 use seamster::scene::{Analytic, Body, Fabric, Scene};
 use seamster::solver::{self, MembraneModel, SolverOptions};
@@ -96,6 +97,32 @@ fn a_tight_band_presses_with_its_tension_over_the_radius() {
             }
         }
     }
+}
+
+/// The pressure of a tight band is T / r all over, but for what the mesh makes of it; the error
+/// that its map states, from a coarser mesh, is no less, and says something.
+#[test]
+fn the_error_of_a_map_of_pressure_holds_the_true_one() {
+    let (scene, length) = band(0.05, SheetGrid::Rising);
+    let options = SolverOptions {
+        tolerance: 1e-6,
+        ..SolverOptions::default()
+    };
+    let shape = drape(&scene, &options);
+    assert!(shape.report.converged, "{}", shape.report.why);
+    let x = &shape.positions;
+    let radius = x.iter().map(|p| p.x.hypot(p.z)).sum::<f64>() / x.len() as f64;
+    let along = TAU * radius / length;
+    let pressure = 1000.0 * along * 0.5 * (along * along - 1.0) / radius;
+    let maps = fit::shape_maps(&[MapKind::Pressure], &scene, &shape);
+    let [map] = &maps[..] else {
+        panic!("{} maps", maps.len());
+    };
+    let square = |p: &f64| (1e3 * p - pressure).powi(2);
+    let off = map.values.iter().map(square).sum::<f64>() / x.len() as f64;
+    let stated = 1e3 * map.error.expect("it has a coarser mesh");
+    let told = format!("{stated} Pa of {} Pa", off.sqrt());
+    assert!(off.sqrt() <= stated && stated < 0.1 * pressure, "{told}");
 }
 
 /// A loop of cloth half as long again as the way round the roller that it hangs on, without

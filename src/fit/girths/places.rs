@@ -1,0 +1,112 @@
+//! Places of a body at which a garment is measured, and the panels that go round each.
+
+use super::section::{Plane, level, steps};
+use crate::fit::sides::arm_side;
+use crate::scene::{Avatar, Limb, Scene};
+
+/// Furthest that cloth may start above or below the thigh that it is meant for \[m\].
+const OFF_LEVEL: f64 = 0.03;
+/// Distance of the places along a limb at which it is measured \[m\].
+const STEP: f64 = 0.02;
+/// Part of an arm below the armpit in which the upper arm is measured \[m\].
+const UPPER_ARM: f64 = 0.12;
+/// Distance below the crotch at which the thigh is measured \[m\].
+const BELOW_CROTCH: f64 = 0.05;
+
+/// A place of the body at which a garment is measured.
+pub(super) struct Place {
+    pub(super) name: &'static str,
+    pub(super) planes: Vec<Plane>,
+    pub(super) panels: Vec<usize>,
+    /// Girth of the body there \[m\].
+    pub(super) body_m: f64,
+}
+
+/// Returns the places of the limbs at which the start of a garment is measured.
+pub(super) fn limbs(
+    avatar: &Avatar,
+    scene: &Scene,
+    [trunk, left, right]: &[Vec<usize>; 3],
+) -> Vec<Place> {
+    let arms = [
+        ("left upper arm", Limb::ArmLeft, left),
+        ("right upper arm", Limb::ArmRight, right),
+    ];
+    let arms = arms.into_iter().filter_map(|(name, limb, panels)| {
+        let alongs = upper_arm(avatar, limb)?;
+        let girths = alongs
+            .iter()
+            .filter_map(|&along| avatar.limb_girth(limb, along));
+        Some(Place {
+            name,
+            body_m: girths.max_by(f64::total_cmp)?,
+            planes: alongs
+                .iter()
+                .filter_map(|&along| normal_to(avatar, limb, along))
+                .collect(),
+            panels: panels.clone(),
+        })
+    });
+    arms.chain(thighs(avatar, scene, trunk)).collect()
+}
+
+/// Returns the thighs, measured by the panels on their own side: they go all round one only where
+/// they are legs of trousers.
+fn thighs(avatar: &Avatar, scene: &Scene, trunk: &[usize]) -> Vec<Place> {
+    let on_side = |side: f64| {
+        let panels = trunk.iter().copied();
+        panels
+            .filter(move |&panel| side * center_x(scene, panel) > 0.0)
+            .collect::<Vec<_>>()
+    };
+    let legs = [
+        ("left thigh", Limb::LegLeft, 1.0),
+        ("right thigh", Limb::LegRight, -1.0),
+    ];
+    let thighs = legs.into_iter().filter_map(|(name, limb, side)| {
+        let height = avatar.landmarks.get("crotch")?.y - BELOW_CROTCH;
+        let (joint, direction) = avatar.limb(limb)?.at(0.0);
+        let along = (height - joint.y) / direction.y;
+        Some(Place {
+            name,
+            planes: vec![level(height), level(height - OFF_LEVEL)],
+            panels: on_side(side),
+            body_m: avatar.limb_girth(limb, along)?,
+        })
+    });
+    thighs.collect()
+}
+
+/// Returns the panels about the trunk, the left and the right arm.
+pub(super) fn parts(scene: &Scene) -> [Vec<usize>; 3] {
+    let mut parts = [vec![], vec![], vec![]];
+    for (panel, range) in scene.mesh.panels.iter().enumerate() {
+        let part = match arm_side(&scene.start[range.vertices.clone()]) {
+            None => 0,
+            Some(side) if side > 0.0 => 1,
+            Some(_) => 2,
+        };
+        parts[part].push(panel);
+    }
+    parts
+}
+
+fn center_x(scene: &Scene, panel: usize) -> f64 {
+    let points = &scene.start[scene.mesh.panels[panel].vertices.clone()];
+    points.iter().map(|p| p.x).sum::<f64>() / points.len().max(1) as f64
+}
+
+/// Returns places along an arm at which the upper arm is measured: from beside the armpit on \[m\].
+pub(super) fn upper_arm(avatar: &Avatar, limb: Limb) -> Option<Vec<f64>> {
+    let side = if limb == Limb::ArmLeft { "l" } else { "r" };
+    let armpit = avatar.landmarks.get(&format!("armpit_{side}"))?;
+    let (joint, direction) = avatar.limb(limb)?.at(0.0);
+    let along = direction.dot(&(armpit - joint)) + STEP;
+    Some(steps([along, along + UPPER_ARM], STEP).collect())
+}
+
+/// Returns the plane across a limb at a length along its axis \[m\].
+pub(super) fn normal_to(avatar: &Avatar, limb: Limb, along: f64) -> Option<Plane> {
+    let (point, normal) = avatar.limb(limb)?.at(along);
+    Some(Plane { point, normal })
+}
