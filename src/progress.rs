@@ -43,3 +43,19 @@ pub struct Progress {
     /// CPU time so far \[s\].
     pub cpu_s: f64,
 }
+
+impl Progress {
+    /// Replaces infinities, which JSON does not have: text that held one could not be read again.
+    #[must_use]
+    pub fn finite(mut self) -> Self {
+        for value in [&mut self.fraction, &mut self.cpu_s] {
+            if !value.is_finite() {
+                *value = 0.0;
+            }
+        }
+        for value in [&mut self.residual, &mut self.seam_gap_m] {
+            *value = value.filter(|value| value.is_finite());
+        }
+        self
+    }
+}

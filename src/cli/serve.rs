@@ -63,6 +63,7 @@ async fn serve_until_signal(
     });
     tokio::pin!(server);
     tokio::select! {
+        // Driven here: it cannot end before `end` is dropped.
         () = &mut server => {}
         _ = terminate.recv() => {}
         _ = interrupt.recv() => {}

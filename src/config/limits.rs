@@ -1,7 +1,9 @@
 //! Every limit of the service. Nothing that comes from outside runs without one of these bounds.
 
+use serde::{Deserialize, Serialize};
+
 /// Bounds on what one input may ask for. Checked before the work that they bound is begun.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Limits {
     /// Bytes of one DXF file.
     pub dxf_bytes: usize,
@@ -78,6 +80,11 @@ pub struct Limits {
     /// Number of times that the process of a fit or a study may die that has one of its own; at the
     /// last it has failed.
     pub crashes: u32,
+    /// Number of times that the service may die while it runs a fit or a study in a process of its
+    /// own; at the last it has failed.
+    pub service_deaths: u32,
+    /// Number of times that the process of a fit or a study is tried to be started, a second apart.
+    pub starts: u32,
     /// Memory of the process of a fit or a study that has one of its own \[bytes\].
     pub process_memory_bytes: u64,
     /// Longest wait of one request that asks to wait \[s\].
@@ -137,6 +144,8 @@ impl Default for Limits {
             study_cpu_s: 7_200.0,
             queued_jobs: 1_000,
             crashes: 2,
+            service_deaths: 10,
+            starts: 10,
             process_memory_bytes: 8 << 30,
             wait_s: 60.0,
             connections: 4_096,

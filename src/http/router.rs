@@ -45,6 +45,7 @@ pub fn router(config: &Config, queue: Arc<Queue>) -> Router {
         .layer(CatchPanicLayer::custom(panicked))
         .layer(from_fn(unread_body::close_after_unread_body))
         .layer(from_fn_with_state(state.clone(), access::require_own_site))
+        .layer(from_fn_with_state(state.clone(), access::identify_client))
         .layer(from_fn_with_state(
             state.clone(),
             answer_bytes::count_answer_bytes,

@@ -19,6 +19,9 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 /// Wait after a connection could not be taken: there is no file handle left.
 const ACCEPT_DELAY: Duration = Duration::from_millis(100);
 
+/// Size of the buffer of a connection \[bytes\]: the head of a request must fit.
+const BUFFER_BYTES: usize = 64 << 10;
+
 /// Listens where the settings say.
 ///
 /// # Errors
@@ -93,6 +96,7 @@ impl Connection {
         let stream = PatientStream::new(stream, Patience::new(limits.stall_timeout_s));
         let mut http = http1::Builder::new();
         http.timer(TokioTimer::new());
+        http.max_buf_size(BUFFER_BYTES);
         http.header_read_timeout(Duration::from_secs_f64(limits.head_timeout_s));
         let service = TowerToHyperService::new(self.router);
         let connection = http.serve_connection(TokioIo::new(stream), service);

@@ -75,7 +75,7 @@ impl App {
 impl AppState {
     /// Creates the state of a service with these settings and this queue.
     pub(super) fn new(config: &Config, queue: Arc<Queue>) -> Self {
-        let limits = &config.limits;
+        let limits = queue.limits().clone();
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         Self(Arc::new(App {
             queue,
@@ -88,10 +88,25 @@ impl AppState {
             uploads: ByteBudget::new(limits.upload_bytes_in_flight),
             answers: ByteBudget::new(limits.answer_bytes_in_flight),
             stream_permits: Arc::new(Semaphore::new(STREAMS)),
-            json_memory: Arc::new(Semaphore::new(memory_units(
-                config.limits.json_memory_bytes,
-            ))),
+            json_memory: Arc::new(Semaphore::new(memory_units(limits.json_memory_bytes))),
         }))
+    }
+
+    /// Creates the state of a service with these bounds, in a folder of a test.
+    #[cfg(test)]
+    pub(super) fn of_test(folder: &std::path::Path, limits: Limits) -> Self {
+        let config = Config {
+            listen: ([127, 0, 0, 1], 0).into(),
+            data: folder.to_owned(),
+            store: crate::config::StoreKind::Sqlite,
+            blobs: crate::config::BlobKind::File,
+            workers: None,
+            tokens: vec![],
+            hosts: vec![],
+            limits,
+        };
+        let queue = Queue::open(&config).expect("a folder of a test can be written");
+        Self::new(&config, queue)
     }
 
     /// Runs work that reads or writes the store on a thread that may block, unless the service has

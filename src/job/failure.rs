@@ -14,8 +14,9 @@ use utoipa::ToSchema;
 pub struct JobFailure {
     /// For a client to act on, of a fit: `fit/not_converged`, the first fault of one at rest
     /// (`fit/crossings`, `fit/body`, `fit/layers`, `fit/gap`, `fit/strain`, `fit/worn`),
-    /// `fit/refused`, `fit/time_limit`, `fit/panicked`, `fit/abandoned` or `fit/storage`; of a
-    /// study: `study/nothing_ran`, and from `fit/refused` on the same with `study`.
+    /// `fit/refused`, `fit/time_limit`, `fit/panicked`, `fit/abandoned`, `fit/not_started` or
+    /// `fit/storage`; of a study: `study/nothing_ran`, and from `fit/refused` on the same with
+    /// `study`.
     #[schema(value_type = String)]
     pub code: FaultCode,
     /// Sentence for a person on what happened.
@@ -25,7 +26,7 @@ pub struct JobFailure {
     pub errors: Vec<Fault>,
 }
 
-/// What clients learn of a request or a result that is lost.
+/// The detail that clients are given of a request or a result that is lost.
 const STORAGE_DETAIL: &str =
     "what the service keeps of it is gone or cannot be read; its log says why; submit it again";
 
@@ -122,6 +123,21 @@ impl JobFailure {
         Self::of_kind(kind, (FitCode::Abandoned, StudyCode::Abandoned), detail)
     }
 
+    /// Returns the failure of a job with which the service died `deaths` times, though it ran in a
+    /// process of its own.
+    pub(super) fn abandoned_by_service(kind: JobKind, deaths: u32) -> Self {
+        let detail = format!(
+            "it ran in a process of its own, and the service died {deaths} times meanwhile; a coarser mesh takes less memory"
+        );
+        Self::of_kind(kind, (FitCode::Abandoned, StudyCode::Abandoned), detail)
+    }
+
+    /// Returns the failure of a job that no process could be started for.
+    pub(super) fn not_started(kind: JobKind) -> Self {
+        let detail = "it is to run in a process of its own, and none could be started; the service's log says why; submit it again later";
+        Self::of_kind(kind, (FitCode::NotStarted, StudyCode::NotStarted), detail)
+    }
+
     /// Returns the failure of a job that panicked.
     pub(super) fn panicked(kind: JobKind) -> Self {
         let detail = "the program has a defect that this garment brings out; its log says where";
@@ -130,11 +146,17 @@ impl JobFailure {
 
     /// Returns true if the service is at fault, not the input.
     pub fn is_internal(&self) -> bool {
-        let fit = [FitCode::Panicked, FitCode::Storage, FitCode::Abandoned];
+        let fit = [
+            FitCode::Panicked,
+            FitCode::Storage,
+            FitCode::Abandoned,
+            FitCode::NotStarted,
+        ];
         let study = [
             StudyCode::Panicked,
             StudyCode::Storage,
             StudyCode::Abandoned,
+            StudyCode::NotStarted,
         ];
         fit.iter().any(|code| self.code == *code) || study.iter().any(|code| self.code == *code)
     }

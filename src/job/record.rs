@@ -31,9 +31,12 @@ pub struct JobRecord {
     pub released: u32,
     /// True if the service died while it ran: from then on it runs in a process of its own, since
     /// it may be the cause.
+    #[serde(default, alias = "runs_apart")]
+    pub isolated: bool,
+    /// Number of times that the service died while it ran in a process of its own.
     #[serde(default)]
-    pub runs_apart: bool,
-    /// Number of processes of its own that died though nobody had asked them to end.
+    pub service_deaths: u32,
+    /// Number of processes of its own that died though nobody had told them to end.
     #[serde(default)]
     pub crashes: u32,
     /// Its progress.
@@ -61,7 +64,8 @@ impl JobRecord {
             finished_at: None,
             attempts: 0,
             released: 0,
-            runs_apart: false,
+            isolated: false,
+            service_deaths: 0,
             crashes: 0,
             progress: Progress::default(),
             error: None,

@@ -182,7 +182,14 @@ pub trait JobStore: Send + Sync {
     /// If nothing could be written.
     fn replace(&self, record: &JobRecord) -> Result<Option<u64>, StoreError>;
 
-    /// Returns the records of a kind, newest first.
+    /// Replaces the record of a job that has not ended by that of one that has failed for `cause`,
+    /// and returns it: the record there was cannot be read. `None` if there is no such job.
+    ///
+    /// # Errors
+    /// If nothing could be written.
+    fn fail(&self, id: Uuid, cause: &StoreError) -> Result<Option<JobRecord>, StoreError>;
+
+    /// Returns the records of a kind, newest first. One that cannot be read is left out.
     ///
     /// # Errors
     /// If nothing could be read.

@@ -1,7 +1,12 @@
 //! The service as a process: what survives its end, and how it ends.
 
-use crate::program::{Service, code, garment, run, sample, stderr, until};
+use crate::program::{Service, code, garment, run, sample, seamster, stderr, until};
+use seamster::config::Limits;
+use seamster_fixtures::panels::{pattern, trapezoid};
+use serde_json::{Value, json};
+use std::io::Write;
 use std::path::PathBuf;
+use std::process::Stdio;
 
 const FINAL: [&str; 3] = ["succeeded", "failed", "canceled"];
 
@@ -143,4 +148,40 @@ fn a_fit_whose_own_process_dies_twice_fails_with_its_cause() {
     let fit = service.submit();
     let record = until("it ends", || service.has_status(&fit, &FINAL));
     assert_eq!(record["status"], "succeeded", "{record}");
+}
+
+/// The last line that a job tells which runs in a process of its own under these limits.
+fn job_under(limits: &Limits) -> Value {
+    let half = |id: &str| trapezoid(id, 0.6, 0.4, 0.35);
+    let run = |panel: &str, from: usize, to: usize| json!({"panel": panel, "from": from, "to": to});
+    let seam = |id: &str, from: usize, to: usize| json!({"id": id, "a": run("front", from, to), "b": run("back", 3 - from, 3 - to)});
+    let garment = json!({
+        "pattern": pattern(vec![half("front"), half("back")]),
+        "seams": [seam("left", 0, 1), seam("right", 3, 2)],
+        "panels": {"front": {"placement": {"at": "skirt_front"}}, "back": {"placement": {"at": "skirt_back"}}},
+        "simulate": {"edge_length_m": 0.04, "tolerance": 1e-2},
+    });
+    let mut child = seamster(&["run-job"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    let mut input = child.stdin.take().expect("it is piped");
+    let limits = serde_json::to_string(limits).expect("limits are numbers");
+    writeln!(input, "{limits}\n\"fit\"\n{garment}").expect("it reads");
+    // The end of its input would stop it.
+    let output = child.wait_with_output().expect("it ends");
+    drop(input);
+    let output = String::from_utf8(output.stdout).expect("JSON is UTF-8");
+    serde_json::from_str(output.lines().last().expect("a line")).expect("JSON")
+}
+
+#[test]
+fn a_job_in_its_own_process_keeps_to_the_limits_of_its_service() {
+    assert!(job_under(&Limits::default())["fit"].is_object());
+    let few = Limits {
+        mesh_vertices: 10,
+        ..Limits::default()
+    };
+    assert!(job_under(&few)["refused"].is_array());
 }

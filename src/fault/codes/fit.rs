@@ -6,7 +6,7 @@ fault_codes! {
     /// The codes of fits: of requests, and of fits that failed.
     FitCode in "fit" {
         Abandoned = "abandoned":
-            "The fit ran in a process of its own, which died twice; the detail says of what.",
+            "The fit ran in a process of its own, which died twice, or with which the service died ten times; the detail says of what.",
             "Use a coarser mesh; look into the log of the service.";
         Body = "body":
             "The garment came to rest, but passes through the body; its report says where.",
@@ -31,6 +31,9 @@ fault_codes! {
         NotConverged = "not_converged":
             "The shape did not come to rest; its report says why.",
             "Allow more time, or use a larger tolerance or a coarser mesh.";
+        NotStarted = "not_started":
+            "The fit is to run in a process of its own, and none could be started.",
+            "Submit it again later; the log of the service says why.";
         Panicked = "panicked":
             "The program has a defect that this garment brings out.",
             "Report it, with the garment.";

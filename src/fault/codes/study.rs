@@ -6,7 +6,7 @@ fault_codes! {
     /// The codes of studies: of requests, and of studies that failed.
     StudyCode in "study" {
         Abandoned = "abandoned":
-            "The study ran in a process of its own, which died twice; the detail says of what.",
+            "The study ran in a process of its own, which died twice, or with which the service died ten times; the detail says of what.",
             "Use a coarser mesh; look into the log of the service.";
         Field = "field":
             "A field does not go with what is studied.",
@@ -14,6 +14,9 @@ fault_codes! {
         KeyReused = "key_reused":
             "The `Idempotency-Key` was used before for another request.",
             "Send a new key with a new request.";
+        NotStarted = "not_started":
+            "The study is to run in a process of its own, and none could be started.",
+            "Submit it again later; the log of the service says why.";
         NothingRan = "nothing_ran":
             "No run of the study was made.",
             "Allow more time, or ask for coarser meshes.";

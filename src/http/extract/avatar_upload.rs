@@ -90,7 +90,7 @@ impl FromRequest<AppState> for AvatarUpload {
             }));
         }
         if essence != "multipart/form-data" {
-            let ValidatedJson(form) = ValidatedJson::from_request(request, state).await?;
+            let ValidatedJson(form, _) = ValidatedJson::from_request(request, state).await?;
             return Ok(Self::Form(form));
         }
         let names = ["file", "landmarks"];

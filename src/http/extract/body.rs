@@ -1,6 +1,6 @@
 //! Bodies, read within their limits.
 
-use crate::http::connection::{HeldBytes, Patience, held};
+use crate::http::connection::{Client, HeldBytes, Patience, held};
 use crate::http::respond::Problem;
 use crate::http::state::AppState;
 use axum::body::Bytes;
@@ -29,9 +29,9 @@ pub(super) async fn read_body(
     if length.is_some_and(|ContentLength(length)| length > (limit + linger) as u64) {
         return Err(Problem::body_too_large(limit));
     }
-    let client = state.access.client(request.headers()).unwrap_or_default();
+    let client = Client::of(request.extensions());
     let mut patience = Patience::new(state.limits().stall_timeout_s);
-    let mut right = HeldBytes::default();
+    let mut right = HeldBytes::new(client);
     let mut stream = request.into_body().into_data_stream();
     let (mut bytes, mut total) = (vec![], 0);
     loop {
@@ -49,11 +49,12 @@ pub(super) async fn read_body(
         if total > limit {
             // Read on, and kept no longer.
             bytes = vec![];
+            right = HeldBytes::new(client);
             continue;
         }
         // The buffer doubles: its room counts, not what is in it.
         let room = total.next_power_of_two().min(limit);
-        if !state.uploads.extend(&mut right, client, room) {
+        if !state.uploads.extend(&mut right, room) {
             return Err(Problem::too_many_bytes());
         }
         bytes.reserve_exact(room.saturating_sub(bytes.len()));
@@ -66,7 +67,7 @@ pub(super) async fn read_body(
 }
 
 /// Returns a copy of a part of a body, counted in the bytes in flight of `client`.
-pub(super) fn keep_part(state: &AppState, client: usize, part: Bytes) -> Result<Bytes, Problem> {
+pub(super) fn keep_part(state: &AppState, client: Client, part: Bytes) -> Result<Bytes, Problem> {
     let right = state.uploads.take(client, part.len());
     let right = right.ok_or_else(Problem::too_many_bytes)?;
     Ok(held(part, &Arc::new(right)))

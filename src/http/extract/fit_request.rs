@@ -2,7 +2,7 @@
 
 use super::body::content_type;
 use super::invalid::{missing_part, two_patterns};
-use super::json::{JsonWithDigest, measure_json};
+use super::json::{JsonMemory, JsonWithDigest, measure_json};
 use super::upload::{Upload, read_form};
 use crate::fault::{Fault, Faults};
 use crate::fit::{self, Garment, PatternRef, ReadError};
@@ -18,6 +18,8 @@ pub(in crate::http) struct FitRequest {
     pub(in crate::http) garment: Garment,
     /// SHA-256 of the body; of a form, of its parts: each client sets its own boundary every time.
     pub(in crate::http) digest: [u8; 32],
+    /// The right to the memory of the garment.
+    pub(in crate::http) memory: JsonMemory,
 }
 
 impl FromRequest<AppState> for FitRequest {
@@ -25,9 +27,16 @@ impl FromRequest<AppState> for FitRequest {
 
     async fn from_request(request: Request, state: &AppState) -> Result<Self, Problem> {
         if content_type(request.headers()) != "multipart/form-data" {
-            let JsonWithDigest(garment, digest) =
-                JsonWithDigest::from_request(request, state).await?;
-            return Ok(Self { garment, digest });
+            let JsonWithDigest {
+                value: garment,
+                digest,
+                memory,
+            } = JsonWithDigest::from_request(request, state).await?;
+            return Ok(Self {
+                garment,
+                digest,
+                memory,
+            });
         }
         let limits = state.limits();
         let max_bytes = limits.dxf_bytes + limits.json_bytes;
@@ -41,12 +50,12 @@ impl FromRequest<AppState> for FitRequest {
         let measure = move |app: &App| measure_json::<Garment>(&text, app.limits());
         let measured = state.run_compute(measure).await?;
         let memory = match measured {
-            Ok(bytes) => Some(state.json_memory(bytes).await),
+            Ok(bytes) => state.json_memory(bytes).await,
             Err(_) => None,
         };
         let read = move |app: &App| {
-            let _memory = memory;
-            read_parts(app, pattern, &garment, measured)
+            let request = read_parts(app, pattern, &garment, measured)?;
+            Ok(Self { memory, ..request })
         };
         state.run_compute(read).await?
     }
@@ -74,6 +83,7 @@ fn read_parts(
         (Ok(pattern), Ok(garment)) => Ok(FitRequest {
             garment: with_pattern(garment, pattern)?,
             digest,
+            memory: None,
         }),
         (Ok(_), Err(misshapen)) => Err(misshapen.into()),
         (Err(faults), Ok(_)) => Err(faults.into()),

@@ -15,6 +15,7 @@ use axum::http::HeaderMap;
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
 use std::sync::LazyLock;
+use tokio::sync::OwnedSemaphorePermit;
 
 /// Most bytes of a small body.
 const SMALL_BYTES: usize = 64 << 10;
@@ -79,8 +80,11 @@ impl JsonBody for Fabric {
     }
 }
 
+/// The right to the memory that a value takes, given back when it is dropped: with the value.
+pub(in crate::http) type JsonMemory = Option<OwnedSemaphorePermit>;
+
 /// A JSON body of the right shape.
-pub(in crate::http) struct ValidatedJson<T>(pub(in crate::http) T);
+pub(in crate::http) struct ValidatedJson<T>(pub(in crate::http) T, pub(in crate::http) JsonMemory);
 
 impl<T: JsonBody> FromRequest<AppState> for ValidatedJson<T> {
     type Rejection = Problem;
@@ -88,12 +92,20 @@ impl<T: JsonBody> FromRequest<AppState> for ValidatedJson<T> {
     async fn from_request(request: Request, state: &AppState) -> Result<Self, Problem> {
         require_json(request.headers())?;
         let bytes = read_body(state, request, T::max_bytes(state.limits())).await?;
-        Ok(Self(read_json(state, bytes).await?))
+        let (value, memory) = read_json(state, bytes).await?;
+        Ok(Self(value, memory))
     }
 }
 
 /// A JSON body of the right shape, with the SHA-256 of its bytes.
-pub(in crate::http) struct JsonWithDigest<T>(pub(in crate::http) T, pub(in crate::http) [u8; 32]);
+pub(in crate::http) struct JsonWithDigest<T> {
+    /// The value.
+    pub(in crate::http) value: T,
+    /// SHA-256 of the body.
+    pub(in crate::http) digest: [u8; 32],
+    /// The right to the memory of the value.
+    pub(in crate::http) memory: JsonMemory,
+}
 
 impl<T: JsonBody> FromRequest<AppState> for JsonWithDigest<T> {
     type Rejection = Problem;
@@ -102,9 +114,13 @@ impl<T: JsonBody> FromRequest<AppState> for JsonWithDigest<T> {
         require_json(request.headers())?;
         let bytes = read_body(state, request, T::max_bytes(state.limits())).await?;
         let text = bytes.clone();
-        let value = read_json(state, bytes).await?;
+        let (value, memory) = read_json(state, bytes).await?;
         let digest = state.run_compute(move |_| Sha256::digest(&text).into());
-        Ok(Self(value, digest.await?))
+        Ok(Self {
+            value,
+            digest: digest.await?,
+            memory,
+        })
     }
 }
 
@@ -121,19 +137,20 @@ impl<T: JsonBody + Default> FromRequest<AppState> for OptionalJson<T> {
             return Ok(Self(T::default()));
         }
         json?;
-        Ok(Self(read_json(state, bytes).await?))
+        let (value, _) = read_json(state, bytes).await?;
+        Ok(Self(value))
     }
 }
 
 /// Reads JSON: measured first, and once the memory that it takes is free.
-async fn read_json<T: JsonBody>(state: &AppState, bytes: Bytes) -> Result<T, Problem> {
+async fn read_json<T: JsonBody>(
+    state: &AppState,
+    bytes: Bytes,
+) -> Result<(T, JsonMemory), Problem> {
     let text = bytes.clone();
     let measured = state.run_compute(move |app| measure_json::<T>(&text, app.limits()));
     let memory = state.json_memory(measured.await??).await;
-    let read = state.run_compute(move |_| {
-        let _memory = memory;
-        T::schema().read(&bytes)
-    });
+    let read = state.run_compute(move |_| Ok::<_, ReadError>((T::schema().read(&bytes)?, memory)));
     Ok(read.await??)
 }
 
@@ -155,6 +172,32 @@ fn require_json(headers: &HeaderMap) -> Result<(), Problem> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use axum::body::Body;
+    use std::time::Duration;
+    use tokio::time::timeout;
+
+    #[test]
+    fn the_memory_of_a_value_is_held_until_it_is_given_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let limits = Limits::default();
+        let state = AppState::of_test(folder.path(), limits.clone());
+        let all = || state.json_memory(limits.json_memory_bytes);
+        let runtime = tokio::runtime::Builder::new_current_thread()
+            .enable_time()
+            .build();
+        runtime.unwrap().block_on(async {
+            let request = Request::builder().header("content-type", "application/json");
+            let request = request.body(Body::from(r#"{"seams": []}"#)).unwrap();
+            let read = JsonWithDigest::<Garment>::from_request(request, &state).await;
+            let Ok(JsonWithDigest { memory, .. }) = read else {
+                panic!("it is a garment");
+            };
+            let short = Duration::from_millis(100);
+            assert!(timeout(short, all()).await.is_err(), "a part is held");
+            drop(memory);
+            assert!(all().await.is_some());
+        });
+    }
 
     #[test]
     fn every_shape_can_be_made() {

@@ -17,7 +17,7 @@ pub(super) use accept::preferred_type;
 pub(super) use avatar_upload::{AvatarUpload, BodyQuery, BodyUpload};
 pub(super) use fit_request::FitRequest;
 pub(super) use idempotency_key::idempotency_key;
-pub(super) use json::{JsonBody, JsonWithDigest, OptionalJson, ValidatedJson};
+pub(super) use json::{JsonBody, JsonMemory, JsonWithDigest, OptionalJson, ValidatedJson};
 pub(super) use last_event_id::last_event_id;
 pub(super) use path::PathId;
 pub(super) use prefer::{preference_applied, preferred_wait};

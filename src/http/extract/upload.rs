@@ -2,6 +2,7 @@
 
 use super::body::{content_type, keep_part, read_body};
 use super::invalid::{missing_part, unexpected_part};
+use crate::http::connection::Client;
 use crate::http::respond::Problem;
 use crate::http::state::AppState;
 use axum::body::{Body, Bytes};
@@ -71,7 +72,7 @@ pub(super) async fn read_form<const N: usize>(
 ) -> Result<[Option<Upload>; N], Problem> {
     let mut whole = Request::new(Body::empty());
     *whole.headers_mut() = request.headers().clone();
-    let client = state.access.client(request.headers()).unwrap_or_default();
+    let client = Client::of(request.extensions());
     *whole.body_mut() = read_body(state, request, max_bytes + FORM_BYTES)
         .await?
         .into();

@@ -1,5 +1,6 @@
 //! Access control: the `Host` of a request, the `Origin` of a page, the bearer token.
 
+use crate::http::connection::Client;
 use crate::http::respond::Problem;
 use crate::http::state::AppState;
 use axum::extract::{Request, State};
@@ -35,13 +36,24 @@ pub(in crate::http) async fn require_own_site(
     next.run(request).await
 }
 
+/// Finds the client of a request, once for all who need to know it.
+pub(in crate::http) async fn identify_client(
+    State(state): State<AppState>,
+    mut request: Request,
+    next: Next,
+) -> Response {
+    let client = state.access.client(request.headers());
+    request.extensions_mut().insert(client);
+    next.run(request).await
+}
+
 /// Refuses calls without a token, if the service has any.
 pub(in crate::http) async fn require_token(
     State(state): State<AppState>,
     request: Request,
     next: Next,
 ) -> Response {
-    if state.access.client(request.headers()).is_some() {
+    if state.access.is_authorized(Client::of(request.extensions())) {
         next.run(request).await
     } else {
         Problem::unauthorized().into_response()

@@ -1,5 +1,6 @@
 //! The hosts and tokens that requests are accepted with.
 
+use crate::http::connection::Client;
 use axum::http::HeaderMap;
 use headers::HeaderMapExt;
 use headers::authorization::{Authorization, Bearer};
@@ -34,20 +35,27 @@ impl AccessPolicy {
             || self.hosts.contains(&host.to_lowercase())
     }
 
-    /// Returns the number of the client whose token the headers carry; one number for all if the
-    /// service has no tokens.
-    pub(in crate::http) fn client(&self, headers: &HeaderMap) -> Option<usize> {
-        if self.tokens.is_empty() {
-            return Some(0);
-        }
-        let authorization = headers.typed_get::<Authorization<Bearer>>()?;
+    /// Returns true if a client may call: any may if the service has no tokens.
+    pub(super) fn is_authorized(&self, client: Client) -> bool {
+        self.tokens.is_empty() || client != Client::Anonymous
+    }
+
+    /// Returns the client whose token the headers carry.
+    pub(super) fn client(&self, headers: &HeaderMap) -> Client {
+        let Some(authorization) = headers.typed_get::<Authorization<Bearer>>() else {
+            return Client::Anonymous;
+        };
         let given = digest(authorization.token().trim());
         // Every token is compared to its last byte: the time says nothing about how near a guess
         // was.
         let tokens = self.tokens.iter().enumerate();
-        tokens.fold(None, |found, (client, known)| {
+        tokens.fold(Client::Anonymous, |found, (number, known)| {
             let differing = known.iter().zip(given).fold(0, |sum, (a, b)| sum | (a ^ b));
-            if differing == 0 { Some(client) } else { found }
+            if differing == 0 {
+                Client::Token(number)
+            } else {
+                found
+            }
         })
     }
 }
@@ -98,13 +106,15 @@ mod tests {
     #[test]
     fn only_the_whole_token_is_authorized() {
         let policy = AccessPolicy::new(&[], &["secret".to_owned(), "other".to_owned()]);
-        let is_authorized = |value: &str| {
+        let client = |value: &str| {
             let mut headers = HeaderMap::new();
             headers.insert(header::AUTHORIZATION, HeaderValue::from_str(value).unwrap());
-            policy.client(&headers).is_some()
+            policy.client(&headers)
         };
-        assert!(is_authorized("Bearer secret"));
-        assert!(is_authorized("bearer other"));
+        for (value, number) in [("Bearer secret", 0), ("bearer other", 1)] {
+            assert_eq!(client(value), Client::Token(number));
+            assert!(policy.is_authorized(client(value)));
+        }
         for wrong in [
             "Bearer secre",
             "Bearer secrets",
@@ -112,8 +122,9 @@ mod tests {
             "Basic secret",
             "secret",
         ] {
-            assert!(!is_authorized(wrong), "{wrong}");
+            assert!(!policy.is_authorized(client(wrong)), "{wrong}");
         }
-        assert_eq!(policy.client(&HeaderMap::new()), None);
+        assert_eq!(policy.client(&HeaderMap::new()), Client::Anonymous);
+        assert!(AccessPolicy::new(&[], &[]).is_authorized(Client::Anonymous));
     }
 }

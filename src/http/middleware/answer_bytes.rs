@@ -1,24 +1,26 @@
 //! Bounds the bytes of answers that wait for their clients.
 
-use crate::http::connection::held;
+use crate::http::connection::{Client, held};
 use crate::http::respond::Problem;
 use crate::http::state::AppState;
 use axum::body::{Body, HttpBody};
 use axum::extract::{Request, State};
-use axum::http::{HeaderValue, header};
+use axum::http::{HeaderValue, Method, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 use std::sync::Arc;
 use tokio_stream::StreamExt;
 
-/// Counts an answer in the bytes in flight until its client has taken it. Where there is no room,
-/// the client is asked to come again.
+/// Counts an answer in the bytes in flight until its client has taken it. Where there is no room
+/// for one that is read, the client is told to come again; that of a request which has changed
+/// something goes out uncounted, since the client must learn of it.
 pub(in crate::http) async fn count_answer_bytes(
     State(state): State<AppState>,
     request: Request,
     next: Next,
 ) -> Response {
-    let client = state.access.client(request.headers()).unwrap_or_default();
+    let client = Client::of(request.extensions());
+    let may_come_again = matches!(*request.method(), Method::GET | Method::HEAD);
     let response = next.run(request).await;
     // Streams of events have no length; they are bounded by their number.
     let Some(length) = response.body().size_hint().exact() else {
@@ -26,7 +28,10 @@ pub(in crate::http) async fn count_answer_bytes(
     };
     let bytes = usize::try_from(length).unwrap_or(usize::MAX);
     let Some(right) = state.answers.take(client, bytes) else {
-        return Problem::too_many_bytes().into_response();
+        if may_come_again {
+            return Problem::too_many_bytes().into_response();
+        }
+        return response;
     };
     if right.is_free() {
         return response;
@@ -39,4 +44,46 @@ pub(in crate::http) async fn count_answer_bytes(
     let headers = response.headers_mut();
     headers.insert(header::CONTENT_LENGTH, HeaderValue::from(length));
     response
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::config::Limits;
+    use axum::Router;
+    use axum::middleware::from_fn_with_state;
+    use axum::routing::get;
+    use tower::ServiceExt;
+
+    /// The status of an answer of 128 KiB to a method.
+    async fn status(state: &AppState, method: Method) -> u16 {
+        let answer = || async { vec![0; 128 << 10] };
+        let router = Router::new()
+            .route("/", get(answer).post(answer).delete(answer))
+            .layer(from_fn_with_state(state.clone(), count_answer_bytes));
+        let request = Request::builder().method(method).body(Body::empty());
+        let answer = router.oneshot(request.unwrap()).await;
+        answer.unwrap().status().as_u16()
+    }
+
+    #[test]
+    fn only_answers_that_can_be_had_again_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let limits = Limits {
+            answer_bytes_in_flight: 1 << 20,
+            ..Limits::default()
+        };
+        let state = AppState::of_test(folder.path(), limits);
+        let all = state.answers.take(Client::Token(0), 2 << 20);
+        assert!(all.is_some());
+        let runtime = tokio::runtime::Builder::new_current_thread().build();
+        runtime.unwrap().block_on(async {
+            assert_eq!(status(&state, Method::GET).await, 503);
+            assert_eq!(status(&state, Method::HEAD).await, 503);
+            assert_eq!(status(&state, Method::POST).await, 200);
+            assert_eq!(status(&state, Method::DELETE).await, 200);
+            drop(all);
+            assert_eq!(status(&state, Method::GET).await, 200);
+        });
+    }
 }

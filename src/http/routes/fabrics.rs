@@ -49,7 +49,7 @@ pub(super) async fn list(State(state): State<AppState>) -> Result<Json<FabricLis
     (status = 422, description = "Every figure that no cloth has", body = Problem, content_type = "application/problem+json")))]
 pub(super) async fn create(
     State(state): State<AppState>,
-    ValidatedJson(fabric): ValidatedJson<Fabric>,
+    ValidatedJson(fabric, _): ValidatedJson<Fabric>,
 ) -> Result<impl IntoResponse, Problem> {
     check(&fabric, state.limits().name_chars)?;
     let stored = state

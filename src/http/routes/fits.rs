@@ -125,8 +125,9 @@ pub(super) async fn create(
     request: FitRequest,
 ) -> Result<Response, Problem> {
     let submission = Submission::new(&state, JobKind::Fit, &headers, request.digest)?;
-    let record = submission.submit(&state, move |app| {
-        let resolved = fit::resolve(request.garment, &*app.queue, app.limits())?;
+    let (garment, memory) = (request.garment, request.memory);
+    let record = submission.submit(&state, memory, move |app| {
+        let resolved = fit::resolve(garment, &*app.queue, app.limits())?;
         Ok(JobRequest::Fit(Box::new(resolved.garment().clone())))
     });
     let submitted = record.await?;

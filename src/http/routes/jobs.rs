@@ -1,6 +1,6 @@
 //! Fits and studies alike: submitted, waited for, found, canceled and answered.
 
-use crate::http::extract::{idempotency_key, preference_applied, preferred_wait};
+use crate::http::extract::{JsonMemory, idempotency_key, preference_applied, preferred_wait};
 use crate::http::respond::Problem;
 use crate::http::state::{App, AppState};
 use crate::job::{IdempotencyKey, JobKind, JobRecord, JobRequest, ResultFile};
@@ -44,14 +44,18 @@ impl Submission {
 
     /// Puts the job on the queue, and returns its record: after the wait that the client prefers.
     ///
-    /// A repeated request returns the job of the first; `prepare` checks a new one.
+    /// A repeated request returns the job of the first; `prepare` checks a new one, which holds
+    /// `memory` until it is kept. Once it is, nothing is an error: the client would submit it
+    /// again.
     pub(super) async fn submit(
         &self,
         state: &AppState,
+        memory: JsonMemory,
         prepare: impl FnOnce(&App) -> Result<JobRequest, Problem> + Send + 'static,
     ) -> Result<Waited, Problem> {
         let (kind, key) = (self.kind, self.key.clone());
         let submit = move |app: &App| {
+            let _memory = memory;
             if let Some(key) = &key
                 && let Some(same) = app.queue.submitted(kind, key)?
             {
@@ -68,23 +72,26 @@ impl Submission {
             Ok(app.queue.submit(&request, key.as_ref())?)
         };
         let record = state.run_compute(submit).await??;
-        match self.wait {
-            Some(wait) if !record.status.is_final() => wait_for_end(state, record, wait).await,
-            _ => Ok(Waited { record, wait: None }),
+        if let Some(wait) = self.wait.filter(|_| !record.status.is_final())
+            && let Ok(Some(record)) = wait_for_end(state, &record, wait).await
+        {
+            let wait = Some(wait);
+            return Ok(Waited { record, wait });
         }
+        Ok(Waited { record, wait: None })
     }
 }
 
-/// Returns the job once it has ended, or as it is after `wait`. Where too many wait already, as it
-/// is now: the wait is a preference only.
+/// Returns the job once it has ended, or as it is after `wait`. `None` where too many wait already:
+/// the wait is a preference only.
 async fn wait_for_end(
     state: &AppState,
-    record: JobRecord,
+    record: &JobRecord,
     wait: Duration,
-) -> Result<Waited, Problem> {
+) -> Result<Option<JobRecord>, Problem> {
     let (kind, id) = (record.kind, record.id);
     let Some(_permit) = state.stream_permit() else {
-        return Ok(Waited { record, wait: None });
+        return Ok(None);
     };
     let events = state
         .run_blocking(move |app| app.queue.events(kind, id, None))
@@ -95,8 +102,7 @@ async fn wait_for_end(
         let _ = tokio::time::timeout(wait, end).await;
     }
     let record = state.run_blocking(move |app| find(app, kind, id)).await??;
-    let wait = Some(wait);
-    Ok(Waited { record, wait })
+    Ok(Some(record))
 }
 
 /// Finds the job of this kind.

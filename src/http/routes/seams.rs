@@ -40,11 +40,12 @@ impl JsonBody for SuggestRequest {
 pub(super) async fn check(
     State(state): State<AppState>,
     PathId(id): PathId,
-    ValidatedJson(garment): ValidatedJson<Garment>,
+    ValidatedJson(garment, memory): ValidatedJson<Garment>,
 ) -> Result<Json<SeamCheck>, Problem> {
     let pattern = patterns::find(&state, id).await?;
     let checked = state
         .run_compute(move |app| {
+            let _memory = memory;
             let mut check = fit::check_seams(&garment, &pattern, app.limits())?;
             if check.ok {
                 let assets = (&*app.queue as &dyn AssetLibrary, app.catalogue().bodies());

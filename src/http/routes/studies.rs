@@ -126,20 +126,21 @@ pub(super) struct StudyList {
 pub(super) async fn create(
     State(state): State<AppState>,
     headers: HeaderMap,
-    JsonWithDigest(request, digest): JsonWithDigest<StudyRequest>,
+    request: JsonWithDigest<StudyRequest>,
 ) -> Result<Response, Problem> {
-    let submission = Submission::new(&state, JobKind::Study, &headers, digest)?;
-    let record = submission.submit(&state, move |app| {
-        let resolved = study::resolve(request, app.catalogue(), app.limits())?;
+    let submission = Submission::new(&state, JobKind::Study, &headers, request.digest)?;
+    let (study, memory) = (request.value, request.memory);
+    let record = submission.submit(&state, memory, move |app| {
+        let resolved = study::resolve(study, app.catalogue(), app.limits())?;
         Ok(JobRequest::Study(Box::new(resolved.request().clone())))
     });
     let jobs::Waited { record, wait } = record.await?;
-    state
-        .run_blocking(move |app| {
-            let whole = StudyJob::with_report(app, record.clone())?;
-            Ok(jobs::respond(&record, &whole, wait))
-        })
-        .await?
+    let found = record.clone();
+    let whole = state.run_blocking(move |app| StudyJob::with_report(app, found));
+    // It is kept: after an error the client would submit it once more.
+    let whole = whole.await.flatten();
+    let study = whole.unwrap_or_else(|_| StudyJob::from(record.clone()));
+    Ok(jobs::respond(&record, &study, wait))
 }
 
 /// The studies, newest first

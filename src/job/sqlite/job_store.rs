@@ -1,7 +1,9 @@
 //! The queue of jobs: [`JobStore`] in `SQLite`.
 
 use super::paging::{id_bound, into_page, row_limit};
-use super::rows::{count_jobs, count_queued, insert_job, job_of_key, job_record, update_job};
+use super::rows::{
+    count_jobs, count_queued, fail_job, insert_job, job_of_key, job_record, listed_job, update_job,
+};
 use super::store::{SqliteStore, store_error};
 use crate::job::kind::JobKind;
 use crate::job::record::JobRecord;
@@ -54,8 +56,15 @@ impl JobStore for SqliteStore {
         })
     }
 
+    fn fail(&self, id: Uuid, cause: &StoreError) -> Result<Option<JobRecord>, StoreError> {
+        self.write("writing a failed job", |transaction| {
+            fail_job(transaction, id, cause)
+        })
+    }
+
     fn jobs(&self, kind: JobKind, page: &PageRequest) -> Result<Page<JobRecord>, StoreError> {
-        let mut query = "SELECT record, revision FROM jobs WHERE kind = ?1 AND id < ?2".to_owned();
+        let mut query =
+            "SELECT record, revision, id FROM jobs WHERE kind = ?1 AND id < ?2".to_owned();
         let mut values: Vec<Value> = vec![kind.as_str().to_owned().into(), id_bound(page)];
         if let Some(status) = page.status {
             query.push_str(" AND status = ?3");
@@ -65,9 +74,13 @@ impl JobStore for SqliteStore {
         let found = self.read(
             "listing jobs",
             (&query, params_from_iter(values)),
-            job_record,
+            listed_job,
         )?;
-        Ok(into_page(found, page, |record| record.id))
+        let found = into_page(found, page, |(id, _)| *id);
+        Ok(Page {
+            items: found.items.into_iter().filter_map(|(_, job)| job).collect(),
+            next: found.next,
+        })
     }
 
     fn counts(&self, kind: JobKind) -> Result<JobCounts, StoreError> {

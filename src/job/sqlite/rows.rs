@@ -1,9 +1,11 @@
 //! Rows of the tables `jobs` and `keys`: read, written, counted.
 
+use crate::job::failure::JobFailure;
 use crate::job::kind::JobKind;
 use crate::job::record::JobRecord;
 use crate::job::status::JobStatus;
-use crate::job::store::{IdempotencyKey, NewJob, Submitted};
+use crate::job::store::{IdempotencyKey, NewJob, StoreError, Submitted};
+use jiff::Timestamp;
 use rusqlite::{Connection, OptionalExtension, Row, params};
 use uuid::Uuid;
 
@@ -15,14 +17,23 @@ pub(super) fn job_record(row: &Row<'_>) -> rusqlite::Result<JobRecord> {
     Ok(record)
 }
 
-/// Returns the records of all jobs of a status.
+/// Reads the id of a job from the column after its record, and the record if it can be read.
+pub(super) fn listed_job(row: &Row<'_>) -> rusqlite::Result<(Uuid, Option<JobRecord>)> {
+    let id = Uuid::from_bytes(row.get(2)?);
+    let record = job_record(row)
+        .inspect_err(|cause| tracing::error!(%cause, job = %id, "its record is left out"));
+    Ok((id, record.ok()))
+}
+
+/// Returns the records of all jobs of a status that can be read.
 pub(super) fn jobs_of_status(
     connection: &Connection,
     status: JobStatus,
 ) -> rusqlite::Result<Vec<JobRecord>> {
     connection
-        .prepare("SELECT record, revision FROM jobs WHERE status = ?1")?
-        .query_map([status.as_str()], job_record)?
+        .prepare("SELECT record, revision, id FROM jobs WHERE status = ?1")?
+        .query_map([status.as_str()], listed_job)?
+        .filter_map(|listed| listed.map(|(_, record)| record).transpose())
         .collect()
 }
 
@@ -43,6 +54,50 @@ pub(super) fn update_job(
             record.revision.cast_signed(),
         ])?;
     Ok((changed == 1).then_some(record.revision + 1))
+}
+
+/// Replaces the record of a job that has not ended by that of one that has failed for `cause`.
+/// Returns `None` if there is no such job.
+pub(super) fn fail_job(
+    connection: &Connection,
+    id: Uuid,
+    cause: &StoreError,
+) -> rusqlite::Result<Option<JobRecord>> {
+    let found = connection
+        .prepare_cached(
+            "SELECT kind, revision FROM jobs WHERE id = ?1 AND status IN ('queued', 'running')",
+        )?
+        .query_row([id.as_bytes()], |row| {
+            Ok((row.get::<_, String>(0)?, row.get::<_, i64>(1)?))
+        })
+        .optional()?;
+    let Some((word, revision)) = found else {
+        return Ok(None);
+    };
+    let mut kinds = JobKind::ALL.into_iter();
+    let Some(kind) = kinds.find(|kind| kind.as_str() == word) else {
+        return Ok(None);
+    };
+    let mut record = JobRecord {
+        status: JobStatus::Failed,
+        finished_at: Some(Timestamp::now()),
+        error: Some(JobFailure::storage(kind, cause)),
+        revision: revision.cast_unsigned(),
+        ..JobRecord::queued(kind, id, submitted_at(id))
+    };
+    let written = update_job(connection, &record)?;
+    record.revision = written.unwrap_or(record.revision);
+    Ok(written.map(|_| record))
+}
+
+/// Returns the time of submission of a job, which its id tells.
+fn submitted_at(id: Uuid) -> Timestamp {
+    let told = id.get_timestamp().map(|time| time.to_unix());
+    let time = told.and_then(|(seconds, nanoseconds)| {
+        let nanoseconds = i32::try_from(nanoseconds).ok()?;
+        Timestamp::new(seconds.cast_signed(), nanoseconds).ok()
+    });
+    time.unwrap_or_else(Timestamp::now)
 }
 
 /// Inserts a job, and the idempotency key that it was submitted with.

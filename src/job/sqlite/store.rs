@@ -141,7 +141,8 @@ impl SqliteStore {
             for mut record in rows::jobs_of_status(transaction, JobStatus::Running)? {
                 record.status = JobStatus::Queued;
                 record.started_at = None;
-                record.runs_apart = true;
+                record.service_deaths += u32::from(record.isolated);
+                record.isolated = true;
                 rows::update_job(transaction, &record)?;
             }
             Ok(())

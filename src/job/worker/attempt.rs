@@ -4,6 +4,7 @@ use super::active_runs::{StopFlag, StopReason};
 use super::context::{RETRY_DELAY, WorkerContext};
 use super::run_result::{RunFailure, RunResult};
 use super::runner::RunError;
+use super::turn::Turn;
 use crate::job::failure::JobFailure;
 use crate::job::kind::JobKind;
 use crate::job::queue::{RecordUpdate, update_record};
@@ -32,7 +33,9 @@ const STUDY_GRACE: f64 = 1.25;
 /// Runs the job that a lease is for, and ends the lease.
 pub(super) fn run(context: &WorkerContext, lease: Lease) {
     let flag = context.active_runs.register(lease);
-    if let Err(error) = attempt(context, lease, &flag) {
+    if let Err(error) = attempt(context, lease, &flag)
+        && !mark_failed(context, lease, &flag, &error)
+    {
         tracing::error!(%error, job = %lease.job, "the job goes back to the queue");
         // Nothing would be gained by trying again at once.
         let signal = &context.wake_signal;
@@ -44,7 +47,36 @@ pub(super) fn run(context: &WorkerContext, lease: Lease) {
     }
 }
 
+/// Writes that the job has failed, if trying again cannot help; returns false if it goes back to
+/// the queue.
+fn mark_failed(context: &WorkerContext, lease: Lease, flag: &StopFlag, error: &StoreError) -> bool {
+    if error.is_passing() || flag.reason() == Some(StopReason::LeaseLost) {
+        return false;
+    }
+    let store = &context.queue.store;
+    match store.fail(lease.job, error) {
+        Ok(Some(record)) => {
+            store.publish(JobNotice::Status(Box::new(record)));
+            true
+        }
+        Ok(None) => false,
+        Err(error) => {
+            tracing::error!(%error, job = %lease.job, "its failure cannot be written");
+            false
+        }
+    }
+}
+
 fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(), StoreError> {
+    let Some(record) = context.queue.store.job(lease.job)? else {
+        return Ok(());
+    };
+    // Before the record says that it runs: if the service dies, a job that only waits for another
+    // to end is not suspect.
+    let turn = Turn::wait(&context.isolation, record.isolated);
+    if let Some(StopReason::LeaseLost | StopReason::Shutdown) = flag.reason() {
+        return Ok(());
+    }
     let Some(record) = begin(context, lease)? else {
         return Ok(());
     };
@@ -65,6 +97,7 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
         Ok(Err(failure)) => RunResult::failed(failure),
         Err(stop) => RunResult::stopped(stop),
     };
+    drop(turn);
     if let Some(files) = &result.files {
         let store = || store_files(context, &record, files);
         if let Err(stop) = patiently(context, flag, record.id, store)? {
@@ -112,12 +145,18 @@ fn patiently<T>(
 /// Writes into the record that the job runs, or that it will not. Returns `None` if the job has
 /// ended already.
 fn begin(context: &WorkerContext, lease: Lease) -> Result<Option<Box<JobRecord>>, StoreError> {
+    let service_deaths = context.queue.limits.service_deaths;
     let update = update_record(&*context.queue.store, lease.job, |record| {
         if record.status.is_final() {
             return false;
         }
         if record.cancel_requested {
             record.status = JobStatus::Canceled;
+            record.finished_at = Some(Timestamp::now());
+        } else if record.service_deaths >= service_deaths {
+            let failure = JobFailure::abandoned_by_service(record.kind, record.service_deaths);
+            record.status = JobStatus::Failed;
+            record.error = Some(failure);
             record.finished_at = Some(Timestamp::now());
         } else {
             record.status = JobStatus::Running;
@@ -152,7 +191,7 @@ fn run_request(
     let cpu_limit_s = cpu_limit_s(context, record.kind);
     let mut published: Option<Instant> = None;
     let mut on_progress = |progress: Progress| {
-        let progress = finite(progress);
+        let progress = progress.finite();
         if progress.cpu_s > cpu_limit_s {
             flag.raise(StopReason::TimeLimit);
         }
@@ -168,23 +207,39 @@ fn run_request(
             });
         }
     };
-    // A lock whose holder panicked is as good as any: it guards no data.
-    let ran = if record.runs_apart {
-        let _alone = context.alone.write();
-        let run = || {
-            context
-                .runner
-                .run_apart(request, &flag.cancel, &mut on_progress)
-        };
-        catch_unwind(AssertUnwindSafe(run))
+    let ran = if record.isolated {
+        run_isolated(context, flag, &request, &mut on_progress)
     } else {
-        let _shared = context.alone.read();
         let run = || context.runner.run(request, &flag.cancel, &mut on_progress);
         catch_unwind(AssertUnwindSafe(run)).map(|ran| ran.map_err(RunError::Refused))
     };
     match ran {
         Ok(ran) => ran.map_err(|error| run_failure(record.kind, error)),
         Err(panic) => Err(panic_failure(record.kind, &*panic).into()),
+    }
+}
+
+/// Runs the job in a process of its own. If none can be started, it tries again for a while.
+fn run_isolated(
+    context: &WorkerContext,
+    flag: &StopFlag,
+    request: &JobRequest,
+    progress: &mut dyn FnMut(Progress),
+) -> std::thread::Result<Result<JobOutcome, RunError>> {
+    let mut tries = 0;
+    loop {
+        let run = || context.runner.run_isolated(request, &flag.cancel, progress);
+        let ran = catch_unwind(AssertUnwindSafe(run));
+        tries += 1;
+        match ran {
+            Ok(Err(RunError::NotStarted(cause)))
+                if tries < context.queue.limits.starts && flag.reason().is_none() =>
+            {
+                tracing::warn!(%cause, tries, "no process can be started");
+                std::thread::sleep(RETRY_DELAY);
+            }
+            ran => return ran,
+        }
     }
 }
 
@@ -195,7 +250,11 @@ fn run_failure(kind: JobKind, error: RunError) -> RunFailure {
         RunError::Died(death) => RunFailure::Died(death),
         RunError::NotStarted(cause) => {
             tracing::error!(%cause, "no process can be started");
-            RunFailure::NotRun
+            JobFailure::not_started(kind).into()
+        }
+        RunError::Protocol(cause) => {
+            tracing::error!(%cause, "the process of a {} tells what cannot be read", kind.as_str());
+            JobFailure::panicked(kind).into()
         }
     }
 }
@@ -270,19 +329,6 @@ fn remove_lost_files(context: &WorkerContext, begun: &JobRecord, winner: Option<
             tracing::warn!(%error, "files of a lost attempt stay behind");
         }
     }
-}
-
-/// Replaces infinities, which JSON does not have: a record that held one could not be read again.
-fn finite(mut progress: Progress) -> Progress {
-    for value in [&mut progress.fraction, &mut progress.cpu_s] {
-        if !value.is_finite() {
-            *value = 0.0;
-        }
-    }
-    for value in [&mut progress.residual, &mut progress.seam_gap_m] {
-        *value = value.filter(|value| value.is_finite());
-    }
-    progress
 }
 
 fn panic_failure(kind: JobKind, panic: &(dyn Any + Send)) -> JobFailure {

@@ -18,8 +18,8 @@ pub(super) struct WorkerContext {
     pub(super) runner: Box<dyn Runner>,
     /// The runs of this process.
     pub(super) active_runs: ActiveRuns,
-    /// Held alone by a run in a process of its own, and shared by the others: none is beside it.
-    pub(super) alone: RwLock<()>,
+    /// Held exclusively by a job in a process of its own, and shared by the others.
+    pub(super) isolation: RwLock<()>,
     /// Wakes idle workers.
     pub(super) wake_signal: WakeSignal,
 }

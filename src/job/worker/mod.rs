@@ -7,6 +7,7 @@ mod context;
 mod pool;
 mod run_result;
 mod runner;
+mod turn;
 mod wake_signal;
 
 pub use child::{follow_child, run_child};

@@ -45,7 +45,7 @@ impl WorkerPool {
             queue: Arc::clone(queue),
             runner: Box::new(runner),
             active_runs: ActiveRuns::default(),
-            alone: RwLock::default(),
+            isolation: RwLock::default(),
             wake_signal: WakeSignal::default(),
         });
         // Listens before any worker looks at the queue, so that no cancellation is missed.

@@ -15,8 +15,6 @@ pub(super) enum RunFailure {
     Failed(JobFailure),
     /// Its own process died.
     Died(ProcessDeath),
-    /// It could not be begun.
-    NotRun,
 }
 
 impl From<JobFailure> for RunFailure {
@@ -66,7 +64,6 @@ impl RunResult {
             (_, Err(RunFailure::Died(death))) => {
                 Self::without_files(RunEnd::Crashed { death, limit })
             }
-            (_, Err(RunFailure::NotRun)) => Self::without_files(RunEnd::Released),
             (stop, Ok(outcome)) => Self::of_outcome(&outcome, stop),
         }
     }

@@ -34,13 +34,13 @@ pub trait Runner: Send + Sync + 'static {
     ///
     /// # Errors
     /// The faults that keep it from being done, or how the process died.
-    fn run_apart(
+    fn run_isolated(
         &self,
-        request: JobRequest,
+        request: &JobRequest,
         cancel: &CancelToken,
         progress: &mut dyn FnMut(Progress),
     ) -> Result<JobOutcome, RunError> {
-        self.run(request, cancel, progress)
+        self.run(request.clone(), cancel, progress)
             .map_err(RunError::Refused)
     }
 }
@@ -54,6 +54,8 @@ pub enum RunError {
     Panicked,
     /// Its process died.
     Died(ProcessDeath),
+    /// Its process told what cannot be read.
+    Protocol(String),
     /// No process could be started.
     NotStarted(String),
 }

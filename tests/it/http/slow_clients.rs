@@ -118,6 +118,26 @@ fn answers_that_wait_for_their_clients_are_bounded() {
 }
 
 #[test]
+fn clients_without_a_token_have_a_share_of_their_own() {
+    let mut config = impatient();
+    config.tokens = vec!["secret".to_owned()];
+    config.limits.stall_timeout_s = 30.0;
+    config.limits.answer_bytes_in_flight = 10 << 20;
+    let server = Server::with(config, 0);
+    let request = format!("GET {LARGE} HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    let streams: Vec<_> = (0..8)
+        .map(|_| connect(&server, &request.repeat(20)))
+        .collect();
+    let deadline = Instant::now() + TIMEOUT;
+    while server.get(LARGE).status != 503 {
+        assert!(Instant::now() < deadline, "never refused");
+    }
+    let token = [("authorization", "Bearer secret")];
+    assert_eq!(server.send("GET", LARGE, &token, &[]).status, 200);
+    drop(streams);
+}
+
+#[test]
 fn bodies_in_flight_are_bounded() {
     let mut config = impatient();
     config.limits.stall_timeout_s = 5.0;

@@ -299,3 +299,28 @@ fn what_is_no_study_is_not_found() {
         "{counted}"
     );
 }
+
+/// Makes the first record of a store one that cannot be read, as soon as it is kept.
+fn spoil_first_record(server: &Server) -> std::thread::JoinHandle<()> {
+    let database = server.data().join("seamster.db");
+    std::thread::spawn(move || {
+        let database = rusqlite::Connection::open(database).unwrap();
+        while database.execute("UPDATE jobs SET record = '{}'", []) != Ok(1) {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    })
+}
+
+#[test]
+fn what_was_kept_is_never_answered_by_an_error() {
+    for (path, body) in [("/v1/studies", small()), ("/v1/fits", cloth())] {
+        let server = Server::with(config(), 0);
+        let spoiled = spoil_first_record(&server);
+        let headers = [JSON, ("prefer", "wait=3")];
+        let answer = server.send("POST", path, &headers, body.to_string().as_bytes());
+        spoiled.join().unwrap();
+        assert_eq!(answer.status, 202, "{path}: {}", answer.text());
+        assert_eq!(answer.json()["status"], "queued");
+        assert_eq!(answer.header("preference-applied"), "");
+    }
+}

@@ -47,6 +47,10 @@ impl JobStore for CountedRenewals {
         self.store.replace(record)
     }
 
+    fn fail(&self, id: Uuid, cause: &StoreError) -> Result<Option<JobRecord>, StoreError> {
+        self.store.fail(id, cause)
+    }
+
     fn jobs(&self, kind: JobKind, page: &PageRequest) -> Result<Page<JobRecord>, StoreError> {
         self.store.jobs(kind, page)
     }

@@ -521,7 +521,7 @@ fn shutdown_gives_running_fits_back_and_does_not_count_it() {
         let record = get(&queue, id);
         assert_eq!(record.status, JobStatus::Queued);
         assert_eq!((record.attempts, record.released), (attempts, attempts));
-        assert!(!record.runs_apart);
+        assert!(!record.isolated);
         assert_eq!(record.started_at, None);
     }
 }
@@ -560,7 +560,7 @@ fn job_of_a_process_that_died_runs_again() {
 }
 
 #[test]
-fn deaths_of_the_service_never_count() {
+fn a_few_deaths_of_the_service_do_not_count() {
     for kind in JobKind::ALL {
         let folder = tempfile::tempdir().unwrap();
         let id = die_while_running(kind, folder.path(), "sew");
@@ -578,10 +578,11 @@ fn deaths_of_the_service_never_count() {
     }
 }
 
-/// A runner whose own processes die, as often as it is told.
+/// A runner whose own processes fail by an error, as often as it is told.
 struct Dying {
     script: Script,
-    deaths: AtomicUsize,
+    failures: AtomicUsize,
+    error: RunError,
 }
 
 impl Runner for Dying {
@@ -594,29 +595,35 @@ impl Runner for Dying {
         self.script.run(work, cancel, progress)
     }
 
-    fn run_apart(
+    fn run_isolated(
         &self,
-        work: JobRequest,
+        work: &JobRequest,
         cancel: &CancelToken,
         progress: &mut dyn FnMut(Progress),
     ) -> Result<JobOutcome, RunError> {
-        let left = self.deaths.load(Ordering::SeqCst);
+        let left = self.failures.load(Ordering::SeqCst);
         if left > 0 {
-            self.deaths.store(left - 1, Ordering::SeqCst);
-            return Err(RunError::Died(ProcessDeath::Signal(6)));
+            self.failures.store(left - 1, Ordering::SeqCst);
+            return Err(self.error.clone());
         }
-        self.run(work, cancel, progress).map_err(RunError::Refused)
+        let ran = self.run(work.clone(), cancel, progress);
+        ran.map_err(RunError::Refused)
     }
 }
 
-/// The record of a job that ran when its service died, and whose own process then dies so often.
-fn ended_after(deaths: usize, kind: JobKind) -> JobRecord {
+/// The record of a job that ran when its service died, and whose own process then fails so often.
+fn ended_after(failures: usize, error: RunError, kind: JobKind) -> JobRecord {
     let folder = tempfile::tempdir().unwrap();
     let id = die_while_running(kind, folder.path(), "sew");
-    let queue = open(folder.path());
+    let limits = Limits {
+        starts: 2,
+        ..Limits::default()
+    };
+    let queue = open_with(folder.path(), limits);
     let runner = Dying {
         script: Script::default(),
-        deaths: deaths.into(),
+        failures: failures.into(),
+        error,
     };
     let pool = WorkerPool::start(&queue, runner, 1).unwrap();
     let record = finished(&queue, id);
@@ -627,12 +634,104 @@ fn ended_after(deaths: usize, kind: JobKind) -> JobRecord {
 #[test]
 fn a_job_whose_own_process_dies_twice_has_failed_with_the_cause() {
     for kind in JobKind::ALL {
-        let once = ended_after(1, kind);
+        let death = || RunError::Died(ProcessDeath::Signal(6));
+        let once = ended_after(1, death(), kind);
         assert_eq!((once.status, once.crashes), (JobStatus::Succeeded, 1));
-        let twice = ended_after(2, kind);
+        let twice = ended_after(2, death(), kind);
         assert_eq!((twice.status, twice.crashes), (JobStatus::Failed, 2));
         assert_eq!(error_code(&twice), format!("{}/abandoned", kind.as_str()));
         assert!(twice.error.unwrap().detail.contains("signal 6"));
+    }
+}
+
+#[test]
+fn a_process_that_cannot_be_started_is_tried_again_and_then_told() {
+    let error = || RunError::NotStarted("no more processes".to_owned());
+    let start = Instant::now();
+    let once = ended_after(1, error(), JobKind::Fit);
+    assert_eq!((once.status, once.attempts), (JobStatus::Succeeded, 2));
+    assert!(start.elapsed() >= Duration::from_secs(1), "at once");
+    for kind in JobKind::ALL {
+        let never = ended_after(2, error(), kind);
+        assert_eq!((never.status, never.attempts), (JobStatus::Failed, 2));
+        assert_eq!(error_code(&never), format!("{}/not_started", kind.as_str()));
+    }
+}
+
+#[test]
+fn a_process_that_tells_nonsense_has_found_a_defect() {
+    let record = ended_after(
+        1,
+        RunError::Protocol("at column 1".to_owned()),
+        JobKind::Fit,
+    );
+    assert_eq!((record.status, record.crashes), (JobStatus::Failed, 0));
+    assert_eq!(error_code(&record), "fit/panicked");
+}
+
+#[test]
+fn a_job_in_its_own_process_with_which_the_service_dies_ten_times_has_failed() {
+    let folder = tempfile::tempdir().unwrap();
+    let id = die_while_running(JobKind::Fit, folder.path(), "sew");
+    for _ in 0..10 {
+        begin_and_die(
+            &open_store(folder.path(), LEASE, &ManualClock::default()),
+            id,
+        );
+    }
+    let queue = open(folder.path());
+    let pool = start(&queue, 1);
+    let record = finished(&queue, id);
+    assert_eq!((record.status, record.attempts), (JobStatus::Failed, 11));
+    assert_eq!(error_code(&record), "fit/abandoned");
+    let detail = record.error.unwrap().detail;
+    assert!(detail.contains("died 10 times"), "{detail}");
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
+fn a_job_that_waits_for_one_in_its_own_process_is_not_suspect() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = die_while_running(JobKind::Fit, folder.path(), "wait");
+    let queue = open(folder.path());
+    let pool = start(&queue, 2);
+    running(&queue, first);
+    let next = submit(&queue, "sew");
+    for _ in 0..20 {
+        assert_eq!(get(&queue, next).status, JobStatus::Queued);
+        sleep(Duration::from_millis(5));
+    }
+    queue.cancel(JobKind::Fit, first).unwrap();
+    assert_eq!(finished(&queue, next).status, JobStatus::Succeeded);
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
+fn a_job_whose_record_cannot_be_read_has_failed_and_holds_nobody_up() {
+    for kind in JobKind::ALL {
+        let folder = tempfile::tempdir().unwrap();
+        let lost = die_while_running(kind, folder.path(), "sew");
+        let database = rusqlite::Connection::open(folder.path().join("seamster.db")).unwrap();
+        let changed = database.execute("UPDATE jobs SET record = '{\"of\": \"later\"}'", []);
+        assert_eq!(changed, Ok(1));
+        drop(database);
+        let queue = open(folder.path());
+        let next = submit_as(kind, &queue, "sew");
+        let page = PageRequest {
+            limit: 9,
+            ..PageRequest::default()
+        };
+        let listed = queue.jobs(kind, &page).unwrap().items;
+        assert_eq!(listed.iter().map(|job| job.id).collect::<Vec<_>>(), [next]);
+        let pool = start(&queue, 1);
+        assert_eq!(finished(&queue, next).status, JobStatus::Succeeded);
+        let record = queue.job(kind, lost).unwrap().unwrap();
+        assert_eq!(record.status, JobStatus::Failed);
+        assert_eq!(error_code(&record), format!("{}/storage", kind.as_str()));
+        let listed = queue.jobs(kind, &page).unwrap().items;
+        assert_eq!(listed.len(), 2);
+        assert!(listed[1].created_at <= listed[0].created_at);
+        pool.shutdown(TIMEOUT);
     }
 }
 
