@@ -32,6 +32,29 @@ export function replaceChildren(parent, ...children) {
   parent.querySelector(`[data-key="${CSS.escape(focused)}"]`)?.focus({ preventScroll: true });
 }
 
+let edited = null; // the field whose text is typed and not yet taken
+const waiting = new Map(); // host -> what paints it
+
+const isTextField = (target) => target.matches?.("textarea, input:not([type=checkbox], [type=file])");
+
+function endEdit() {
+  edited = null;
+  const paints = [...waiting.values()];
+  waiting.clear();
+  for (const paint of paints) paint();
+}
+
+// A change is heard here after the field's own listener took it.
+document.addEventListener("input", ({ target }) => { edited = isTextField(target) ? target : null; });
+document.addEventListener("change", endEdit);
+document.addEventListener("focusout", endEdit);
+
+/** Calls `paint`, which replaces what is in `host`; not before a text that is typed there is done. */
+export function paintWhenFree(host, paint) {
+  if (edited?.isConnected && host.contains(edited)) waiting.set(host, paint);
+  else paint();
+}
+
 /**
  * Options of a select from `[value, label]` pairs, keeping what was chosen where it still exists.
  */

@@ -1,6 +1,6 @@
 /** Keeps the work of this tab, and tells where another tab works on the same pattern. */
 
-import { announce, keepDraft, openDrafts, otherDrafts } from "./drafts.js";
+import { allDrafts, announce, keepDraft, openDrafts } from "./drafts.js";
 import { fromAddress } from "./address.js";
 import { say } from "./say.js";
 import { state, watch } from "./state.js";
@@ -8,6 +8,10 @@ import { state, watch } from "./state.js";
 const COPY = "This tab is a copy of another one. Each keeps its own work from here on.";
 const ELSEWHERE = "This pattern is open in another tab too. Each tab keeps its own work; Open lists both.";
 const OTHER_WORK = "There is other work on this pattern from another tab: Open lists it.";
+
+const NOT_KEPT = "This browser cannot keep the work of this tab: save the garment before you close it.";
+
+let isToldNotKept = false;
 
 /** What of the state a draft keeps; the pattern itself only where the service does not hold it. */
 function work() {
@@ -18,6 +22,16 @@ function work() {
   };
 }
 
+async function keep() {
+  if (!state.pattern) return;
+  try {
+    await keepDraft(state.draft, work());
+  } catch {
+    if (!isToldNotKept) say(NOT_KEPT, true);
+    isToldNotKept = true;
+  }
+}
+
 /**
  * Opens the drafts and keeps this tab's from now on: `{draft, notice}`, what it left and what to
  * tell.
@@ -26,8 +40,8 @@ export async function startKeeping() {
   const { draft, isCopy } = await openDrafts();
   const { pattern } = fromAddress();
   const isOther = pattern && draft?.patternId !== pattern;
-  const others = isOther ? (await otherDrafts()).filter((one) => one.patternId === pattern && one.garment.seams.length > 0) : [];
-  watch(["pattern", "garment", "suggested", "offers", "leftOut", "ran", "fit"], () => state.pattern && keepDraft(work()));
+  const others = isOther ? (await allDrafts()).filter((one) => one.patternId === pattern && one.garment.seams.length > 0) : [];
+  watch(["pattern", "garment", "suggested", "offers", "leftOut", "ran", "fit"], keep);
   const tell = announce(() => say(ELSEWHERE));
   let told = null;
   watch(["pattern"], () => {

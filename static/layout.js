@@ -19,9 +19,10 @@ function kept() {
   }
 }
 
+/** Keeps the layout; the rail only as it is in a wide window, since a narrow one folds it anyway. */
 function keep({ split, rail }) {
   try {
-    localStorage.setItem(STORE, JSON.stringify({ split, rail }));
+    localStorage.setItem(STORE, JSON.stringify({ split, rail: isNarrow() ? kept().rail : rail }));
   } catch {
     // Without a store the layout is the usual one next time.
   }
@@ -113,7 +114,7 @@ export function startLayout() {
   startKeys();
   let narrow = isNarrow();
   addEventListener("resize", () => {
-    if (isNarrow() !== narrow) change({ rail: !isNarrow() });
+    if (isNarrow() !== narrow) change({ rail: !isNarrow() && (kept().rail ?? true) });
     narrow = isNarrow();
   });
   watch(["layout"], apply);

@@ -36,7 +36,7 @@ startSeamList();
 startSuggest();
 startStage();
 startFit();
-startAddress();
+startAddress(() => openFromAddress(null, showFit));
 
 try {
   const { draft, notice } = await startKeeping();

@@ -125,11 +125,13 @@ function onKey(event) {
 /** Numbers of seams by id: a seam keeps its number and color whatever comes and goes. */
 function numberSeams() {
   const { numbers, garment } = state;
-  const fresh = garment.seams.filter((seam) => numbers[seam.id] === undefined);
-  if (fresh.length === 0) return;
-  const used = garment.seams.map((seam) => numbers[seam.id] ?? 0);
-  const first = Math.max(0, ...used) + 1;
-  update({ numbers: { ...numbers, ...Object.fromEntries(fresh.map((seam, i) => [seam.id, first + i])) } });
+  const ids = garment.seams.map((seam) => seam.id);
+  const known = ids.filter((id) => Object.hasOwn(numbers, id)).map((id) => [id, numbers[id]]);
+  const fresh = ids.filter((id) => !Object.hasOwn(numbers, id));
+  if (fresh.length === 0 && known.length === Object.keys(numbers).length) return;
+  const first = Math.max(0, ...known.map(([, number]) => number)) + 1;
+  // A deleted seam takes its number along: another may have its id later.
+  update({ numbers: Object.fromEntries([...known, ...fresh.map((id, i) => [id, first + i])]) });
 }
 
 export function startPicking() {

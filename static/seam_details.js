@@ -5,7 +5,7 @@
 import { el } from "./dom.js";
 import { edgesOf, lengthOf, lengthOfSide, runsOf, wayOf } from "./outline.js";
 import { panelOf, panelsShown } from "./panels.js";
-import { sideName } from "./run_names.js";
+import { drawnWay, sideName } from "./run_names.js";
 import { act } from "./say.js";
 import { changeSeam, changeSeams, renameSeam } from "./seams.js";
 import { state } from "./state.js";
@@ -142,10 +142,11 @@ function reason(seam) {
   return found && el("p", { class: "note" }, `Suggested, ${percent(found.confidence)} sure: ${sentence(found.because)}`);
 }
 
-const WAYS = { cw: "clockwise", ccw: "counter-clockwise" };
+/** The way of a side in words, by what the check says of its numbers. */
+const wayText = (side, way) => (way ? drawnWay(panelOf(runsOf(side)[0].panel), way) : "either way");
 
 export function seamDetails(seam, finding) {
-  const ways = finding?.ok && `${plural(finding.stitch_count, "stitch", "stitches")}; ${centimeters(finding.length_a_m)} on ${centimeters(finding.length_b_m)}; ${WAYS[finding.direction_a] ?? "either way"} with ${WAYS[finding.direction_b] ?? "either way"}${finding.reversed ? ", the second side turned" : ""}.`;
+  const ways = finding?.ok && `${plural(finding.stitch_count, "stitch", "stitches")}; ${centimeters(finding.length_a_m)} on ${centimeters(finding.length_b_m)}; ${wayText(seam.a, finding.direction_a)} with ${wayText(seam.b, finding.direction_b)}${finding.reversed ? ", the second side turned" : ""}.`;
   return el("div", { class: "more" },
     (finding?.errors ?? []).map((fault) => faultItem(fault)),
     correction(seam),

@@ -1,6 +1,6 @@
 /** The list of seams: what is wrong with each, what would put it right, and its order of sewing. */
 
-import { byId, el, replaceChildren } from "./dom.js";
+import { byId, el, paintWhenFree, replaceChildren } from "./dom.js";
 import { leftOut } from "./panels.js";
 import { selectSeam } from "./picking.js";
 import { panelName, sideName } from "./run_names.js";
@@ -112,7 +112,7 @@ function spareNote() {
 
 function draw() {
   const seams = inOrder();
-  const problem = state.check?.problem;
+  const problem = state.checkProblem;
   replaceChildren(byId("seam-list"),
     problem && el("div", { class: "faults" }, problemItems(problem)),
     spareNote(),
@@ -123,7 +123,7 @@ function draw() {
 }
 
 export function startSeamList() {
-  watch(["pattern", "garment", "suggested", "offers", "leftOut", "check", "selected", "numbers"], draw);
+  watch(["pattern", "garment", "suggested", "offers", "leftOut", "check", "checkProblem", "selected", "numbers"], () => paintWhenFree(byId("seam-list"), draw));
   watch(["garment", "check"], drawCount);
   watch(["selected", "check"], () => byId("seam-list").querySelector(".selected")?.scrollIntoView({ block: "nearest" }));
 }

@@ -168,18 +168,18 @@ export function createViewer(host) {
       body.visible = visible;
       draw();
     },
-    async showBody(bytes) {
+    /** The model of a file, to be shown as body or garment. */
+    read,
+    showBody(model) {
       dispose(body);
-      if (bytes) {
-        const model = await read(bytes);
+      if (model) {
         bodyMaterial(model);
         body.add(model);
       }
       draw();
     },
     /** The camera stays where it was when a garment is sewn again. */
-    async showGarment(bytes) {
-      const model = await read(bytes);
+    showGarment(model) {
       dispose(garment);
       dress(model);
       garment.add(model);

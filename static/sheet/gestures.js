@@ -32,6 +32,11 @@ function followSpace(host) {
     space.held = false;
     host.classList.remove("grab");
   });
+  // The key may be let go in another window.
+  addEventListener("blur", () => {
+    space.held = false;
+    host.classList.remove("grab");
+  });
   return space;
 }
 
@@ -54,6 +59,7 @@ export function startGestures(host, on) {
   };
 
   const press = (event) => {
+    if (event.button > 1) return;
     const at = pointOf(event);
     last = at;
     down.set(event.pointerId, at);
@@ -71,6 +77,7 @@ export function startGestures(host, on) {
 
   const move = (event) => {
     const at = pointOf(event);
+    if (event.pointerType === "mouse" && event.buttons === 0) release(event);
     if (!down.has(event.pointerId)) return on.hover(at, event);
     const before = [...down.values()];
     const from = down.get(event.pointerId);
@@ -101,8 +108,9 @@ export function startGestures(host, on) {
 
   host.addEventListener("pointerdown", press);
   host.addEventListener("pointermove", move);
-  host.addEventListener("pointerup", release);
-  host.addEventListener("pointercancel", release);
+  // A pointer may be let go outside of the sheet.
+  addEventListener("pointerup", release);
+  addEventListener("pointercancel", release);
   host.addEventListener("pointerleave", (event) => on.hover(null, event));
   host.addEventListener("click", (event) => {
     // Assistive technology clicks without a place; the second of a double click fits the panel.

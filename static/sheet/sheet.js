@@ -315,6 +315,7 @@ function takePanels() {
   hovered = null;
   const isNew = pattern !== state.pattern;
   pattern = state.pattern;
+  if (isNew) current.clear();
   const before = isNew ? null : sheet;
   const size = before?.size ?? sizeNow();
   sheet = {
