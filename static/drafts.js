@@ -6,9 +6,9 @@
 const NAME = "seamster";
 const DRAFTS = "drafts";
 const MOST = 20;
-/** Where a tab keeps the name of its draft. */
+/** Key under which a tab keeps the name of its draft. */
 const TAB = "seamster.tab";
-/** How long the tab that this one is a copy of may take to let go of its draft while it reloads. */
+/** Time for a tab that reloads to let go of its draft, before this one is taken for a copy [ms]. */
 const CLAIM_MS = 400;
 
 let opened = null;

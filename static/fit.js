@@ -19,14 +19,14 @@ const LONGEST_RETRY_MS = 8000;
 /** Failures in a row after which a person is told. */
 const TELL_AFTER = 2;
 
-let watching = null; // {controller, pattern}: the fit that is shown, and the pattern that it belongs to
+let watching = null; // {controller, pattern} of the fit that is shown, with the pattern it is of
 let submitting = false;
 
 const fitPath = (id) => `/v1/fits/${encodeURIComponent(id)}`;
 
 const pause = (ms) => new Promise((done) => { setTimeout(done, ms); });
 
-/** Ends the showing of any earlier fit: its late answers are dropped. The signal of the next one. */
+/** Ends the showing of an earlier fit, whose late answers are dropped; the signal of the next. */
 function begin() {
   watching?.controller.abort();
   watching = { controller: new AbortController(), pattern: state.pattern };
@@ -100,7 +100,7 @@ function showFaults(problem) {
   say(problem.faults?.[0]?.detail ?? problem.message, true);
 }
 
-/** Why a fit failed, but for what the report says. */
+/** Tells the reason of a failed fit, but for what the report says. */
 function showError(fit, report) {
   if (fit.status !== "failed" || !fit.error) return;
   const faults = fit.error.errors ?? [];
@@ -180,7 +180,7 @@ async function cancel() {
   }
 }
 
-/** What a result depends on. */
+/** All that a result depends on, as text. */
 const asText = () => JSON.stringify([state.pattern?.id, state.garment, leftOut()]);
 
 function hint(running) {
@@ -255,7 +255,7 @@ async function copyLink() {
   }
 }
 
-/** What the shape on the stage is, where it is not simply the result. */
+/** Words for the shape on the stage, where it is not simply the result. */
 function captionText() {
   const { shape, fit, report } = state;
   if (shape === null) return "";

@@ -7,7 +7,7 @@ import { byId } from "./dom.js";
 import { state, update, watch } from "./state.js";
 
 const DEPTH = 200;
-/** What is brought back. */
+/** Parts of the state that are brought back. */
 const KEPT = ["pattern", "reading", "garment", "suggested", "offers", "leftOut", "numbers", "draft"];
 
 const past = [];

@@ -1,6 +1,6 @@
 /** Two picked sides become a seam: one way in for pointer and keyboard. */
 
-import { byId } from "./dom.js";
+import { byId, isDialogOpen, isTyping } from "./dom.js";
 import { redo, undo } from "./history.js";
 import { edgesOf, lengthOfSide, runsOf } from "./outline.js";
 import { forgetCopies, panelOf, panelsShown } from "./panels.js";
@@ -18,7 +18,7 @@ function travel(move, verb) {
   if (words !== null) act(`${verb}: ${words}.`);
 }
 
-export function letGo() {
+function letGo() {
   if (!state.picked) return;
   update({ picked: null, pickedAt: null });
   say("Let go. Pick the first edge of a seam.");
@@ -103,11 +103,10 @@ export function selectSeam(id) {
   update({ selected: state.selected === id ? null : id, picked: null, pickedAt: null, growing: null });
 }
 
-const isTyping = (target) => target.matches?.("input, select, textarea");
-
 function onKey(event) {
+  if (isDialogOpen()) return;
   if (event.key === "Escape") letGo();
-  if (isTyping(event.target) || document.querySelector("dialog[open]")) return;
+  if (isTyping(event.target)) return;
   const key = event.key.toLowerCase();
   if ((key === "delete" || key === "backspace") && state.selected !== null) {
     event.preventDefault();

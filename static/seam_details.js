@@ -21,7 +21,7 @@ function isHopeless(seam) {
   return a > 0 && b > 0 && Math.abs(a - b) / Math.min(a, b) > HOPELESS;
 }
 
-/** What the service would have instead, where that differs. */
+/** The seam that the service would have instead, if that differs. */
 function correctionOf(seam) {
   if (isHopeless(seam)) return null;
   const other = state.check?.corrected.find((one) => one.id === seam.id);
@@ -63,7 +63,7 @@ function placeAlong({ edge, length }, at) {
   return { edge: edge.index, at: Number((at / length).toFixed(4)) };
 }
 
-/** Which part of its edge a side takes, in centimeters from the first corner. */
+/** Fields for the part of its edge that a side takes, in centimeters from the first corner. */
 function partFields(seam, side, title) {
   const found = stretchOf(seam[side]);
   if (!found) return null;
@@ -136,7 +136,7 @@ function options(seam) {
     checkbox(seam, "allow_twist", "Twist on purpose"));
 }
 
-/** How sure the service is of a seam that it suggested, and why. */
+/** The confidence of the service in a seam that it suggested, with the reason. */
 function reason(seam) {
   const found = suggestionOf(seam);
   return found && el("p", { class: "note" }, `Suggested, ${percent(found.confidence)} sure: ${sentence(found.because)}`);

@@ -33,7 +33,8 @@ function loadFabricsLate() {
 /** Fabrics of the service and of the garment by id. */
 export const allFabrics = () => ({ ...state.fabrics, ...state.garment.fabrics });
 
-const fabricOptions = () => Object.entries(allFabrics()).map(([id, fabric]) => [id, fabric.name ?? id]);
+/** Fabrics by id with their names, for a select. */
+export const fabricOptions = () => Object.entries(allFabrics()).map(([id, fabric]) => [id, fabric.name ?? id]);
 
 function drawFabric() {
   const id = state.garment.default_fabric;

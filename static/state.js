@@ -1,5 +1,6 @@
 /**
- * What the page knows, and who wants to hear of changes. Views only paint; they never keep a copy.
+ * The state of the page, and those who hear of its changes. Views only paint; they never keep a
+ * copy.
  */
 
 /** The body that a new garment is draped on [m]: a woman in size M. */
