@@ -68,7 +68,7 @@ function crossings(report) {
   return items;
 }
 
-/** The verdict in a sentence, and whether it is a good one. */
+/** The verdict in a sentence, with `good` for a good one. */
 export function verdictOf(report, status) {
   if (!report.converged) {
     return { good: false, text: status === "canceled" ? "Stopped before it came to rest." : "The garment did not come to rest." };

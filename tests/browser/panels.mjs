@@ -68,6 +68,11 @@ test("a panel is left out with its seams, and taken in again", async () => {
   await untilStatus(page, "WAISTBAND is left out, with 4 seams");
   assert.equal(await focused(), "in or out waistband", "the focus stays on the button");
   assert.equal(await seamCount(), "2");
+  const ends = await row("waistband").evaluate((one) => {
+    one.querySelector(".name").textContent = "A NAME THAT IS LONGER THAN THE RAIL IS WIDE";
+    return [one.querySelector("small"), document.getElementById("rail")].map((part) => part.getBoundingClientRect().right);
+  });
+  assert.ok(ends[0] <= ends[1], `a long name pushes the note out of the rail: ${ends}`);
   await untilStatus(page, "can be sewn");
   assert.deepEqual((await sent()).pattern.panels.map((panel) => panel.id).sort(), ["skirt-back", "skirt-front"]);
   await press(page, "Take in: WAISTBAND");
