@@ -12,6 +12,7 @@ test("a check that failed is tried again when the service is back", async () => 
   await page.route("**/seams/check", (route) => route.abort());
   await openSkirt(page);
   await untilStatus(page, "It is tried again");
+  assert.match(await page.locator("#run-note").textContent(), /^The seams could not be checked/);
   await page.unroute("**/seams/check");
   await untilStatus(page, "seams can be sewn");
   expectErrors(record, /ERR_FAILED .*\/seams\/check/);

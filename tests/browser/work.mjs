@@ -232,6 +232,25 @@ test("a pattern that is opened again is checked again", async () => {
   await untilStatus(page, "can be sewn");
 });
 
+test("another address that is entered opens what it names", async () => {
+  const address = page.url();
+  await press(page, "Top sample");
+  await untilPanels(page, 2);
+  await page.evaluate((entered) => { location.href = entered; }, address);
+  await untilPanels(page, 3);
+});
+
+test("a browser that cannot keep the work says so", async () => {
+  const other = await context.newPage();
+  await other.addInitScript(() => {
+    IDBObjectStore.prototype.put = () => { throw new Error("there is no room"); };
+  });
+  await other.goto(service.url);
+  await press(other, "Try the skirt");
+  await untilStatus(other, "This browser cannot keep the work of this tab: save the garment before you close it. All 6 seams");
+  await other.close();
+});
+
 test("work of a closed tab and earlier fits are listed and opened", async () => {
   const id = await page.evaluate(async () => {
     const pattern = new URLSearchParams(location.hash.slice(1)).get("pattern");
