@@ -62,14 +62,17 @@ const waiting = new Map(); // host -> what paints it
 
 const isTextField = (target) => target.matches?.("textarea, input:not([type=checkbox], [type=file])");
 
+/** Paints all that waits, once the focus has arrived at the field that it is on its way to. */
 function endEdit() {
-  edited = null;
-  const paints = [...waiting.values()];
-  waiting.clear();
-  for (const paint of paints) paint();
+  if (edited === null) return;
+  setTimeout(() => {
+    edited = null;
+    const paints = [...waiting.values()];
+    waiting.clear();
+    for (const paint of paints) paint();
+  });
 }
 
-// A change is heard here after the field's own listener took it.
 document.addEventListener("input", ({ target }) => { edited = isTextField(target) ? target : null; });
 document.addEventListener("change", endEdit);
 document.addEventListener("focusout", endEdit);

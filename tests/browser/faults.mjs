@@ -1,7 +1,7 @@
 // Faults are told in a maker's words, once, and pass: `node tests/browser/faults.mjs`.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { chooseFile, keyOnEdge, openDrawer, openSkirt, press, statusOf, undo, untilPanels, untilStatus } from "./acts.mjs";
+import { chooseFile, keyOnEdge, openDrawer, openSkirt, press, statusOf, twoFrames, undo, untilPanels, untilStatus } from "./acts.mjs";
 import { assertClean, axeFaults, expectErrors, openTab, startPage, startService, TOKEN_TEST } from "./support.mjs";
 
 const FIT_MS = 300_000;
@@ -23,6 +23,14 @@ test("a measurement that no body has is refused at once", async () => {
   await page.getByLabel("Waist, cm").press("Tab");
   assert.equal(await page.getByLabel("Waist, cm").inputValue(), "74");
   assert.match(await statusOf(page), /Waist is between 50 and 150 cm; it stays at 74 cm/);
+});
+
+test("the focus goes on from a measurement that was changed", async () => {
+  await page.getByLabel("Waist, cm").fill("75");
+  await page.getByLabel("Waist, cm").press("Tab");
+  await twoFrames(page);
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.key), "hip_m");
+  await undo(page);
 });
 
 test("a garment file whose seam lacks a side is refused, and the page goes on", async () => {

@@ -77,6 +77,8 @@ test("a part is set by numbers", async () => {
   const whole = Number(await field.inputValue());
   await field.fill(String(whole - 10));
   await field.press("Tab");
+  await twoFrames(page);
+  assert.match(await page.evaluate(() => document.activeElement.dataset.key), /^b from /, "the focus goes to the next field");
   const [seam] = (await seams()).slice(-1);
   assert.equal(seam.a.to.edge, 1);
   assert.ok(Math.abs(seam.a.to.at - (whole - 10) / whole) < 1e-3);
