@@ -15,6 +15,14 @@ function keep() {
 /** The address of a fit, for whoever has the same access to the service. */
 export const linkTo = (fit) => `${location.origin}${location.pathname}#${new URLSearchParams({ fit: fit.id })}`;
 
-export function startAddress() {
+/** True if the address names what is shown. */
+function isShown() {
+  const { pattern, fit } = fromAddress();
+  return fit ? fit === state.fit?.id : !pattern || pattern === state.pattern?.id;
+}
+
+/** Keeps the address up to date; `onOther()` is called when a person enters another one. */
+export function startAddress(onOther) {
+  addEventListener("hashchange", () => { if (!isShown()) onOther(); });
   watch(["pattern", "fit"], () => state.pattern && keep());
 }

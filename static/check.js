@@ -41,18 +41,18 @@ async function check(pause = RETRY_MS) {
   clearTimeout(retry);
   const { pattern, garment } = state;
   if (!pattern?.stored || garment.seams.length === 0) {
-    update({ check: null });
+    update({ check: null, checkProblem: null });
     return;
   }
   const { signal } = (checking = new AbortController());
   try {
     const body = { seams: garment.seams, ...(Object.keys(garment.panels).length && { panels: garment.panels }), simulate: garment.simulate };
     const answer = await postJson(`/v1/patterns/${pattern.id}/seams/check`, body, { signal });
-    update({ check: answer });
+    update({ check: answer, checkProblem: null });
     sayVerdict(answer);
   } catch (problem) {
     if (problem.name === "AbortError") return;
-    update({ check: { ok: false, seams: [], corrected: [], problem } });
+    update({ check: null, checkProblem: problem });
     const again = isPassing(problem) ? " It is tried again." : "";
     say(`The seams could not be checked. ${sentence(problem.message)}${again}`, true);
     if (again) retry = setTimeout(check, pause, Math.min(2 * pause, LONGEST_RETRY_MS));
@@ -61,12 +61,14 @@ async function check(pause = RETRY_MS) {
 
 /** Checks whenever seams or faces change. */
 export function startCheck() {
-  let asked = "";
+  let asked = { pattern: null, text: "" };
   watch(["pattern", "garment"], () => {
     const { seams, panels, simulate } = state.garment;
-    const now = JSON.stringify([state.pattern?.id, seams, panels, simulate]);
-    if (now === asked) return;
-    asked = now;
+    const { pattern } = state;
+    const text = JSON.stringify([seams, panels, simulate]);
+    if (pattern === asked.pattern && text === asked.text) return;
+    if (pattern !== asked.pattern) update({ checkProblem: null });
+    asked = { pattern, text };
     check();
   });
 }

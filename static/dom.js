@@ -24,13 +24,70 @@ export const el = (name, attributes = {}, ...children) => fill(document.createEl
 /** An SVG element. */
 export const svg = (name, attributes = {}, ...children) => fill(document.createElementNS(SVG, name), attributes, children);
 
-/** Replaces the children of `parent`; the focus stays on the element with the same `data-key`. */
-export function replaceChildren(parent, ...children) {
-  const focused = parent.contains(document.activeElement) ? document.activeElement.dataset.key : undefined;
-  parent.replaceChildren(...children.flat(Infinity).filter(Boolean));
-  if (focused === undefined) return;
-  parent.querySelector(`[data-key="${CSS.escape(focused)}"]`)?.focus({ preventScroll: true });
+const rowsOf = (parent) => [...parent.querySelectorAll("[data-row]")];
+
+/** The place of the focus in `parent`: key, row and number of the row; null where it is not. */
+function focusIn(parent) {
+  const focused = document.activeElement;
+  if (focused === parent || !parent.contains(focused)) return null;
+  const row = focused.closest("[data-row]");
+  return { key: focused.dataset.key, row: row?.dataset.row, at: rowsOf(parent).indexOf(row) };
 }
+
+/** The element to go on from: the same, else the first of its row or of the row in its place. */
+function successorOf(parent, { key, row, at }) {
+  const same = key !== undefined && parent.querySelector(`[data-key="${CSS.escape(key)}"]:not(:disabled)`);
+  if (same) return same;
+  const rows = rowsOf(parent);
+  const next = rows.find((one) => one.dataset.row === row) ?? rows[Math.min(at, rows.length - 1)] ?? parent;
+  return next.querySelector("[data-key]:not(:disabled)");
+}
+
+/**
+ * Replaces the children of `parent`. A focus in it stays on the element with the same `data-key`;
+ * where that is gone, it goes on in the same `data-row` or its neighbor, and never to the top of
+ * the page.
+ */
+export function replaceChildren(parent, ...children) {
+  const focus = focusIn(parent);
+  parent.replaceChildren(...children.flat(Infinity).filter(Boolean));
+  if (focus === null) return;
+  const successor = successorOf(parent, focus) ?? parent;
+  if (successor === parent) parent.tabIndex = -1;
+  successor.focus({ preventScroll: true });
+}
+
+let edited = null; // the field whose text is typed and not yet taken
+const waiting = new Map(); // host -> what paints it
+
+const isTextField = (target) => target.matches?.("textarea, input:not([type=checkbox], [type=file])");
+
+/** Paints all that waits, once the focus has arrived at the field that it is on its way to. */
+function endEdit() {
+  if (edited === null) return;
+  setTimeout(() => {
+    edited = null;
+    const paints = [...waiting.values()];
+    waiting.clear();
+    for (const paint of paints) paint();
+  });
+}
+
+document.addEventListener("input", ({ target }) => { edited = isTextField(target) ? target : null; });
+document.addEventListener("change", endEdit);
+document.addEventListener("focusout", endEdit);
+
+/** Calls `paint`, which replaces what is in `host`, once no text is being typed there. */
+export function paintWhenFree(host, paint) {
+  if (edited?.isConnected && host.contains(edited)) waiting.set(host, paint);
+  else paint();
+}
+
+/** True if a key that is pressed there writes or chooses. */
+export const isTyping = (target) => Boolean(target.matches?.("input, select, textarea"));
+
+/** True while a dialog is open, which keys are for. */
+export const isDialogOpen = () => document.querySelector("dialog[open]") !== null;
 
 /**
  * Options of a select from `[value, label]` pairs, keeping what was chosen where it still exists.

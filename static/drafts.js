@@ -1,68 +1,82 @@
 /**
  * Drafts: the work of each tab in IndexedDB, so that a reload, a crash or a closed tab lose
- * nothing.
+ * nothing. Work that another pattern takes the place of stays as a draft of its own.
  */
 
 const NAME = "seamster";
 const DRAFTS = "drafts";
 const MOST = 20;
+/** Key under which a tab keeps the name of its draft. */
 const TAB = "seamster.tab";
-/** How long the tab that this one is a copy of may take to let go of its name while it reloads. */
+/** Time for a tab that reloads to let go of its draft, before this one is taken for a copy [ms]. */
 const CLAIM_MS = 400;
 
 let opened = null;
-let tab = null;
+const held = new Set(); // names of drafts that this tab claimed
 
-const settled = (request) => new Promise((done, failed) => {
-  request.onsuccess = () => done(request.result);
-  request.onerror = () => failed(request.error);
-});
-
-function open() {
-  opened ??= new Promise((done, failed) => {
+function connect() {
+  return new Promise((done, failed) => {
     const request = indexedDB.open(NAME, 1);
     request.onupgradeneeded = () => request.result.createObjectStore(DRAFTS, { keyPath: "tab" });
-    request.onsuccess = () => done(request.result);
+    request.onsuccess = () => {
+      request.result.onclose = () => { opened = null; };
+      done(request.result);
+    };
     request.onerror = () => failed(request.error);
   });
-  return opened;
 }
 
+/** The store; one that could not be opened is tried again by the next call. */
+async function open() {
+  opened ??= connect();
+  try {
+    return await opened;
+  } catch (error) {
+    opened = null;
+    throw error;
+  }
+}
+
+/** Result of a request, once all of its transaction is kept. */
 async function inStore(mode, act) {
   const transaction = (await open()).transaction(DRAFTS, mode);
-  const result = settled(act(transaction.objectStore(DRAFTS)));
-  if (mode === "readwrite") transaction.commit?.();
-  return result;
+  const request = act(transaction.objectStore(DRAFTS));
+  return new Promise((done, failed) => {
+    transaction.oncomplete = () => done(request.result);
+    transaction.onabort = () => failed(transaction.error ?? request.error);
+  });
 }
 
-/** A number for this tab that no other has. */
-const freshTab = () => Array.from(crypto.getRandomValues(new Uint32Array(4)), (part) => part.toString(36)).join("");
+/** A name for a draft that no other has. */
+export const freshName = () => Array.from(crypto.getRandomValues(new Uint32Array(4)), (part) => part.toString(36)).join("");
 
 /** True if no other tab holds the name; then this one does until it is closed. */
-function claim(name) {
-  if (!navigator.locks) return Promise.resolve(true);
+function claim(name, options) {
+  if (!navigator.locks || held.has(name)) return Promise.resolve(true);
   return new Promise((done) => {
-    const forever = () => {
+    const forever = (lock) => {
+      if (lock === null) return done(false);
+      held.add(name);
       done(true);
       return new Promise(() => {});
     };
-    navigator.locks.request(`${NAME} ${name}`, { signal: AbortSignal.timeout(CLAIM_MS) }, forever).catch(() => done(false));
+    navigator.locks.request(`${NAME} ${name}`, options, forever).catch(() => done(false));
   });
 }
 
+/** Goes on with a draft: its name, or null where another tab has it open. */
+export const takeOver = async ({ tab }) => (await claim(tab, { ifAvailable: true }) ? tab : null);
+
 /**
- * Names this tab: `{draft, isCopy}`, its draft and whether the tab was duplicated from one that is
- * still open.
+ * The draft that this tab left: `{draft, isCopy}`. A tab that was duplicated from one that is still
+ * open has a copy, whose name stays with the other.
  */
 export async function openDrafts() {
   const known = sessionStorage.getItem(TAB);
-  const isOwn = known !== null && await claim(known);
-  tab = isOwn ? known : freshTab();
-  if (!isOwn) await claim(tab);
-  sessionStorage.setItem(TAB, tab);
-  const draft = known === null ? null : await inStore("readonly", (store) => store.get(known)).catch(() => null);
-  prune();
-  return { draft: draft ?? null, isCopy: known !== null && !isOwn };
+  if (known === null) return { draft: null, isCopy: false };
+  const isOwn = await claim(known, { signal: AbortSignal.timeout(CLAIM_MS) });
+  const draft = await inStore("readonly", (store) => store.get(known)).catch(() => null);
+  return { draft: draft ?? null, isCopy: !isOwn };
 }
 
 /** All drafts, the latest first. */
@@ -78,17 +92,14 @@ async function prune() {
   }
 }
 
-/** Drafts of other tabs. */
-export const otherDrafts = async () => (await allDrafts()).filter((draft) => draft.tab !== tab);
-
-/** Keeps the work of this tab. */
-export async function keepDraft(work) {
-  if (tab === null) return;
-  try {
-    await inStore("readwrite", (store) => store.put({ ...work, tab, at: Date.now() }));
-  } catch {
-    // A full or forbidden store only loses the draft.
+/** Keeps the work of this tab under a name; fails where the browser cannot. */
+export async function keepDraft(name, work) {
+  if (sessionStorage.getItem(TAB) !== name) {
+    sessionStorage.setItem(TAB, name);
+    claim(name, { ifAvailable: true });
+    prune();
   }
+  await inStore("readwrite", (store) => store.put({ ...work, tab: name, at: Date.now() }));
 }
 
 /** Tells other tabs which pattern is open here; `onMet()` is called where one has the same open. */

@@ -6,9 +6,11 @@
 import { call, getJson } from "./api.js";
 import { fromAddress } from "./address.js";
 import { byId, el, replaceChildren } from "./dom.js";
+import { freshName, takeOver } from "./drafts.js";
 import { change } from "./history.js";
 import { keepSeams } from "./kept_seams.js";
 import { openRail } from "./layout.js";
+import { runsOf } from "./outline.js";
 import { plainPattern } from "./panels.js";
 import { say } from "./say.js";
 import { uploadBody } from "./settings.js";
@@ -34,12 +36,17 @@ function greeting({ pattern, garment }) {
 /** True if there is work that another pattern takes the place of. */
 const hasWork = () => state.pattern !== null && state.garment.seams.length > 0;
 
-/** Shows a pattern with a garment; the shown fit goes. What was there can be brought back. */
+/**
+ * Shows a pattern with a garment; the shown fit goes. What was there can be brought back, and stays
+ * as a draft of its own; `said` tells of a pattern that is the same work still.
+ */
 function show(found) {
   const { pattern, garment, reading = { file: null, options: {} }, suggested = {}, offers = [], leftOut = [], numbers = {}, said } = found;
-  const replaced = hasWork() && !said ? ` Undo brings back ${state.pattern.name}.` : "";
+  const isLeft = hasWork() && !said;
+  const replaced = isLeft ? ` Undo brings back ${state.pattern.name}.` : "";
+  const draft = found.draft ?? (isLeft ? null : state.draft) ?? freshName();
   const patch = {
-    pattern, garment, reading, suggested, offers, leftOut, numbers,
+    pattern, garment, reading, suggested, offers, leftOut, numbers, draft,
     picked: null, pickedAt: null, growing: null, tape: null, selected: null, check: null, fit: null, report: null, ran: null,
   };
   if (state.pattern) change(patch, `opening ${pattern.name}`);
@@ -63,8 +70,9 @@ async function load(work) {
   say("Reading…");
   try {
     const found = await work();
-    if (mine === loads) show(found);
-    return mine === loads;
+    if (mine !== loads || !found) return false;
+    show(found);
+    return true;
   } catch (problem) {
     if (mine !== loads) return false;
     replaceChildren(byId("pattern-faults"), problemItems(problem));
@@ -87,6 +95,10 @@ export async function readAgain(options) {
   if (!file) return;
   await load(async () => {
     const pattern = await upload(file, options);
+    if (state.pattern !== before) {
+      say(`${before.name} was not read again, because another pattern is shown now.`);
+      return null;
+    }
     const { garment, lost } = keepSeams(state.garment, before, pattern);
     const found = { pattern, garment, reading: { file, options }, leftOut: state.leftOut, suggested: state.suggested, numbers: state.numbers };
     if (garment.seams.length === 0 && lost.length === 0) return { ...found, garment: { ...garment, seams: pattern.seams ?? [] } };
@@ -132,12 +144,26 @@ function parsed(text, name) {
   }
 }
 
+const isPlace = (place) => typeof place === "number" || (typeof place === "object" && place !== null);
+
+const isSide = (side) => runsOf(side).length > 0
+  && runsOf(side).every((run) => typeof run?.panel === "string" && isPlace(run.from) && isPlace(run.to));
+
+/** Refuses a garment whose seams the page cannot show. */
+function refuseBroken(saved, name) {
+  if (!Array.isArray(saved?.seams)) throw new Error(`${name} is not a garment file: it has no list of seams.`);
+  const at = saved.seams.findIndex((seam) => typeof seam?.id !== "string" || !isSide(seam.a) || !isSide(seam.b));
+  if (at < 0) return;
+  const title = typeof saved.seams[at]?.id === "string" ? `seam ${saved.seams[at].id}` : `seam ${at + 1}`;
+  throw new Error(`${name}: ${title} is not complete. A seam has an id and two sides, a and b, and each side has panel, from and to.`);
+}
+
 async function openGarment(file) {
   let asksForSeams = false;
   const shown = await load(async () => {
     const saved = parsed(await file.text(), file.name);
     asksForSeams = saved?.seams === "suggest";
-    if (!asksForSeams && !Array.isArray(saved?.seams)) throw new Error(`${file.name} is not a garment file: it has no list of seams.`);
+    if (!asksForSeams) refuseBroken(saved, file.name);
     return { ...(await patternOf(saved)), garment: garmentFrom(saved) };
   });
   if (shown && asksForSeams) await suggest();
@@ -160,11 +186,22 @@ export async function openFile(file) {
   else await openPattern(file);
 }
 
+/** The pattern of a draft, from its file where the service has it no longer. */
+async function patternOfDraft({ pattern, patternId, reading }) {
+  try {
+    return (await patternOf({ pattern: pattern ?? patternId })).pattern;
+  } catch (problem) {
+    if (problem.status !== 404 || !reading?.file) throw problem;
+    return upload(reading.file, reading.options);
+  }
+}
+
 /** Opens work as a draft keeps it; with `fit` that fit is shown beside it, by `showFit`. */
 export async function openDraft(draft, showFit) {
   const shown = await load(async () => {
-    const { pattern } = await patternOf({ pattern: draft.pattern ?? draft.patternId });
-    return { pattern, reading: draft.reading, garment: garmentFrom(draft.garment), suggested: draft.suggested, offers: draft.offers, leftOut: draft.leftOut, numbers: draft.numbers };
+    const [pattern, name] = [await patternOfDraft(draft), await takeOver(draft)];
+    const { reading, suggested, offers, leftOut, numbers } = draft;
+    return { pattern, reading, garment: garmentFrom(draft.garment), suggested, offers, leftOut, numbers, draft: name };
   });
   if (shown && draft.fit) await showFit(draft.fit, draft.ran);
 }

@@ -19,12 +19,20 @@ const LONGEST_RETRY_MS = 8000;
 /** Failures in a row after which a person is told. */
 const TELL_AFTER = 2;
 
-let watching = null;
+let watching = null; // {controller, pattern} of the fit that is shown, with the pattern it is of
 let submitting = false;
 
 const fitPath = (id) => `/v1/fits/${encodeURIComponent(id)}`;
 
 const pause = (ms) => new Promise((done) => { setTimeout(done, ms); });
+
+/** Ends the showing of an earlier fit, whose late answers are dropped; the signal of the next. */
+function begin() {
+  watching?.controller.abort();
+  watching = { controller: new AbortController(), pattern: state.pattern };
+  byId("fit-faults").replaceChildren();
+  return watching.controller.signal;
+}
 
 const isRunning = () => state.fit !== null && !FINAL.has(state.fit.status);
 
@@ -48,7 +56,8 @@ async function followOnce(id, lastId, signal, onEvent) {
       last = event.id ?? last;
       onEvent();
       if (event.type === "progress") showProgress(event.data);
-      if (event.type === "status" && event.data.status === "running") update({ fit: { ...state.fit, status: "running" } });
+      const isRunningNow = event.type === "status" && event.data.status === "running";
+      if (isRunningNow && state.fit?.id === id) update({ fit: { ...state.fit, status: "running" } });
     }
   } catch (error) {
     if (error.name === "AbortError" || (error.status >= 400 && error.status < 500)) throw error;
@@ -91,7 +100,7 @@ function showFaults(problem) {
   say(problem.faults?.[0]?.detail ?? problem.message, true);
 }
 
-/** Why a fit failed, but for what the report says. */
+/** Tells the reason of a failed fit, but for what the report says. */
 function showError(fit, report) {
   if (fit.status !== "failed" || !fit.error) return;
   const faults = fit.error.errors ?? [];
@@ -100,11 +109,12 @@ function showError(fit, report) {
 }
 
 /** The result of a fit that ended; a failed one may still have its best shape. */
-async function showResult(fit) {
-  const report = await getJson(`${fitPath(fit.id)}/report`).catch((problem) => {
+async function showResult(fit, signal) {
+  const report = await getJson(`${fitPath(fit.id)}/report`, { signal }).catch((problem) => {
     if (problem.status !== 404 && problem.status !== 409) throw problem;
     return null;
   });
+  signal.throwIfAborted();
   showError(fit, report);
   update({ report });
   if (!report) {
@@ -113,25 +123,24 @@ async function showResult(fit) {
   }
   say(verdictText(report, fit.status), verdictOf(report, fit.status).good ? "good" : "bad");
   // The saved garment says which limbs its body has; a body of one's own it has whole.
-  const { avatar } = await getJson(`${fitPath(fit.id)}/garment`);
+  const { avatar } = await getJson(`${fitPath(fit.id)}/garment`, { signal });
+  signal.throwIfAborted();
   const shown = avatar?.body ? state.garment.avatar : avatar;
-  await showOutcome(fit.id, shown, report.intersections ?? []);
+  await showOutcome(fit.id, shown, { places: report.intersections ?? [], signal });
 }
 
-async function watchFit(fit) {
-  watching?.abort();
-  const { signal } = (watching = new AbortController());
+async function watchFit(fit, signal) {
   update({ fit, report: null });
-  byId("fit-faults").replaceChildren();
   byId("progress-bar").removeAttribute("value");
   byId("progress-stage").textContent = "Waiting for a worker";
   byId("progress-figures").textContent = "";
   try {
     const done = FINAL.has(fit.status) ? fit : await follow(fit.id, signal);
+    signal.throwIfAborted();
     update({ fit: done });
-    await showResult(done);
+    await showResult(done, signal);
   } catch (problem) {
-    if (problem.name === "AbortError") return;
+    if (signal.aborted) return;
     // The address keeps the fit: a reload looks again.
     update({ fit: isRunning() && problem.status >= 400 ? null : state.fit });
     showFaults(problem);
@@ -143,34 +152,42 @@ async function run() {
   submitting = true;
   byId("fit-faults").replaceChildren();
   const ran = asText();
+  const { pattern } = state;
   try {
     const fit = await postJson("/v1/fits", garmentToSend());
+    if (state.pattern !== pattern) {
+      say(`${pattern.name} is being sewn: Open lists it among earlier fits.`);
+      return;
+    }
+    const signal = begin();
     update({ ran });
     say("The garment is being sewn. You can go on with the pattern meanwhile.");
-    watchFit(fit);
+    watchFit(fit, signal);
   } catch (problem) {
-    showFaults(problem);
+    if (state.pattern === pattern) showFaults(problem);
   } finally {
     submitting = false;
   }
 }
 
 async function cancel() {
+  const { id } = state.fit;
   byId("progress-stage").textContent = "Stopping";
   try {
-    await call(fitPath(state.fit.id), { method: "DELETE" });
+    await call(fitPath(id), { method: "DELETE" });
   } catch (problem) {
-    showFaults(problem);
+    if (state.fit?.id === id) showFaults(problem);
   }
 }
 
-/** What a result depends on. */
+/** All that a result depends on, as text. */
 const asText = () => JSON.stringify([state.pattern?.id, state.garment, leftOut()]);
 
 function hint(running) {
   if (!state.pattern) return "Choose a pattern first.";
   if (state.garment.seams.length === 0) return "Pick at least one seam first.";
   if (state.check?.ok === false) return "Put the seams marked ✗ right first.";
+  if (state.checkProblem) return "The seams could not be checked: sewing tells if they can be sewn.";
   if (state.report && !running && state.ran !== asText()) return "Changed since this result. Sew again to see the change.";
   return "";
 }
@@ -204,9 +221,9 @@ function drawReport() {
 }
 
 async function download(what) {
-  const name = what.startsWith("mesh.") ? what.slice(4) : `.${what}.json`;
+  const name = fileStem() + (what.startsWith("mesh.") ? what.slice(4) : `.${what}.json`);
   try {
-    save(await (await call(`${fitPath(state.fit.id)}/${what}`)).blob(), fileStem() + name);
+    save(await (await call(`${fitPath(state.fit.id)}/${what}`)).blob(), name);
   } catch (problem) {
     showFaults(problem);
   }
@@ -217,12 +234,14 @@ async function download(what) {
  * the one shown.
  */
 export async function showFit(id, ran) {
+  const signal = begin();
   try {
-    const fit = await getJson(fitPath(id));
+    const fit = await getJson(fitPath(id), { signal });
+    signal.throwIfAborted();
     update({ ran: ran ?? asText() });
-    await watchFit(fit);
+    await watchFit(fit, signal);
   } catch (problem) {
-    showFaults(problem);
+    if (!signal.aborted) showFaults(problem);
   }
 }
 
@@ -236,7 +255,7 @@ async function copyLink() {
   }
 }
 
-/** What the shape on the stage is, where it is not simply the result. */
+/** Words for the shape on the stage, where it is not simply the result. */
 function captionText() {
   const { shape, fit, report } = state;
   if (shape === null) return "";
@@ -260,11 +279,11 @@ export function startFit() {
   }
   watch(["pattern"], () => {
     // Another pattern was opened: the fit goes on, but neither it nor its faults are shown.
-    if (state.fit) return;
-    watching?.abort();
+    if (state.fit || watching?.pattern === state.pattern) return;
+    watching?.controller.abort();
     byId("fit-faults").replaceChildren();
   });
-  watch(["pattern", "garment", "check", "fit", "report", "ran"], drawRun);
+  watch(["pattern", "garment", "check", "checkProblem", "fit", "report", "ran"], drawRun);
   watch(["fit", "report"], drawReport);
   watch(["shape", "fit", "report", "garment", "ran", "leftOut"], drawCaption);
 }

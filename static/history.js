@@ -7,15 +7,22 @@ import { byId } from "./dom.js";
 import { state, update, watch } from "./state.js";
 
 const DEPTH = 200;
-/** What is brought back. */
-const KEPT = ["pattern", "reading", "garment", "suggested", "offers", "leftOut", "numbers"];
+/** Parts of the state that are brought back. */
+const KEPT = ["pattern", "reading", "garment", "suggested", "offers", "leftOut", "numbers", "draft"];
 
 const past = [];
 const future = [];
 let reopen = () => {};
+let awaited = { pattern: null, fit: null }; // the fit of a pattern that came back, while it is fetched
+
+/** The fit that belongs to the pattern, as `{id, ran}`, or null. */
+function fitNow() {
+  if (state.fit) return { id: state.fit.id, ran: state.ran };
+  return awaited.pattern === state.pattern ? awaited.fit : null;
+}
 
 const snapshot = (words) => ({
-  words, fit: state.fit, ran: state.ran,
+  words, fit: fitNow(),
   ...Object.fromEntries(KEPT.map((name) => [name, state[name]])),
 });
 
@@ -42,11 +49,12 @@ function step(from, to) {
   const target = from.pop();
   if (!target) return null;
   to.push(snapshot(target.words));
-  const { words, fit, ran, ...kept } = target;
+  const { words, fit, ...kept } = target;
   const isOther = kept.pattern !== state.pattern;
   update({ ...kept, picked: null, selected: null, ...(isOther && { check: null, fit: null, report: null, ran: null }) });
   tell();
-  if (isOther && fit) reopen(fit.id, ran);
+  if (isOther) awaited = { pattern: kept.pattern, fit };
+  if (isOther && fit) reopen(fit.id, fit.ran);
   return words;
 }
 

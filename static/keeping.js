@@ -1,15 +1,18 @@
 /** Keeps the work of this tab, and tells where another tab works on the same pattern. */
 
-import { announce, keepDraft, openDrafts, otherDrafts } from "./drafts.js";
+import { allDrafts, announce, keepDraft, openDrafts } from "./drafts.js";
 import { fromAddress } from "./address.js";
-import { say } from "./say.js";
+import { act, say } from "./say.js";
 import { state, watch } from "./state.js";
 
 const COPY = "This tab is a copy of another one. Each keeps its own work from here on.";
 const ELSEWHERE = "This pattern is open in another tab too. Each tab keeps its own work; Open lists both.";
 const OTHER_WORK = "There is other work on this pattern from another tab: Open lists it.";
+const NOT_KEPT = "This browser cannot keep the work of this tab: save the garment before you close it.";
 
-/** What of the state a draft keeps; the pattern itself only where the service does not hold it. */
+let isToldNotKept = false;
+
+/** The state that a draft keeps; the pattern itself only where the service does not hold it. */
 function work() {
   const { pattern, reading, garment, suggested, offers, leftOut, numbers, ran, fit } = state;
   return {
@@ -18,22 +21,39 @@ function work() {
   };
 }
 
+async function keep() {
+  if (!state.pattern) return;
+  try {
+    await keepDraft(state.draft, work());
+  } catch {
+    // The verdict of a check that comes next is added to it.
+    if (!isToldNotKept) act(NOT_KEPT);
+    isToldNotKept = true;
+  }
+}
+
 /**
- * Opens the drafts and keeps this tab's from now on: `{draft, notice}`, what it left and what to
- * tell.
+ * Opens the drafts and keeps this tab's from now on: `{draft, notice}`, the work that it left and a
+ * function for the words to say about other work; null where there are none.
  */
 export async function startKeeping() {
   const { draft, isCopy } = await openDrafts();
   const { pattern } = fromAddress();
   const isOther = pattern && draft?.patternId !== pattern;
-  const others = isOther ? (await otherDrafts()).filter((one) => one.patternId === pattern && one.garment.seams.length > 0) : [];
-  watch(["pattern", "garment", "suggested", "offers", "leftOut", "ran", "fit"], () => state.pattern && keepDraft(work()));
-  const tell = announce(() => say(ELSEWHERE));
+  const others = isOther ? (await allDrafts()).filter((one) => one.patternId === pattern && one.garment.seams.length > 0) : [];
+  watch(["pattern", "garment", "suggested", "offers", "leftOut", "ran", "fit"], keep);
+  let isElsewhere = false;
+  const tell = announce(() => {
+    isElsewhere = true;
+    say(ELSEWHERE);
+  });
   let told = null;
   watch(["pattern"], () => {
     const id = state.pattern?.id ?? null;
     if (id !== told) tell(id);
     told = id;
   });
-  return { draft, notice: isCopy ? COPY : others.length ? OTHER_WORK : null };
+  // A tab that answered has said more than that there is other work.
+  const notice = () => (isCopy ? COPY : others.length > 0 && !isElsewhere ? OTHER_WORK : null);
+  return { draft, notice };
 }

@@ -3,9 +3,10 @@
  * match.
  */
 
+import { sourceOf } from "./mirrored.js";
 import { runsOf } from "./outline.js";
 
-/** How far the share of an edge in its panel's outline may differ. */
+/** Largest difference of an edge's share in the outline of its panel. */
 const SHARE = 0.12;
 
 const totalOf = (panel) => panel.edges.reduce((sum, edge) => sum + edge.length_m, 0);
@@ -16,8 +17,6 @@ function matches(before, now) {
   const [old, fresh] = [totalOf(before), totalOf(now)];
   return before.edges.every((edge, i) => Math.abs(edge.length_m / old - now.edges[i].length_m / fresh) < SHARE);
 }
-
-const plainId = (id) => id.replace(/~mirror$/, "");
 
 /** Ids of the panels of `before` whose edges are the same in `now`. */
 function matchingIds(before, now) {
@@ -31,11 +30,11 @@ function matchingIds(before, now) {
  */
 export function keepSeams(garment, before, now) {
   const same = matchingIds(before, now);
-  const stays = (id) => same.has(plainId(id));
+  const stays = (id) => same.has(sourceOf(id));
   const isKept = (seam) => [...runsOf(seam.a), ...runsOf(seam.b)].every((run) => stays(run.panel));
   const seams = garment.seams.filter(isKept);
   const ids = new Set(now.panels.map((panel) => panel.id));
-  const panels = Object.fromEntries(Object.entries(garment.panels).filter(([id]) => ids.has(plainId(id))));
+  const panels = Object.fromEntries(Object.entries(garment.panels).filter(([id]) => ids.has(sourceOf(id))));
   const kept = { ...garment, seams, panels };
   if (garment.pins) kept.pins = garment.pins.filter((pin) => stays(pin.panel));
   return { garment: kept, lost: garment.seams.filter((seam) => !isKept(seam)).map((seam) => seam.id) };

@@ -1,6 +1,6 @@
 /** Rail, splitter, drawer and full screen: what is shown, kept for the next visit. */
 
-import { byId } from "./dom.js";
+import { byId, isDialogOpen, isTyping } from "./dom.js";
 import { state, update, watch } from "./state.js";
 
 const STORE = "seamster.layout";
@@ -19,9 +19,10 @@ function kept() {
   }
 }
 
+/** Keeps the layout; the rail as it is in a wide window, since a narrow one folds it anyway. */
 function keep({ split, rail }) {
   try {
-    localStorage.setItem(STORE, JSON.stringify({ split, rail }));
+    localStorage.setItem(STORE, JSON.stringify({ split, rail: isNarrow() ? kept().rail : rail }));
   } catch {
     // Without a store the layout is the usual one next time.
   }
@@ -30,7 +31,7 @@ function keep({ split, rail }) {
 const change = (patch) => update({ layout: { ...state.layout, ...patch } });
 
 /** Opens one of the drawer's pages, `seams` or `report`. */
-export const openDrawer = (page) => change({ drawer: page });
+const openDrawer = (page) => change({ drawer: page });
 
 /** Opens the rail. */
 export const openRail = () => change({ rail: true });
@@ -91,10 +92,13 @@ const KEYS = { 2: () => toggleFull("pattern"), 3: () => toggleFull("garment"), b
 
 function startKeys() {
   document.addEventListener("keydown", (event) => {
-    const typing = event.target.matches?.("input, select, textarea");
-    if (typing || event.ctrlKey || event.metaKey || event.altKey || document.querySelector("dialog[open]")) return;
-    if (event.key === "Escape" && isNarrow() && state.layout.rail) toggleRail();
-    KEYS[event.key]?.();
+    if (event.key !== "Escape" || isTyping(event.target) || isDialogOpen()) return;
+    if (isNarrow() && state.layout.rail) toggleRail();
+  });
+  // Letters are keys in the work alone: those who speak to the page may say any anywhere else.
+  byId("work").addEventListener("keydown", (event) => {
+    if (isTyping(event.target) || event.ctrlKey || event.metaKey || event.altKey || isDialogOpen()) return;
+    KEYS[event.key.toLowerCase()]?.();
   });
 }
 
@@ -113,7 +117,7 @@ export function startLayout() {
   startKeys();
   let narrow = isNarrow();
   addEventListener("resize", () => {
-    if (isNarrow() !== narrow) change({ rail: !isNarrow() });
+    if (isNarrow() !== narrow) change({ rail: !isNarrow() && (kept().rail ?? true) });
     narrow = isNarrow();
   });
   watch(["layout"], apply);

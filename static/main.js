@@ -11,13 +11,14 @@ import { startHistory } from "./history.js";
 import { startKeeping } from "./keeping.js";
 import { startLayout } from "./layout.js";
 import { startPanelList } from "./panel_list.js";
-import { letGo, select, selectSeam, startPicking } from "./picking.js";
+import { select, selectSeam, startPicking } from "./picking.js";
 import { say } from "./say.js";
 import { startReading } from "./reading.js";
 import { startRecent } from "./recent.js";
 import { startSeamList } from "./seam_list.js";
 import { loadFabrics, startSettings } from "./settings.js";
-import { fitPanelById, startSheet } from "./sheet/sheet.js";
+import { fitPanelById } from "./sheet/moving.js";
+import { startSheet } from "./sheet/sheet.js";
 import { startStage } from "./stage.js";
 import { startSuggest } from "./suggest.js";
 import { startToken } from "./token.js";
@@ -29,19 +30,19 @@ startReading();
 startRecent(showFit);
 startSettings();
 startPanelList(fitPanelById);
-startSheet({ select, selectSeam, letGo });
+startSheet({ select, selectSeam });
 startPicking();
 startCheck();
 startSeamList();
 startSuggest();
 startStage();
 startFit();
-startAddress();
+startAddress(() => openFromAddress(null, showFit));
 
 try {
   const { draft, notice } = await startKeeping();
   await Promise.all([loadFabrics(), openFromAddress(draft, showFit)]);
-  if (notice) say(notice);
+  if (notice() !== null) say(notice());
 } catch (problem) {
   say(problem.message, true);
 }

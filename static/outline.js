@@ -7,7 +7,7 @@ export const runsOf = (side) => (Array.isArray(side) ? side : [side]);
 export const outwards = (panel) => (panel.copy_of ? -1 : 1);
 
 /**
- * Where a place lies on the outline: edge index plus fraction; null for holes and internal lines.
+ * Position of a place on the outline: edge index plus fraction; null for holes and internal lines.
  */
 function position(panel, place) {
   if (typeof place === "number") return place < panel.corners.length ? place : null;

@@ -5,15 +5,15 @@
 
 import { byId, el, replaceChildren, svg } from "./dom.js";
 import { change, changeGarment } from "./history.js";
+import { isMirrorId, mirrorOf } from "./mirrored.js";
 import { runsOf } from "./outline.js";
 import { forgetCopies, leftOut, panelsShown, titleOf } from "./panels.js";
 import { act } from "./say.js";
-import { allFabrics } from "./settings.js";
+import { allFabrics, fabricOptions } from "./settings.js";
 import { boxOf } from "./sheet/arrangement.js";
 import { state, update, watch } from "./state.js";
 import { plural } from "./words.js";
 
-const MIRROR = "~mirror";
 const PICTURE = 30;
 
 const open = new Set(); // ids of the panels whose settings are shown
@@ -24,7 +24,7 @@ function setPanel(id, patch, words) {
   const panel = { ...state.garment.panels[id], ...patch };
   for (const [field, value] of Object.entries(panel)) if (value === "" || value === "auto") delete panel[field];
   const panels = { ...state.garment.panels, [id]: panel };
-  if (Object.keys(panel).length === 0 && !id.endsWith(MIRROR)) delete panels[id];
+  if (Object.keys(panel).length === 0 && !isMirrorId(id)) delete panels[id];
   changeGarment({ panels }, words);
 }
 
@@ -80,22 +80,21 @@ function takeIn(panel) {
   act(`${titleOf(panel)} is sewn with the others.`);
 }
 
-const button = (panel, what, act) =>
-  el("button", { type: "button", class: "small", "data-key": `${what} ${panel.id}`, "aria-label": `${what}: ${titleOf(panel)}`, onclick: act }, what);
+const button = (panel, what, act, key = what) =>
+  el("button", { type: "button", class: "small", "data-key": `${key} ${panel.id}`, "aria-label": `${what}: ${titleOf(panel)}`, onclick: act }, what);
 
 function actions(panel, spare, hasCopy) {
-  const copy = panel.id.endsWith(MIRROR)
+  const copy = isMirrorId(panel.id)
     ? button(panel, "Take away", () => removeCopy(panel))
-    : !panel.copy_of && !panel.unfolded && !hasCopy && button(panel, "Mirrored copy", () => setPanel(panel.id + MIRROR, {}, `a mirrored copy of ${titleOf(panel)}`));
+    : !panel.copy_of && !panel.unfolded && !hasCopy && button(panel, "Mirrored copy", () => setPanel(mirrorOf(panel.id), {}, `a mirrored copy of ${titleOf(panel)}`));
   return el("div", { class: "actions" },
     button(panel, "Show", () => fit(panel.id)),
     button(panel, "Flip", () => flip(panel)),
     copy,
-    !panel.id.endsWith(MIRROR) && (spare ? button(panel, "Take in", () => takeIn(panel)) : button(panel, "Leave out", () => leaveOut(panel))));
+    !isMirrorId(panel.id) && (spare ? button(panel, "Take in", () => takeIn(panel), "in or out") : button(panel, "Leave out", () => leaveOut(panel), "in or out")));
 }
 
 function row(panel, { spare, ids }) {
-  const fabrics = Object.entries(allFabrics()).map(([id, fabric]) => [id, fabric.name ?? id]);
   const own = allFabrics()[state.garment.panels[panel.id]?.fabric]?.name;
   const found = state.check?.faces?.[panel.id];
   const toggle = (event) => (event.target.open ? open.add(panel.id) : open.delete(panel.id));
@@ -104,12 +103,12 @@ function row(panel, { spare, ids }) {
     el("summary", { "data-key": `panel ${panel.id}`, onfocus: point(panel.id), onblur: point(null) },
       picture(panel), el("span", { class: "name" }, titleOf(panel)),
       (spare || own) && el("small", {}, spare ? "left out" : own)),
-    choice(panel, "fabric", "Fabric", [["", "As all"], ...fabrics]),
+    choice(panel, "fabric", "Fabric", [["", "As all"], ...fabricOptions()]),
     choice(panel, "face", "Face", [["auto", found ? `Found: ${found}` : "Found"], ["up", "Up"], ["down", "Down"]]),
-    actions(panel, spare, ids.has(panel.id + MIRROR)));
+    actions(panel, spare, ids.has(mirrorOf(panel.id))));
 }
 
-/** What the list shows, as text, to draw it only when that changes. */
+/** All that the list shows, as text, to draw it only when that changes. */
 const contents = (panels, spare) =>
   JSON.stringify([panels.map((panel) => panel.id), [...spare], state.garment.panels, state.check?.faces, Object.keys(allFabrics())]);
 

@@ -3,13 +3,9 @@
  * stay out.
  */
 
+import { mirrorOf, sourceOf } from "./mirrored.js";
 import { runsOf } from "./outline.js";
 import { state } from "./state.js";
-
-const MIRROR = "~mirror";
-
-/** The id of the panel that is drawn: its own, or that of the source of a mirrored copy. */
-export const sourceOf = (id) => (id.endsWith(MIRROR) ? id.slice(0, -MIRROR.length) : id);
 
 /** A panel's name; a mirrored copy has that of its source. */
 export const titleOf = (panel) => (panel.copy_of ? `${panel.name}, mirrored` : panel.name);
@@ -26,7 +22,7 @@ function mirrored(panel) {
   const corners = (all) => all.map((corner) => ({ ...corner, x: 0 - corner.x }));
   const hole = (one) => ({ corners: corners(one.corners), edges: edges(one.edges) });
   return {
-    ...panel, id: panel.id + MIRROR, copy_of: panel.id, quantity: null,
+    ...panel, id: mirrorOf(panel.id), copy_of: panel.id, quantity: null,
     corners: corners(panel.corners), edges: edges(panel.edges), holes: (panel.holes ?? []).map(hole),
     cut_line: line(panel.cut_line), drill_holes: line(panel.drill_holes), internal_lines: (panel.internal_lines ?? []).map(line),
     grain: panel.grain && { angle_deg: (360 - panel.grain.angle_deg) % 180 },
@@ -52,7 +48,7 @@ export function panelsShown() {
   if (shown.garment !== garment) {
     const named = namedIds(garment);
     const there = new Set(shown.panels.map((panel) => panel.id));
-    const missing = pattern.panels.filter(({ id, copy_of: copy }) => !copy && named.has(id + MIRROR) && !there.has(id + MIRROR));
+    const missing = pattern.panels.filter(({ id, copy_of: copy }) => !copy && named.has(mirrorOf(id)) && !there.has(mirrorOf(id)));
     shown = { pattern, garment, panels: missing.length ? [...shown.panels, ...missing.map(mirrored)] : shown.panels };
   }
   return shown.panels;

@@ -1,6 +1,6 @@
 /** Two picked sides become a seam: one way in for pointer and keyboard. */
 
-import { byId } from "./dom.js";
+import { byId, isDialogOpen, isTyping } from "./dom.js";
 import { redo, undo } from "./history.js";
 import { edgesOf, lengthOfSide, runsOf } from "./outline.js";
 import { forgetCopies, panelOf, panelsShown } from "./panels.js";
@@ -18,7 +18,7 @@ function travel(move, verb) {
   if (words !== null) act(`${verb}: ${words}.`);
 }
 
-export function letGo() {
+function letGo() {
   if (!state.picked) return;
   update({ picked: null, pickedAt: null });
   say("Let go. Pick the first edge of a seam.");
@@ -103,11 +103,10 @@ export function selectSeam(id) {
   update({ selected: state.selected === id ? null : id, picked: null, pickedAt: null, growing: null });
 }
 
-const isTyping = (target) => target.matches?.("input, select, textarea");
-
 function onKey(event) {
+  if (isDialogOpen()) return;
   if (event.key === "Escape") letGo();
-  if (isTyping(event.target) || document.querySelector("dialog[open]")) return;
+  if (isTyping(event.target)) return;
   const key = event.key.toLowerCase();
   if ((key === "delete" || key === "backspace") && state.selected !== null) {
     event.preventDefault();
@@ -125,11 +124,13 @@ function onKey(event) {
 /** Numbers of seams by id: a seam keeps its number and color whatever comes and goes. */
 function numberSeams() {
   const { numbers, garment } = state;
-  const fresh = garment.seams.filter((seam) => numbers[seam.id] === undefined);
-  if (fresh.length === 0) return;
-  const used = garment.seams.map((seam) => numbers[seam.id] ?? 0);
-  const first = Math.max(0, ...used) + 1;
-  update({ numbers: { ...numbers, ...Object.fromEntries(fresh.map((seam, i) => [seam.id, first + i])) } });
+  const ids = garment.seams.map((seam) => seam.id);
+  const known = ids.filter((id) => Object.hasOwn(numbers, id)).map((id) => [id, numbers[id]]);
+  const fresh = ids.filter((id) => !Object.hasOwn(numbers, id));
+  if (fresh.length === 0 && known.length === Object.keys(numbers).length) return;
+  const first = Math.max(0, ...known.map(([, number]) => number)) + 1;
+  // A deleted seam takes its number along: another may have its id later.
+  update({ numbers: Object.fromEntries([...known, ...fresh.map((id, i) => [id, first + i])]) });
 }
 
 export function startPicking() {

@@ -1,4 +1,4 @@
-/** What the pattern is and how its file was read, with a field for each way to read it anew. */
+/** Facts of the pattern and of the reading of its file, with fields to read it in another way. */
 
 import { byId, el, replaceChildren, setOptions } from "./dom.js";
 import { openFile, openSample, readAgain, saveGarment } from "./files.js";

@@ -4,7 +4,7 @@
  */
 
 import { getJson } from "./api.js";
-import { byId, el, replaceChildren } from "./dom.js";
+import { byId, el, isDialogOpen, replaceChildren } from "./dom.js";
 import { allDrafts } from "./drafts.js";
 import { openDraft, openFit, openSample } from "./files.js";
 import { plural } from "./words.js";
@@ -65,7 +65,7 @@ export function startRecent(onFit) {
     });
   }
   document.addEventListener("keydown", (event) => {
-    if (!(event.ctrlKey || event.metaKey) || event.key !== "o" || document.querySelector("dialog[open]")) return;
+    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "o" || isDialogOpen()) return;
     event.preventDefault();
     show();
   });

@@ -9,7 +9,7 @@ const finding = (kind, text) => el("li", { class: kind }, el("span", {}, makersT
 const CLOSED_M = 1e-3;
 const INSIDE_M = 1e-3;
 
-/** Why it stopped, with the residual unless that is said already. */
+/** The reason for its stop, with the residual unless that is said already. */
 function reason(report) {
   const why = sentence(report.why || "Stopped");
   return why.includes("r = ") ? why : `${why} Residual ${scientific(report.residual)}.`;
@@ -32,7 +32,7 @@ function closing(report) {
 function inside(report) {
   const depth = report.penetration_max_m;
   if (!Number.isFinite(depth)) return finding("bad", "How deep cloth is inside the body is not known.");
-  // Where crossings are counted, that says it.
+  // Counted crossings say it already.
   if (depth <= 0) return report.body_intersections == null ? finding("good", "No cloth is inside the body.") : null;
   return finding(depth < INSIDE_M ? "good" : "bad", `The deepest cloth is ${distance(depth)} inside the body.`);
 }
@@ -68,7 +68,7 @@ function crossings(report) {
   return items;
 }
 
-/** The verdict in a sentence, and whether it is a good one. */
+/** The verdict in a sentence, with `good` for a good one. */
 export function verdictOf(report, status) {
   if (!report.converged) {
     return { good: false, text: status === "canceled" ? "Stopped before it came to rest." : "The garment did not come to rest." };
@@ -86,7 +86,7 @@ export function verdictText(report, status) {
   return because && report.converged ? `${text} ${sentence(because)}` : text;
 }
 
-/** How the body carries the garment, where that is judged. */
+/** The way the body carries the garment, if that is judged. */
 function support(worn) {
   const sentence = (text) => text.replace(/[^.]$/, "$&.");
   if (worn.ok === null) return finding("plain", sentence(`Worn: ${worn.because}`));

@@ -22,8 +22,11 @@ export const runName = (run) => `${panelName(run.panel)} ${placeName(run.from)} 
 /** The runs of a side, one after the other. */
 export const sideName = (side) => runsOf(side).map(runName).join(", ");
 
-/** The way of a run as it is drawn: on a mirrored copy the numbers run the other way round. */
+/** A way along a panel as it is drawn: on a mirrored copy the numbers run the other way round. */
+export const drawnWay = (panel, way) => ((way === "ccw") === !panel?.copy_of ? "counter-clockwise" : "clockwise");
+
+/** The way of a run as it is drawn. */
 export function clockwise(run) {
   const panel = panelOf(run.panel);
-  return (wayOf(panel, run) === "ccw") === !panel.copy_of ? "counter-clockwise" : "clockwise";
+  return drawnWay(panel, wayOf(panel, run));
 }

@@ -5,7 +5,7 @@
 import { el } from "./dom.js";
 import { edgesOf, lengthOf, lengthOfSide, runsOf, wayOf } from "./outline.js";
 import { panelOf, panelsShown } from "./panels.js";
-import { sideName } from "./run_names.js";
+import { drawnWay, sideName } from "./run_names.js";
 import { act } from "./say.js";
 import { changeSeam, changeSeams, renameSeam } from "./seams.js";
 import { state } from "./state.js";
@@ -21,7 +21,7 @@ function isHopeless(seam) {
   return a > 0 && b > 0 && Math.abs(a - b) / Math.min(a, b) > HOPELESS;
 }
 
-/** What the service would have instead, where that differs. */
+/** The seam that the service would have instead, if that differs. */
 function correctionOf(seam) {
   if (isHopeless(seam)) return null;
   const other = state.check?.corrected.find((one) => one.id === seam.id);
@@ -63,7 +63,7 @@ function placeAlong({ edge, length }, at) {
   return { edge: edge.index, at: Number((at / length).toFixed(4)) };
 }
 
-/** Which part of its edge a side takes, in centimeters from the first corner. */
+/** Fields for the part of its edge that a side takes, in centimeters from the first corner. */
 function partFields(seam, side, title) {
   const found = stretchOf(seam[side]);
   if (!found) return null;
@@ -136,16 +136,17 @@ function options(seam) {
     checkbox(seam, "allow_twist", "Twist on purpose"));
 }
 
-/** How sure the service is of a seam that it suggested, and why. */
+/** The confidence of the service in a seam that it suggested, with the reason. */
 function reason(seam) {
   const found = suggestionOf(seam);
   return found && el("p", { class: "note" }, `Suggested, ${percent(found.confidence)} sure: ${sentence(found.because)}`);
 }
 
-const WAYS = { cw: "clockwise", ccw: "counter-clockwise" };
+/** The way of a side in words, by what the check says of its numbers. */
+const wayText = (side, way) => (way ? drawnWay(panelOf(runsOf(side)[0].panel), way) : "either way");
 
 export function seamDetails(seam, finding) {
-  const ways = finding?.ok && `${plural(finding.stitch_count, "stitch", "stitches")}; ${centimeters(finding.length_a_m)} on ${centimeters(finding.length_b_m)}; ${WAYS[finding.direction_a] ?? "either way"} with ${WAYS[finding.direction_b] ?? "either way"}${finding.reversed ? ", the second side turned" : ""}.`;
+  const ways = finding?.ok && `${plural(finding.stitch_count, "stitch", "stitches")}; ${centimeters(finding.length_a_m)} on ${centimeters(finding.length_b_m)}; ${wayText(seam.a, finding.direction_a)} with ${wayText(seam.b, finding.direction_b)}${finding.reversed ? ", the second side turned" : ""}.`;
   return el("div", { class: "more" },
     (finding?.errors ?? []).map((fault) => faultItem(fault)),
     correction(seam),

@@ -1,6 +1,6 @@
 /** The list of seams: what is wrong with each, what would put it right, and its order of sewing. */
 
-import { byId, el, replaceChildren } from "./dom.js";
+import { byId, el, paintWhenFree, replaceChildren } from "./dom.js";
 import { leftOut } from "./panels.js";
 import { selectSeam } from "./picking.js";
 import { panelName, sideName } from "./run_names.js";
@@ -42,20 +42,13 @@ const inOrder = () =>
 const iconButton = (seam, what, sign, act, disabled = false) =>
   el("button", { type: "button", class: "small", "aria-label": `${what} ${seam.id}`, title: what, "data-key": `${what} ${seam.id}`, disabled, onclick: act }, sign);
 
-function remove(seam, at) {
-  const next = inOrder()[at + 1] ?? inOrder()[at - 1];
-  deleteSeam(seam.id);
-  // The row is gone: go on from its neighbor.
-  queueMicrotask(() => byId("seam-list").querySelector(next ? `[data-key="${CSS.escape(`choose ${next.id}`)}"]` : "button")?.focus());
-}
-
 function row(seam, at, count) {
   const finding = findingOf(seam);
   const open = seam.id === state.selected;
   const number = state.numbers[seam.id] ?? state.garment.seams.indexOf(seam) + 1;
   const classes = ["seam", colorClass(number), open && "selected", finding?.ok === false && "bad"];
   const found = suggestionOf(seam);
-  return el("li", { class: classes.filter(Boolean).join(" ") },
+  return el("li", { class: classes.filter(Boolean).join(" "), "data-row": seam.id },
     el("div", { class: "row" },
       el("button", { type: "button", class: "choose", "aria-expanded": String(open), "data-key": `choose ${seam.id}`, title: found?.because, onclick: () => selectSeam(seam.id) },
         el("span", { class: "badge" }, String(number)),
@@ -66,11 +59,11 @@ function row(seam, at, count) {
       iconButton(seam, "Reverse", "⇄", () => reverseSeam(seam.id)),
       iconButton(seam, "Sew earlier", "↑", () => move(seam, -1), at === 0),
       iconButton(seam, "Sew later", "↓", () => move(seam, 1), at === count - 1),
-      iconButton(seam, found ? "Refuse" : "Delete", "✕", () => remove(seam, at))),
+      iconButton(seam, found ? "Refuse" : "Delete", "✕", () => deleteSeam(seam.id))),
     open && seamDetails(seam, finding));
 }
 
-/** How many there are, on the drawer's handle. */
+/** Draws the number of seams on the drawer's handle. */
 function drawCount() {
   const { seams } = state.garment;
   const bad = seams.filter((seam) => findingOf(seam)?.ok === false).length;
@@ -81,7 +74,7 @@ function drawCount() {
 /** Proposals above this confidence are not doubtful. */
 const SURE = 0.8;
 
-/** How many proposals wait to be looked at. */
+/** The number of proposals that wait to be looked at, with a button for all. */
 function proposalsHead(seams) {
   const ids = seams.filter(suggestionOf).map((seam) => seam.id);
   return ids.length > 0 && el("div", { class: "head" },
@@ -90,7 +83,7 @@ function proposalsHead(seams) {
 }
 
 function offerRow(offer) {
-  return el("li", { class: "seam offer" }, el("div", { class: "row" },
+  return el("li", { class: "seam offer", "data-row": offer.id }, el("div", { class: "row" },
     el("p", { class: "choose" }, el("span", { class: "what" }, offer.id, " ", el("span", { class: "tag doubtful" }, `offered, ${percent(offer.confidence)}`)),
       el("small", { class: "sides" }, `${sideName(offer.a)} with ${sideName(offer.b)}: ${sentence(offer.because)}`)),
     iconButton(offer, "Accept", "✓", () => acceptOffer(offer)),
@@ -112,7 +105,7 @@ function spareNote() {
 
 function draw() {
   const seams = inOrder();
-  const problem = state.check?.problem;
+  const problem = state.checkProblem;
   replaceChildren(byId("seam-list"),
     problem && el("div", { class: "faults" }, problemItems(problem)),
     spareNote(),
@@ -123,7 +116,7 @@ function draw() {
 }
 
 export function startSeamList() {
-  watch(["pattern", "garment", "suggested", "offers", "leftOut", "check", "selected", "numbers"], draw);
+  watch(["pattern", "garment", "suggested", "offers", "leftOut", "check", "checkProblem", "selected", "numbers"], () => paintWhenFree(byId("seam-list"), draw));
   watch(["garment", "check"], drawCount);
   watch(["selected", "check"], () => byId("seam-list").querySelector(".selected")?.scrollIntoView({ block: "nearest" }));
 }

@@ -1,7 +1,7 @@
 /** Fabric of all panels, measurements of the dress form, fineness of the mesh. */
 
 import { call, getJson } from "./api.js";
-import { byId, el, replaceChildren, setOptions } from "./dom.js";
+import { byId, el, paintWhenFree, replaceChildren, setOptions } from "./dom.js";
 import { changeGarment } from "./history.js";
 import { say } from "./say.js";
 import { DEFAULT_FORM, state, update, watch } from "./state.js";
@@ -33,7 +33,8 @@ function loadFabricsLate() {
 /** Fabrics of the service and of the garment by id. */
 export const allFabrics = () => ({ ...state.fabrics, ...state.garment.fabrics });
 
-const fabricOptions = () => Object.entries(allFabrics()).map(([id, fabric]) => [id, fabric.name ?? id]);
+/** Fabrics by id with their names, for a select. */
+export const fabricOptions = () => Object.entries(allFabrics()).map(([id, fabric]) => [id, fabric.name ?? id]);
 
 function drawFabric() {
   const id = state.garment.default_fabric;
@@ -64,8 +65,10 @@ function drawBody() {
   const form = Boolean(state.garment.avatar?.form);
   byId("measures").hidden = !form;
   byId("other-body").hidden = form;
-  if (form) replaceChildren(byId("measures"), MEASURES.map(measure));
+  if (form) paintWhenFree(byId("measures"), () => replaceChildren(byId("measures"), MEASURES.map(measure)));
 }
+
+let uploads = 0;
 
 /**
  * Sends the file of a body, which then is the garment's; its faults and remarks are shown beside
@@ -73,18 +76,25 @@ function drawBody() {
  */
 export async function uploadBody(file) {
   const note = byId("body-note");
+  const mine = ++uploads;
+  const { pattern } = state;
   note.textContent = "Reading the body…";
   try {
     const body = new FormData();
     body.append("file", file, file.name);
     const avatar = await (await call("/v1/avatars", { method: "POST", body })).json();
+    if (mine !== uploads) return;
+    if (state.pattern !== pattern) {
+      note.textContent = `${file.name} was read, but another pattern was opened meanwhile. Choose the file again for this one.`;
+      return;
+    }
     changeGarment({ avatar: avatar.id }, `the body ${file.name}`);
     const { bust_m: bust, waist_m: waist, hip_m: hip } = avatar.girths;
     const girths = [["bust", bust], ["waist", waist], ["hip", hip]].map(([name, girth]) => `${name} ${(girth * 100).toFixed(1)} cm`);
     const remarks = avatar.file.warnings.map((warning) => el("li", {}, warning.detail));
     replaceChildren(note, [`${file.name}: ${plural(avatar.file.triangle_count, "triangle")}, ${girths.join(", ")}.`, el("ul", {}, ...remarks)]);
   } catch (problem) {
-    replaceChildren(note, [el("ul", {}, ...problemItems(problem))]);
+    if (mine === uploads) replaceChildren(note, [el("ul", {}, ...problemItems(problem))]);
   }
 }
 

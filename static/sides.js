@@ -3,10 +3,10 @@
  * taken.
  */
 
+import { isMirrorId, mirrorOf, sourceOf } from "./mirrored.js";
 import { along, edgesOf, reversedSide, runsOf } from "./outline.js";
 
-const MIRROR = "~mirror";
-/** How far from its mirror image a corner or notch may lie [m]. */
+/** Largest distance of a corner or notch from its mirror image [m]. */
 const MIRRORED_M = 0.004;
 /** An edge that turns by more than this [rad] at one of its points has an apex there. */
 const APEX = 0.9;
@@ -105,10 +105,10 @@ function mirroredPlace(panel, place) {
 
 /** The run on the other half of the body; null where there is none. */
 function mirroredRun(run, find) {
-  if (run.panel.endsWith(MIRROR)) return { ...run, panel: run.panel.slice(0, -MIRROR.length) };
+  if (isMirrorId(run.panel)) return { ...run, panel: sourceOf(run.panel) };
   const panel = find(run.panel);
   const isPair = panel?.quantity?.left > 0 && panel.quantity.right > 0;
-  if (isPair || find(run.panel + MIRROR)) return { ...run, panel: run.panel + MIRROR };
+  if (isPair || find(mirrorOf(run.panel))) return { ...run, panel: mirrorOf(run.panel) };
   if (!panel) return null;
   const [from, to] = [mirroredPlace(panel, run.from), mirroredPlace(panel, run.to)];
   if (from === null || to === null) return null;

@@ -8,6 +8,7 @@ import { byId } from "./dom.js";
 import { state, update, watch } from "./state.js";
 
 let viewer = null;
+let opening = null; // the promise of the viewer
 let shownBody = "";
 let shows = 0;
 
@@ -16,39 +17,46 @@ const note = (text) => {
   byId("stage-note").hidden = !text;
 };
 
-async function openViewer() {
-  if (viewer) return viewer;
+async function loadViewer() {
   try {
     const { createViewer } = await import("./viewer.js");
     viewer = createViewer(byId("stage"));
+    viewer.setBodyVisible(byId("show-body").checked);
   } catch (error) {
+    opening = null;
     note(`The garment cannot be shown here: ${error.message}. The downloads work all the same.`);
-    return null;
   }
   return viewer;
 }
 
+/** The one viewer, or null where there can be none. */
+const openViewer = () => (opening ??= loadViewer());
+
 /** The mesh of the body that a garment names: a dress form is made again from its measurements. */
-async function bodyMesh(avatar) {
+async function bodyMesh(avatar, signal) {
   if (!avatar) return null;
-  const id = typeof avatar === "string" ? avatar : avatar.form ? (await postJson("/v1/avatars", avatar)).id : null;
+  const id = typeof avatar === "string" ? avatar : avatar.form ? (await postJson("/v1/avatars", avatar, { signal })).id : null;
   if (!id) return null;
-  return (await call(`/v1/avatars/${encodeURIComponent(id)}/mesh`, { headers: { Accept: "model/gltf-binary" } })).arrayBuffer();
+  return (await call(`/v1/avatars/${encodeURIComponent(id)}/mesh`, { signal, headers: { Accept: "model/gltf-binary" } })).arrayBuffer();
 }
 
-/** Shows the shape of a fit on its body, with marks where its report found crossings. */
-export async function showOutcome(fitId, avatar, intersections) {
+/**
+ * Shows the shape of a fit on its body, with marks at the places where its report found crossings.
+ */
+export async function showOutcome(fitId, avatar, { places, signal }) {
   const mine = ++shows;
   const key = JSON.stringify(avatar);
   const [view, garment, body] = await Promise.all([
     openViewer(),
-    call(`/v1/fits/${encodeURIComponent(fitId)}/mesh.glb`).then((response) => response.arrayBuffer()),
-    key === shownBody ? undefined : bodyMesh(avatar),
+    call(`/v1/fits/${encodeURIComponent(fitId)}/mesh.glb`, { signal }).then((response) => response.arrayBuffer()),
+    key === shownBody ? undefined : bodyMesh(avatar, signal),
   ]);
-  if (!view || mine !== shows) return;
-  if (body !== undefined) await view.showBody(body);
-  await view.showGarment(garment);
-  view.mark(intersections.map((place) => place.at));
+  if (!view) return;
+  const [shape, figure] = await Promise.all([view.read(garment), body ? view.read(body) : null]);
+  if (mine !== shows || signal.aborted) return;
+  if (body !== undefined) view.showBody(figure);
+  view.showGarment(shape);
+  view.mark(places.map((place) => place.at));
   shownBody = key;
   update({ shape: fitId });
   note("");

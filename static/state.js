@@ -1,5 +1,6 @@
 /**
- * What the page knows, and who wants to hear of changes. Views only paint; they never keep a copy.
+ * The state of the page, and those who hear of its changes. Views only paint; they never keep a
+ * copy.
  */
 
 /** The body that a new garment is draped on [m]: a woman in size M. */
@@ -30,11 +31,13 @@ export const state = {
   suggested: {}, // what the service said of seams that it suggested, by id: {confidence, because, sides}
   offers: [], // suggested seams that are not sewn before they are accepted
   leftOut: [], // ids of panels that no seam was suggested for
-  check: null, // the answer of seams/check, or {problem}
+  check: null, // the answer of seams/check
+  checkProblem: null, // the error by which the last check came to nothing
   fit: null,
   report: null,
   shape: null, // id of the fit whose shape is on the stage
   ran: null, // the garment of the shown fit as text, to tell when it is out of date
+  draft: null, // name of the draft that the work is kept as
   history: { undo: null, redo: null }, // the changes that can be taken back and made again, in words
   layout: { split: 50, rail: true, drawer: null, full: null },
   view: null, // the part of the sheet that is seen: {x, y, k, home}
@@ -53,7 +56,13 @@ function flush() {
   const now = changed;
   changed = new Set();
   for (const { keys, paint } of listeners) {
-    if (keys.some((key) => now.has(key))) paint();
+    if (!keys.some((key) => now.has(key))) continue;
+    try {
+      paint();
+    } catch (error) {
+      // The others are painted all the same.
+      reportError(error);
+    }
   }
 }
 

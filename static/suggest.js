@@ -6,7 +6,8 @@
 import { postJson } from "./api.js";
 import { byId } from "./dom.js";
 import { change } from "./history.js";
-import { panelOf, sewnIds, sourceOf } from "./panels.js";
+import { sourceOf } from "./mirrored.js";
+import { panelOf, sewnIds } from "./panels.js";
 import { act, say } from "./say.js";
 import { changeSeams } from "./seams.js";
 import { overlap, stretchesOf } from "./sides.js";
@@ -34,7 +35,7 @@ function withFreshId(seam, used) {
   return { ...seam, id };
 }
 
-/** Where panels start, of those of which neither the garment nor the pattern's file says so. */
+/** Placements of those panels of which neither the garment nor the pattern's file has one. */
 function placementsFor(panels) {
   const { garment, pattern } = state;
   const isOpen = (id) => !garment.panels[id]?.placement && !pattern.placements?.[id];
@@ -48,7 +49,7 @@ const plainSeam = ({ confidence, because, ...seam }) => seam;
 
 const reasonOf = (seam) => ({ confidence: seam.confidence, because: seam.because, sides: sidesOf(seam) });
 
-/** How many panels the proposals understand, in words. */
+/** Number of panels that the proposals understand, in words. */
 function understood(seams) {
   const sewn = new Set([...sewnIds(seams)].map(sourceOf));
   const all = state.pattern.panels.filter((panel) => !panel.copy_of);

@@ -6,7 +6,7 @@ import * as THREE from "three";
 import { OrbitControls } from "./node_modules/three/examples/jsm/controls/OrbitControls.js";
 import { GLTFLoader } from "./node_modules/three/examples/jsm/loaders/GLTFLoader.js";
 
-/** Where the viewer stands for each side; the body faces +z with its left at +x. */
+/** Place of the viewer for each side, as [x, z]; the body faces +z with its left at +x. */
 const SIDES = { front: [0, 1], back: [0, -1], left: [1, 0], right: [-1, 0] };
 const KEY_TURN = Math.PI / 18;
 
@@ -168,18 +168,18 @@ export function createViewer(host) {
       body.visible = visible;
       draw();
     },
-    async showBody(bytes) {
+    /** The model of a file, to be shown as body or garment. */
+    read,
+    showBody(model) {
       dispose(body);
-      if (bytes) {
-        const model = await read(bytes);
+      if (model) {
         bodyMaterial(model);
         body.add(model);
       }
       draw();
     },
     /** The camera stays where it was when a garment is sewn again. */
-    async showGarment(bytes) {
-      const model = await read(bytes);
+    showGarment(model) {
       dispose(garment);
       dress(model);
       garment.add(model);

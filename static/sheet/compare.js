@@ -1,4 +1,4 @@
-/** How two sides of a seam compare in length, in words and as a grade of color. */
+/** Comparison of two sides of a seam by length, in words and as a grade of color. */
 
 /** Differences up to these are no difference, ease, much ease [m or share of the first side]. */
 const SAME_M = 0.002;
@@ -31,8 +31,8 @@ export function differenceText(first, second) {
   return `${cm(first)} : ${cm(second)} cm, ${sign}${cm(Math.abs(difference))} cm (${Math.round((Math.abs(difference) / first) * 100)} %)`;
 }
 
-/** What the difference means. */
+/** The difference in words. */
 export const gradeText = (first, second) => WORDS[gradeOf(first, second)](second > first ? "longer" : "shorter");
 
-/** How likely it is by length that two sides are a pair: 1 is equal, 0 is not at all. */
+/** Likeness of two sides by length: 1 is equal, 0 is hardly a pair. */
 export const likeness = (first, second) => Math.max(0, 1 - Math.abs(second - first) / Math.max(first, second, 1e-9) / 0.04);

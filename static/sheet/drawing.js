@@ -26,7 +26,7 @@ const NUMBERED_PANEL_PX = 80;
 const DISC_PX = 17;
 /** Panels that are narrower on the screen [px] have no numbers at their edges. */
 const NUMBERED_WIDTH_PX = 48;
-/** How far below a panel its name may stand [px]. */
+/** Distances below a panel at which its name may stand [px]. */
 const NAME_BELOW_PX = [24, 38, 52];
 
 /**
@@ -39,7 +39,7 @@ export function beside(points, fraction, map, px) {
   return [sx - ty * px, sy - tx * px];
 }
 
-/** What a screen reader says of an edge. */
+/** Words for an edge, for screen readers. */
 export function edgeLabel(panel, edge, seams) {
   const sewn = seams.length ? `, in seam ${seams.join(" and ")}` : ", not sewn";
   return `${titleOf(panel)}, edge ${edge.index}, corner ${edge.from} to ${edge.to}, ${centimeters(edge.length_m)}${sewn}`;

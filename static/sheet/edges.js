@@ -10,7 +10,7 @@ import { firstLengths } from "./tag.js";
 /** Most edges that are shown as likely partners. */
 const PARTNERS = 5;
 
-/** What an edge is known by on the page. */
+/** The name of an edge on the page. */
 export const keyOf = (panel, edge) => `edge ${panel.id} ${edge.index}`;
 
 /** Names of the seams that each edge is in, by key. */
@@ -41,7 +41,7 @@ function partners(sheet, seams, firstLength) {
   return new Set(likely.slice(0, PARTNERS).map(({ key }) => key));
 }
 
-/** What is said of an edge beside the first side. */
+/** Words for an edge beside the first side. */
 function comparison(length, edge) {
   return length === null ? "" : `; ${differenceText(length, edge.length_m)}: ${gradeText(length, edge.length_m)}`;
 }

@@ -1,4 +1,6 @@
-/** What mouse, pen, fingers and the space bar do on the sheet, told in pixels of its window. */
+/** Gestures of mouse, pen, fingers and the space bar on the sheet, in pixels of its window. */
+
+import { isTyping } from "../dom.js";
 
 /** A pointer that moved less than this [px] has clicked. */
 const CLICK_PX = 4;
@@ -7,7 +9,8 @@ const WHEEL = 0.0016;
 const PINCH = 0.01;
 const LINE_PX = 16;
 
-const isTyping = (target) => target.matches?.("input, select, textarea, button, a, summary");
+/** True where the space bar writes or presses. */
+const takesSpace = (target) => isTyping(target) || Boolean(target.matches?.("button, a, summary"));
 
 function wheelFactor(event) {
   const pixels = event.deltaY * (event.deltaMode === 1 ? LINE_PX : 1);
@@ -21,7 +24,7 @@ const spread = ([a, b]) => Math.hypot(a[0] - b[0], a[1] - b[1]);
 function followSpace(host) {
   const space = { held: false, used: false };
   document.addEventListener("keydown", (event) => {
-    if (event.key !== " " || isTyping(event.target)) return;
+    if (event.key !== " " || takesSpace(event.target)) return;
     if (event.target !== document.body && !host.contains(event.target)) return;
     event.preventDefault();
     if (!event.repeat) Object.assign(space, { held: true, used: false });
@@ -32,15 +35,19 @@ function followSpace(host) {
     space.held = false;
     host.classList.remove("grab");
   });
+  // The key may be let go in another window.
+  addEventListener("blur", () => {
+    space.held = false;
+    host.classList.remove("grab");
+  });
   return space;
 }
 
 /**
  * Tells `on` of gestures: `pick(point, event)`, `hover(point or null, event)`, `pan(shift)`,
- * `zoom(point, factor)`,
- * `fit(point)`, `trace(phase, point)` of a drag
- * along an edge; `on.isFree(point)` says whether a drag from there moves the sheet. Returns the
- * state of the space bar.
+ * `zoom(point, factor)`, `fit(point)`, `trace(phase, point)` of a drag along an edge;
+ * `on.isFree(point)` tells if a drag from there moves the sheet. Returns the state of the space
+ * bar.
  */
 export function startGestures(host, on) {
   const space = followSpace(host);
@@ -54,6 +61,7 @@ export function startGestures(host, on) {
   };
 
   const press = (event) => {
+    if (event.button > 1) return;
     const at = pointOf(event);
     last = at;
     down.set(event.pointerId, at);
@@ -71,6 +79,7 @@ export function startGestures(host, on) {
 
   const move = (event) => {
     const at = pointOf(event);
+    if (event.pointerType === "mouse" && event.buttons === 0) release(event);
     if (!down.has(event.pointerId)) return on.hover(at, event);
     const before = [...down.values()];
     const from = down.get(event.pointerId);
@@ -101,8 +110,9 @@ export function startGestures(host, on) {
 
   host.addEventListener("pointerdown", press);
   host.addEventListener("pointermove", move);
-  host.addEventListener("pointerup", release);
-  host.addEventListener("pointercancel", release);
+  // A pointer may be let go outside of the sheet.
+  addEventListener("pointerup", release);
+  addEventListener("pointercancel", release);
   host.addEventListener("pointerleave", (event) => on.hover(null, event));
   host.addEventListener("click", (event) => {
     // Assistive technology clicks without a place; the second of a double click fits the panel.

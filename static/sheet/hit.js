@@ -8,7 +8,7 @@ function nearestOnSegment([px, py], [ax, ay], [bx, by]) {
 }
 
 /** Distance to a polyline and the fraction of its length where it is nearest. */
-export function nearestOnLine(point, line) {
+function nearestOnLine(point, line) {
   let best = { distance: Infinity, at: 0 };
   let length = 0;
   for (let i = 1; i < line.length; i++) {

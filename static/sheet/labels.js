@@ -20,8 +20,7 @@ export const touch = (a, b) =>
 
 /**
  * Places labels in the order of the list, the most important first. A label is `{places, draw}`:
- * boxes
- * `{x, y, width, height}` about their middles, and what it looks like in one of them.
+ * boxes `{x, y, width, height}` about their middles, and a function that paints it in one of them.
  */
 export function placeLabels(labels, { width, height }) {
   const taken = [];

@@ -1,5 +1,5 @@
 /**
- * What lies over the cloth, of one size at every zoom: marks, seams, labels in the order of their
+ * Marks over the cloth, of one size at every zoom: marks, seams, labels in the order of their
  * importance.
  */
 

@@ -7,7 +7,7 @@ import { along, outwards, runPoints, runsOf } from "../outline.js";
 import { beside, pathOf } from "./drawing.js";
 
 const BADGE_PX = 19;
-/** Where along a run its badge may stand, and how far beside it [px]. */
+/** Places of a badge: fraction of its run, and distance beside it [px]. */
 const BADGE_PLACES = [[0.5, 20], [0.35, 20], [0.65, 20], [0.2, 20], [0.8, 20], [0.5, -20], [0.35, -20], [0.65, -20], [0.5, 34]];
 
 /** Color class of the seam with a number. */

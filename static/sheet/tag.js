@@ -3,7 +3,7 @@
  */
 
 import { svg } from "../dom.js";
-import { lengthOfSide } from "../outline.js";
+import { edgesOf, lengthOfSide, runsOf } from "../outline.js";
 import { titleOf } from "../panels.js";
 import { runName } from "../run_names.js";
 import { centimeters } from "../words.js";
@@ -41,9 +41,9 @@ function cornerOf([x, y], width, height, window) {
   return [left, top];
 }
 
-/** True if an edge is one of the picked runs. */
-const isOwn = (picked, panel, edge) => [picked].flat().some((run) =>
-  run.panel === panel.id && ((run.from === edge.from && run.to === edge.to) || (run.from === edge.to && run.to === edge.from)));
+/** True if a picked run lies on an edge, or on a part of it. */
+const isOwn = (picked, panel, edge) => runsOf(picked).some((run) =>
+  run.panel === panel.id && edgesOf(panel, run).some((covered) => covered.edge === edge.index));
 
 /**
  * Gives the length of the first side for an edge beside it: null for its own edges, or where there

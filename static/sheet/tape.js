@@ -9,7 +9,7 @@ import { textWidth } from "./labels.js";
 import { toScreen } from "./view.js";
 
 const FONT = "600 12px";
-/** How near an end of an edge catches the tape [px]. */
+/** Reach of the ends of edges, which catch the tape [px]. */
 const SNAP_PX = 10;
 
 /** The text of a tape: its length, how far across and how far down. */

@@ -4,7 +4,7 @@ import { lengthOf } from "../outline.js";
 
 const wrap = (value, count) => ((value % count) + count) % count;
 
-/** Where a position, edge index plus fraction, lies along the outline [m]. */
+/** Way along the outline to a position, which is edge index plus fraction [m]. */
 function arcAt(panel, position) {
   const edge = Math.floor(wrap(position, panel.edges.length));
   const before = panel.edges.slice(0, edge).reduce((sum, one) => sum + lengthOf(one.points), 0);

@@ -1,4 +1,4 @@
-/** What is on the sheet before a pattern is. */
+/** The sheet before a pattern is on it. */
 
 import { byId, el } from "../dom.js";
 

@@ -1,36 +1,24 @@
-// Where things stand, measured: `node tests/browser/layout.mjs`.
+// Places and sizes of all parts, measured: `node tests/browser/layout.mjs`.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { axeFaults, openTab, startBrowser, startService } from "./support.mjs";
+import { after, test } from "node:test";
+import * as acts from "./acts.mjs";
+import { assertClean, axeFaults, openTab, startSuite } from "./support.mjs";
 
-const { BASE, SEAMSTER_BIN } = process.env;
 const SIZES = [{ width: 1280, height: 800 }, { width: 1920, height: 1080 }, { width: 820, height: 1180 }];
 const TAB_STOPS_TO_SEW = 8;
 
-let service;
-let browser;
+const { service, browser, close } = await startSuite();
+after(close);
 
-before(async () => {
-  if (!BASE && !SEAMSTER_BIN) throw new Error("set BASE to a running service or SEAMSTER_BIN to the binary");
-  service = BASE ? { url: BASE, stop: async () => {} } : await startService(SEAMSTER_BIN);
-  browser = await startBrowser();
-});
-
-after(async () => {
-  await browser?.close();
-  await service?.stop();
-});
-
+/** A tab of its own with the sample in it. */
 async function openSkirt(viewport, options = {}) {
   const tab = await openTab(browser, service.url, { viewport, ...options });
-  await tab.page.getByRole("button", { name: "Try the skirt" }).click();
-  await tab.page.locator('path.edge[data-panel="skirt-front"]').first().waitFor({ state: "attached" });
+  await acts.openSkirt(tab.page, "Try the skirt");
   return tab;
 }
 
 const boxOf = (page, selector) => page.locator(selector).boundingBox();
 const near = (a, b, what) => assert.ok(Math.abs(a - b) <= 1, `${what} is ${a}, not ${b}`);
-const settle = (page) => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
 
 for (const viewport of SIZES) {
   const { width, height } = viewport;
@@ -54,7 +42,7 @@ for (const viewport of SIZES) {
     const [above, below] = [await boxOf(page, "#stage"), await boxOf(page, "#sheet")];
     if (isNarrow) assert.ok(above.y + above.height <= below.y, "the garment stands over the pattern");
     else assert.ok(below.x + below.width <= above.x, "the pattern stands beside the garment");
-    await page.locator("[data-drawer=seams]").click();
+    await acts.openDrawer(page, "seams");
     assert.ok((await boxOf(page, "#drawer")).height <= 0.35 * height + 1);
     const sides = await page.evaluate(() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]);
     assert.deepEqual(sides, [0, 0], "the page itself does not scroll");
@@ -80,10 +68,10 @@ for (const viewport of SIZES) {
     test(`at ${width} x ${height} in ${colorScheme} nothing is inaccessible`, async () => {
       const { page, record, context } = await openSkirt(viewport, { colorScheme });
       assert.deepEqual(await axeFaults(page), []);
-      await page.locator("[data-drawer=seams]").click();
+      await acts.openDrawer(page, "seams");
       if (isNarrow) await page.locator("#rail-toggle").click();
       assert.deepEqual(await axeFaults(page), []);
-      assert.deepEqual(record, { foreign: [], errors: [], breaches: [] });
+      assertClean(record);
       await context.close();
     });
   }
@@ -100,7 +88,7 @@ test("on a phone sewing is in sight", async () => {
 
 test("there are two sizes of type beside headings", async () => {
   const { page, context } = await openSkirt(SIZES[0]);
-  await page.locator("[data-drawer=seams]").click();
+  await acts.openDrawer(page, "seams");
   await page.locator("#seam-list .choose").first().click();
   await page.locator(".help summary").click();
   const sizes = await page.evaluate(() => {
@@ -124,19 +112,19 @@ test("the rail folds, panes fill the work, and the splitter moves by mouse and k
   await page.locator("#rail").waitFor({ state: "hidden" });
   assert.ok((await sheet()).width > before.width);
   await page.keyboard.press("2");
-  await settle(page);
+  await acts.twoFrames(page);
   near((await sheet()).width, 1280, "the pattern alone");
   assert.equal(await page.locator("#stage").isVisible(), false);
   await page.keyboard.press("3");
-  await settle(page);
+  await acts.twoFrames(page);
   near((await boxOf(page, "#stage")).width, 1280, "the garment alone");
   await page.keyboard.press("3");
   await page.keyboard.press("b");
-  await settle(page);
+  await acts.twoFrames(page);
   near((await sheet()).width, before.width, "the pattern beside the garment");
   await page.locator("#splitter").focus();
   await page.keyboard.press("ArrowRight");
-  await settle(page);
+  await acts.twoFrames(page);
   const wider = await sheet();
   assert.ok(wider.width > before.width + 10);
   const bar = await boxOf(page, "#splitter");
@@ -144,7 +132,7 @@ test("the rail folds, panes fill the work, and the splitter moves by mouse and k
   await page.mouse.down();
   await page.mouse.move(bar.x - 98, bar.y + 200, { steps: 5 });
   await page.mouse.up();
-  await settle(page);
+  await acts.twoFrames(page);
   assert.ok(Math.abs((await sheet()).width - (wider.width - 100)) < 5);
   await page.reload();
   await page.locator('path.edge[data-panel="skirt-front"]').first().waitFor({ state: "attached" });
@@ -174,9 +162,9 @@ test("a file dropped anywhere is opened, and a garment told from a pattern", asy
   }, [name, text]);
   const id = await page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("pattern"));
   await drop("one.json", JSON.stringify({ schema: "seamster/garment/1", pattern: id, seams: [] }));
-  await page.waitForFunction(() => document.getElementById("seam-count").textContent === "0");
+  await acts.untilSeams(page, 0);
   const top = await page.evaluate(() => fetch("/samples/top.dxf").then((response) => response.text()));
   await drop("top.dxf", top);
-  await page.waitForFunction(() => document.querySelectorAll("#sheet [aria-label^='Panel ']").length === 2);
+  await acts.untilPanels(page, 2);
   await context.close();
 });

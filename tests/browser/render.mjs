@@ -1,7 +1,8 @@
 // Pictures of a garment: node tests/browser/render.mjs GARMENT.glb [OPTIONS], see USAGE below.
 //
-// Draws with three in a headless Chromium (WebGL in software), so that a picture needs no graphics card. The file's own
-// normals and colours are used; the inside of the cloth is drawn darker, so that a panel with its face in stands out.
+// Draws with three in a headless Chromium (WebGL in software), so that a picture needs no graphics
+// card. The file's own normals and colors are used; the inside of the cloth is drawn darker, so that
+// a panel with its face in stands out.
 import { createServer } from "node:http";
 import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { basename, dirname, join, normalize, sep } from "node:path";

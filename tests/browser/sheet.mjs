@@ -1,52 +1,23 @@
 // The sheet under mouse, wheel and keys: `node tests/browser/sheet.mjs`.
 import assert from "node:assert/strict";
 import { join } from "node:path";
-import { after, before, test } from "node:test";
-import { openTab, startBrowser, startService } from "./support.mjs";
+import { after, test } from "node:test";
+import { openSkirt, pointOnEdge, press, twoFrames, undo } from "./acts.mjs";
+import { assertClean, startPage } from "./support.mjs";
 
-const { BASE, SEAMSTER_BIN, SEAMSTER_TEST_DATA } = process.env;
-
-let service;
-let browser;
-let page;
-let record;
-
-before(async () => {
-  if (!BASE && !SEAMSTER_BIN) throw new Error("set BASE to a running service or SEAMSTER_BIN to the binary");
-  service = BASE ? { url: BASE, stop: async () => {} } : await startService(SEAMSTER_BIN);
-  browser = await startBrowser();
-  ({ page, record } = await openTab(browser, service.url));
-  await openSkirt();
-});
-
-after(async () => {
-  await browser?.close();
-  await service?.stop();
-});
-
-/** Opens the sample; the checks of its seams may come later. */
-async function openSkirt() {
-  await page.getByRole("button", { name: "Skirt sample" }).first().click();
-  await page.waitForFunction(() => document.querySelector('path.edge[data-panel="skirt-front"]') && document.querySelector("#seam-list .seam"));
-}
-
-const frame = () => page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+const { SEAMSTER_TEST_DATA } = process.env;
+const { page, record, close } = await startPage();
+after(close);
+await openSkirt(page);
 
 /** The view as `{x, y, k}`. */
 async function view() {
-  await frame();
+  await twoFrames(page);
   return page.locator(".cloth-layer").evaluate((layer) => {
     const { a, e, f } = layer.getCTM();
     return { x: e, y: f, k: a };
   });
 }
-
-/** A point of an edge on the screen. */
-const pointOf = (panel, edge, fraction = 0.5) => page.evaluate(([id, index, share]) => {
-  const path = document.querySelector(`path.edge[data-panel="${id}"][data-edge="${index}"]`);
-  const { x, y } = path.getPointAtLength(path.getTotalLength() * share).matrixTransform(path.getScreenCTM());
-  return { x, y };
-}, [panel, edge, fraction]);
 
 const middleOf = async (selector) => {
   const box = await page.locator(selector).boundingBox();
@@ -57,15 +28,15 @@ const near = (a, b, within = 0.6) => assert.ok(Math.abs(a - b) <= within, `${a} 
 
 test("the wheel zooms at the pointer", async () => {
   const before = await view();
-  const at = await pointOf("skirt-front", 1, 0.3);
+  const at = await pointOnEdge(page, "skirt-front", 1, 0.3);
   await page.mouse.move(at.x, at.y);
   await page.mouse.wheel(0, -400);
   const now = await view();
   assert.ok(now.k > 1.5 * before.k, `${before.k} to ${now.k}`);
-  const moved = await pointOf("skirt-front", 1, 0.3);
+  const moved = await pointOnEdge(page, "skirt-front", 1, 0.3);
   near(moved.x, at.x, 1);
   near(moved.y, at.y, 1);
-  await page.getByRole("button", { name: "Fit", exact: true }).click();
+  await press(page, "Fit");
   near((await view()).k, before.k, 0.05 * before.k);
 });
 
@@ -74,7 +45,7 @@ for (const way of ["the middle button", "the space bar", "a drag from free groun
     const before = await view();
     const sheet = await page.locator("#sheet").boundingBox();
     const free = { x: sheet.x + sheet.width / 2, y: sheet.y + sheet.height - 6 };
-    const start = way.startsWith("a drag") ? free : await pointOf("skirt-front", 1);
+    const start = way.startsWith("a drag") ? free : await pointOnEdge(page, "skirt-front", 1);
     await page.mouse.move(start.x, start.y);
     if (way === "the space bar") {
       await page.locator('path.edge[data-panel="skirt-front"][data-edge="0"]').focus();
@@ -91,7 +62,7 @@ for (const way of ["the middle button", "the space bar", "a drag from free groun
     near(now.y - before.y, -40);
     near(now.k, before.k, 1e-6);
     assert.equal(await page.locator(".pending").count(), 0);
-    await page.getByRole("button", { name: "Fit", exact: true }).click();
+    await press(page, "Fit");
   });
 }
 
@@ -99,7 +70,7 @@ test("a double click fits a panel", async () => {
   const sheet = await page.locator("#sheet").boundingBox();
   const at = await middleOf('[data-of="waistband"] .cloth');
   await page.mouse.dblclick(at.x, at.y);
-  await frame();
+  await twoFrames(page);
   const box = await page.locator('[data-of="waistband"] .cloth').boundingBox();
   assert.ok(box.width > 0.6 * sheet.width && box.width < sheet.width, `${box.width} of ${sheet.width}`);
   await page.keyboard.press("Escape");
@@ -130,26 +101,26 @@ test("labels never lie on each other, at any zoom", async () => {
     await page.mouse.move(middle.x, middle.y);
     for (const turn of [0, 300, -600, -300, -600]) {
       await page.mouse.wheel(0, turn);
-      await frame();
+      await twoFrames(page);
       const { labels, count } = await overlaps();
       assert.ok(labels > 0);
       assert.equal(count, 0, `${file ?? "skirt"} after ${turn}`);
     }
   }
-  await openSkirt();
+  await openSkirt(page);
 });
 
 test("a tag says edge and length, and how it compares with the first side", async () => {
   const tag = () => page.locator(".edge-tag").textContent();
-  const edge = await pointOf("skirt-front", 1, 0.3);
+  const edge = await pointOnEdge(page, "skirt-front", 1, 0.3);
   await page.mouse.move(edge.x, edge.y);
   assert.match(await tag(), /^SKIRT FRONT, edge 1, \d+\.\d cm$/);
   await page.mouse.click(edge.x, edge.y);
-  const partner = await pointOf("skirt-back", 4, 0.7);
+  const partner = await pointOnEdge(page, "skirt-back", 4, 0.7);
   await page.mouse.move(partner.x, partner.y);
   assert.match(await tag(), /SKIRT BACK, edge 4, .* : .* cm, [+−]\d+\.\d cm \(\d+ %\)they match$/);
   assert.ok(await page.locator(".edge-tag .grade-same").count() > 0);
-  const other = await pointOf("skirt-back", 0, 0.4);
+  const other = await pointOnEdge(page, "skirt-back", 0, 0.4);
   await page.mouse.move(other.x, other.y);
   assert.match(await tag(), /−\d+\.\d cm \(\d+ %\)far shorter, hardly a pair$/);
   assert.ok(await page.locator(".edge-tag .grade-no").count() > 0);
@@ -161,20 +132,20 @@ test("a tag says edge and length, and how it compares with the first side", asyn
 test("the sheet stays where it is while seams are picked", async () => {
   await page.keyboard.press("Escape");
   const before = await view();
-  const one = await pointOf("skirt-front", 2, 0.3);
+  const one = await pointOnEdge(page, "skirt-front", 2, 0.3);
   await page.mouse.click(one.x, one.y);
   assert.deepEqual(await view(), before);
-  const two = await pointOf("skirt-back", 3, 0.7);
+  const two = await pointOnEdge(page, "skirt-back", 3, 0.7);
   await page.mouse.click(two.x, two.y);
   await page.locator(".pending").waitFor({ state: "detached" });
   assert.equal(await page.locator("#seam-list .seam").count(), 7);
   assert.deepEqual(await view(), before);
-  await page.getByRole("button", { name: "Undo" }).click();
+  await undo(page);
   assert.deepEqual(await view(), before);
 });
 
 test("edges without a seam that are as long as the first side are shown", async () => {
-  const one = await pointOf("skirt-front", 2, 0.3);
+  const one = await pointOnEdge(page, "skirt-front", 2, 0.3);
   await page.mouse.click(one.x, one.y);
   const likely = await page.locator("path.edge.likely").evaluateAll((paths) => paths.map((path) => `${path.dataset.panel} ${path.dataset.edge}`));
   assert.deepEqual(likely, ["skirt-back 3"]);
@@ -184,7 +155,7 @@ test("edges without a seam that are as long as the first side are shown", async 
 
 test("two fingers zoom about their middle, one moves the sheet", async () => {
   const client = await page.context().newCDPSession(page);
-  await page.getByRole("button", { name: "Fit", exact: true }).click();
+  await press(page, "Fit");
   const before = await view();
   const { x, y } = await middleOf("#sheet");
   const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([dx, dy], id) => ({ x: x + dx, y: y + dy, id })) });
@@ -200,7 +171,41 @@ test("two fingers zoom about their middle, one moves the sheet", async () => {
   near(moved.k, zoomed.k, 1e-6);
   near(moved.x - zoomed.x, 30, 2);
   assert.equal(await page.locator(".pending").count(), 0);
-  await page.getByRole("button", { name: "Fit", exact: true }).click();
+  await press(page, "Fit");
 });
 
-test("nothing failed", () => assert.deepEqual(record, { foreign: [], errors: [], breaches: [] }));
+test("a press that is let go outside of the sheet, or by another button, picks nothing", async () => {
+  const before = await view();
+  const at = await pointOnEdge(page, "skirt-front", 1, 0.3);
+  const outside = await middleOf("#head-sheet");
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  await page.mouse.move(outside.x, outside.y);
+  await page.mouse.up();
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.move(at.x + 40, at.y + 30, { steps: 4 });
+  assert.deepEqual(await view(), before);
+  assert.equal(await page.locator("#sheet.grabbing").count() + await page.locator(".preview").count(), 0, "the pointer is up");
+  await page.keyboard.press("Escape");
+  const end = await pointOnEdge(page, "skirt-front", 1, 0.6);
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down({ button: "right" });
+  await page.mouse.move(end.x, end.y, { steps: 4 });
+  await page.mouse.up({ button: "right" });
+  await twoFrames(page);
+  assert.equal(await page.locator(".pending").count(), 0);
+});
+
+test("letters are keys in the work alone, in either case", async () => {
+  const rail = page.locator("#rail");
+  await page.locator("#open").focus();
+  await page.keyboard.press("b");
+  assert.ok(await rail.isVisible(), "not in the bar");
+  await page.locator("#splitter").focus();
+  await page.keyboard.press("Shift+B");
+  await rail.waitFor({ state: "hidden" });
+  await page.keyboard.press("b");
+  await rail.waitFor();
+});
+
+test("nothing failed", () => assertClean(record));

@@ -1,4 +1,5 @@
-// What the tests of the page need: a service on a free port, a browser that keeps a record, pixels, axe.
+// Set-up of the suites: a service on a free port, a browser that keeps a record, pixels, axe.
+import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import { existsSync } from "node:fs";
 import { mkdtemp, rm } from "node:fs/promises";
@@ -61,7 +62,10 @@ export const startBrowser = () => chromium.launch({
     "--disable-component-update", "--disable-sync", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
 });
 
-/** A tab at `url` with a record of what must not happen: foreign requests, errors, breaches of the policy. */
+/**
+ * A tab at `url` with a record of what must not happen: foreign requests, errors, breaches of the
+ * policy.
+ */
 export async function openTab(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
   const page = await context.newPage();
@@ -85,11 +89,65 @@ export async function openTab(browser, url, options = {}) {
   return { page, context, record };
 }
 
-/** What axe finds wrong, one line each. */
+/**
+ * Service and browser of a suite, as `{service, browser, close}`: BASE is the address of a running
+ * service, without it SEAMSTER_BIN is started on a free port.
+ */
+export async function startSuite() {
+  const { BASE, SEAMSTER_BIN } = process.env;
+  if (!BASE && !SEAMSTER_BIN) throw new Error("set BASE to a running service or SEAMSTER_BIN to the binary");
+  const service = BASE ? { url: BASE, stop: async () => {} } : await startService(SEAMSTER_BIN);
+  let browser = null;
+  const close = async () => {
+    await browser?.close();
+    await service.stop();
+  };
+  try {
+    browser = await startBrowser();
+  } catch (error) {
+    await close();
+    throw error;
+  }
+  return { service, browser, close };
+}
+
+/** A suite with one tab on its service: `{service, browser, close, page, context, record}`. */
+export async function startPage() {
+  const suite = await startSuite();
+  try {
+    return { ...suite, ...await openTab(suite.browser, suite.service.url) };
+  } catch (error) {
+    await suite.close();
+    throw error;
+  }
+}
+
+/** Options of a test that starts a service of its own, with tokens. */
+export const TOKEN_TEST = { skip: process.env.BASE ? "BASE names a service without tokens" : false };
+
+/** Takes the recorded errors, of which there are `least` or more, and each is as `pattern` says. */
+export function expectErrors(record, pattern, { least = 1 } = {}) {
+  const told = record.errors.splice(0);
+  assert.ok(told.length >= least, `${told.length} errors like ${pattern} were recorded`);
+  for (const text of told) assert.match(text, pattern);
+}
+
+/** Nothing left the origin, broke the policy or failed. */
+export const assertClean = (record) => assert.deepEqual(record, { foreign: [], errors: [], breaches: [] });
+
+/** Faults that axe finds, one line each. */
 export async function axeFaults(page) {
   await page.evaluate(axe.source);
   const { violations } = await page.evaluate(() => window.axe.run(document));
   return violations.flatMap(({ id, nodes }) => nodes.map((node) => `${id}: ${node.target.join(" ")}: ${node.failureSummary}`));
+}
+
+/** Finds nothing wrong in the light nor in the dark, and leaves the page in the light. */
+export async function assertAccessible(page) {
+  for (const colorScheme of ["dark", "light"]) {
+    await page.emulateMedia({ colorScheme });
+    assert.deepEqual(await axeFaults(page), [], colorScheme);
+  }
 }
 
 /** Share of pixels in which two PNG pictures of one size differ by more than a shade. */

@@ -1,39 +1,18 @@
 // Nothing that was done is lost: `node tests/browser/work.mjs`.
 import assert from "node:assert/strict";
-import { readFile } from "node:fs/promises";
-import { after, before, test } from "node:test";
-import { axeFaults, openTab, startBrowser, startService } from "./support.mjs";
+import { after, test } from "node:test";
+import { chooseFile, fitOf, openDrawer, press, savedGarment, statusOf, undo, untilPanels, untilSeams, untilStatus } from "./acts.mjs";
+import { assertClean, axeFaults, expectErrors, startPage } from "./support.mjs";
 
-const { BASE, SEAMSTER_BIN } = process.env;
+const { page, context, record, service, close } = await startPage();
+after(close);
 
-let service;
-let browser;
-let tab;
-let page;
-
-before(async () => {
-  if (!BASE && !SEAMSTER_BIN) throw new Error("set BASE to a running service or SEAMSTER_BIN to the binary");
-  service = BASE ? { url: BASE, stop: async () => {} } : await startService(SEAMSTER_BIN);
-  browser = await startBrowser();
-  tab = await openTab(browser, service.url);
-  page = tab.page;
-});
-
-after(async () => {
-  await browser?.close();
-  await service?.stop();
-});
-
-const seamCount = (count, where = page) => where.waitForFunction((text) => document.getElementById("seam-count").textContent.replace(/^\d+ of (\d+).*/, "$1") === text, String(count));
-const status = (where = page) => where.locator("#status").textContent();
-const panelsDrawn = (count, where = page) => where.waitForFunction((many) => document.querySelectorAll("#sheet [aria-label^='Panel ']").length === many, count);
-const settle = () => page.evaluate(() => new Promise((done) => { setTimeout(done, 150); }));
+/** Waits until a change is in the draft. */
+const untilKept = () => page.evaluate(() => new Promise((done) => { setTimeout(done, 150); }));
 
 /** The garment as the page would save it, without its pattern. */
 async function garment(where = page) {
-  const waiting = where.waitForEvent("download");
-  await where.locator("#save-garment").click();
-  const { pattern, ...rest } = JSON.parse(await readFile(await (await waiting).path()));
+  const { pattern, ...rest } = await savedGarment(where);
   return rest;
 }
 
@@ -54,40 +33,40 @@ const CHANGES = {
     await page.getByLabel("Hip, cm").press("Tab");
   },
   mesh: () => page.locator("#edge-length").selectOption("0.008"),
-  "deleted seam": () => page.getByRole("button", { name: "Delete side-left", exact: true }).click(),
-  "turned seam": () => page.getByRole("button", { name: "Reverse side-right", exact: true }).click(),
+  "deleted seam": () => press(page, "Delete side-left"),
+  "turned seam": () => press(page, "Reverse side-right"),
 };
 
 test("every change is undone and made again, by button and by key", async () => {
-  await page.getByRole("button", { name: "Try the skirt" }).click();
-  await seamCount(6);
-  await page.locator("[data-drawer=seams]").click();
+  await press(page, "Try the skirt");
+  await untilSeams(page, 6);
+  await openDrawer(page, "seams");
   const steps = [await garment()];
   for (const [name, change] of Object.entries(CHANGES)) {
     await change();
-    await settle();
+    await untilKept();
     steps.push(await garment());
     assert.notDeepEqual(steps.at(-1), steps.at(-2), name);
   }
   for (const [i, step] of steps.slice(0, -1).reverse().entries()) {
-    if (i % 2) await page.getByRole("button", { name: "Undo", exact: true }).click();
+    if (i % 2) await undo(page);
     else {
       await page.locator("#splitter").focus();
       await page.keyboard.press("Control+z");
     }
-    await settle();
+    await untilKept();
     assert.deepEqual(await garment(), step);
-    assert.match(await status(), /^Undone: /);
+    assert.match(await statusOf(page), /^Undone: /);
   }
   assert.ok(await page.locator("#undo").isDisabled());
   for (const step of steps.slice(1)) {
-    await page.getByRole("button", { name: "Redo", exact: true }).click();
-    await settle();
+    await press(page, "Redo");
+    await untilKept();
     assert.deepEqual(await garment(), step);
   }
   assert.ok(await page.locator("#redo").isDisabled());
-  for (const _ of steps.slice(1)) await page.getByRole("button", { name: "Undo", exact: true }).click();
-  await settle();
+  for (const _ of steps.slice(1)) await undo(page);
+  await untilKept();
 });
 
 test("seams, fabric and body stay when the pattern is read in other units", async () => {
@@ -95,10 +74,10 @@ test("seams, fabric and body stay when the pattern is read in other units", asyn
   const kept = await garment();
   await page.locator("#import-units").selectOption("cm");
   await page.waitForFunction(() => document.getElementById("pattern-facts").textContent.includes("cm"));
-  await seamCount(6);
+  await untilSeams(page, 6);
   assert.deepEqual(await garment(), kept);
   assert.equal(await page.locator("#import-units").inputValue(), "cm");
-  await page.getByRole("button", { name: "Undo", exact: true }).click();
+  await undo(page);
   await page.waitForFunction(() => document.getElementById("import-units").value === "");
   assert.deepEqual(await garment(), kept);
 });
@@ -125,47 +104,151 @@ function pieces(corners) {
 
 test("work that a sample takes the place of is named, and comes back with its fit", async () => {
   const before = await garment();
-  await page.getByRole("button", { name: "Top sample" }).click();
-  await panelsDrawn(2);
+  await press(page, "Top sample");
+  await untilPanels(page, 2);
   await page.waitForFunction(() => document.getElementById("undo").title.startsWith("Undo: opening"));
-  await page.getByRole("button", { name: "Undo", exact: true }).click();
-  await panelsDrawn(3);
+  await undo(page);
+  await untilPanels(page, 3);
   assert.deepEqual(await garment(), before);
-  await page.getByRole("button", { name: "Redo", exact: true }).click();
-  await panelsDrawn(2);
-  await page.getByRole("button", { name: "Undo", exact: true }).click();
-  await panelsDrawn(3);
-  await page.setInputFiles("#open-file", { name: "two.dxf", mimeType: "image/vnd.dxf", buffer: Buffer.from(pieces([[300, 0], [300, 200], [500, 200], [500, 0]])) });
-  await page.waitForFunction(() => document.getElementById("status").textContent.includes("Undo brings back"));
-  await page.getByRole("button", { name: "Undo", exact: true }).click();
-  await panelsDrawn(3);
+  await press(page, "Redo");
+  await untilPanels(page, 2);
+  await undo(page);
+  await untilPanels(page, 3);
+  await chooseFile(page, "two.dxf", pieces([[300, 0], [300, 200], [500, 200], [500, 0]]));
+  await untilStatus(page, "Undo brings back");
+  await undo(page);
+  await untilPanels(page, 3);
 });
 
 test("a reload keeps the work of this tab, and a second tab has its own", async () => {
-  await page.getByRole("button", { name: "Delete side-left", exact: true }).click();
-  await seamCount(5);
+  await press(page, "Delete side-left");
+  await untilSeams(page, 5);
   const mine = await garment();
   await page.reload();
-  await seamCount(5);
+  await untilSeams(page, 5);
   assert.deepEqual(await garment(), mine);
   assert.ok(await page.locator("#import-units").isEnabled(), "the file can be read in another way still");
-  const second = await tab.context.newPage();
+  const second = await context.newPage();
   await second.goto(page.url());
-  await panelsDrawn(3, second);
-  await second.waitForFunction(() => /other work on this pattern|open in another tab/.test(document.getElementById("status").textContent));
-  await page.waitForFunction(() => document.getElementById("status").textContent.includes("open in another tab"));
+  await untilPanels(second, 3);
+  await untilStatus(second, "open in another tab");
+  await untilStatus(page, "open in another tab");
   await second.locator("#default-fabric").selectOption(await otherFabric(second));
-  await settle();
+  await untilKept();
   await page.reload();
-  await seamCount(5);
+  await untilSeams(page, 5);
   assert.deepEqual(await garment(), mine, "the first tab has what it had");
   await second.locator("#open").click();
   const entries = second.locator("#open-recent .entry");
   await entries.nth(1).waitFor();
   assert.deepEqual(await axeFaults(second), []);
   await entries.filter({ hasText: "5 seams" }).first().click();
-  await seamCount(5, second);
+  await untilSeams(second, 5);
   await second.close();
+});
+
+test("work that another pattern takes the place of is kept over a reload, and opens from its file", async () => {
+  await openDrawer(page, "seams");
+  await press(page, "Delete side-right");
+  await untilSeams(page, 4);
+  await untilKept();
+  const left = await garment();
+  await press(page, "Top sample");
+  await untilPanels(page, 2);
+  await untilKept();
+  await page.reload();
+  await untilPanels(page, 2);
+  const missing = (url) => /\/v1\/patterns\/[^/]+$/.test(url.pathname);
+  await page.route(missing, (route) => route.fulfill({ status: 404, contentType: "application/problem+json", body: "{}" }));
+  await page.locator("#open").click();
+  await page.locator("#open-recent .entry", { hasText: /A-LINE SKIRT\s*4 seams/ }).click();
+  await untilPanels(page, 3);
+  await page.unroute(missing);
+  expectErrors(record, / 404 .*\/v1\/patterns\//);
+  assert.deepEqual(await garment(), left);
+});
+
+/** Holds the answers of a call back: `release()` lets them come. */
+async function holdBack(method, path) {
+  let release;
+  const gate = new Promise((done) => { release = done; });
+  const matches = (url) => path.test(url.pathname);
+  await page.route(matches, async (route) => {
+    if (route.request().method() !== method) return route.fallback();
+    const response = await route.fetch();
+    await gate;
+    return route.fulfill({ response }).catch(() => {});
+  });
+  return async () => {
+    release();
+    await page.unroute(matches, { behavior: "wait" });
+    await untilKept();
+  };
+}
+
+test("the answer of a fit that comes late does not land on another pattern", async () => {
+  const release = await holdBack("POST", /\/v1\/fits$/);
+  await page.locator("#run").click();
+  await press(page, "Top sample");
+  await untilPanels(page, 2);
+  await release();
+  await untilStatus(page, "is being sewn: Open lists it");
+  assert.equal(await fitOf(page), null);
+  assert.ok(await page.locator("#cancel").isHidden());
+  await undo(page);
+  await untilPanels(page, 3);
+});
+
+test("a fit comes back with its pattern, also when that was left before the fit was there", async () => {
+  await page.locator("#run").click();
+  await press(page, "Cancel");
+  await page.waitForFunction(() => document.getElementById("status").textContent.startsWith("Canceled"));
+  const id = await fitOf(page);
+  assert.ok(id);
+  await press(page, "Top sample");
+  await untilPanels(page, 2);
+  const release = await holdBack("GET", /\/v1\/fits\/[^/]+$/);
+  await undo(page);
+  await untilPanels(page, 3);
+  await press(page, "Redo");
+  await untilPanels(page, 2);
+  await release();
+  assert.equal(await fitOf(page), null);
+  const looked = page.waitForResponse((response) => response.url().endsWith(`${id}/report`));
+  await undo(page);
+  await looked;
+  await page.waitForFunction((fit) => location.hash.includes(fit), id);
+  // It was canceled before it had a shape, so it has no report.
+  expectErrors(record, / 404 .*\/report$/, { least: 2 });
+});
+
+test("a pattern that is opened again is checked again", async () => {
+  const checked = () => page.waitForResponse((response) => response.url().endsWith("/seams/check") && response.ok());
+  for (let i = 0; i < 2; i++) {
+    const answer = checked();
+    await press(page, "Skirt sample");
+    await answer;
+  }
+  await untilStatus(page, "can be sewn");
+});
+
+test("another address that is entered opens what it names", async () => {
+  const address = page.url();
+  await press(page, "Top sample");
+  await untilPanels(page, 2);
+  await page.evaluate((entered) => { location.href = entered; }, address);
+  await untilPanels(page, 3);
+});
+
+test("a browser that cannot keep the work says so", async () => {
+  const other = await context.newPage();
+  await other.addInitScript(() => {
+    IDBObjectStore.prototype.put = () => { throw new Error("there is no room"); };
+  });
+  await other.goto(service.url);
+  await press(other, "Try the skirt");
+  await untilStatus(other, "This browser cannot keep the work of this tab: save the garment before you close it. All 6 seams");
+  await other.close();
 });
 
 test("work of a closed tab and earlier fits are listed and opened", async () => {
@@ -175,22 +258,20 @@ test("work of a closed tab and earlier fits are listed and opened", async () => 
     const fit = await (await fetch("/v1/fits", {
       method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ ...garment, pattern }),
     })).json();
-    await fetch(`/v1/fits/${fit.id}/cancel`, { method: "POST" });
-    return fit.id;
+    const canceled = await fetch(`/v1/fits/${fit.id}`, { method: "DELETE" });
+    return canceled.ok ? fit.id : null;
   });
-  const third = await tab.context.newPage();
+  assert.ok(id);
+  const third = await context.newPage();
   await third.goto(service.url);
   await third.locator("#open").click();
   const fits = third.locator("#open-recent ul").nth(1).locator(".entry");
   await fits.first().waitFor();
   assert.match(await fits.first().textContent(), /waiting|being sewn|canceled/);
   await fits.first().click();
-  await seamCount(6, third);
+  await untilSeams(third, 6);
   await third.waitForFunction((fit) => location.hash.includes(fit), id);
   await third.close();
 });
 
-test("nothing failed but what was asked for", () => {
-  tab.record.errors = tab.record.errors.filter((text) => !/ 404 | 409 /.test(text));
-  assert.deepEqual(tab.record, { foreign: [], errors: [], breaches: [] });
-});
+test("nothing else failed", () => assertClean(record));

@@ -1,0 +1,92 @@
+// Acts of a user on the page, and waits for what they bring, for all suites.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { fileURLToPath } from "node:url";
+
+/** The file of a sample. */
+export const samplePath = (name) => fileURLToPath(new URL(`../../static/samples/${name}`, import.meta.url));
+
+export const statusOf = (page) => page.locator("#status").textContent();
+
+/** Waits until the status says a text. */
+export const untilStatus = (page, text) =>
+  page.waitForFunction((part) => document.getElementById("status").textContent.includes(part), text);
+
+/** Waits until so many panels are drawn. */
+export const untilPanels = (page, count) =>
+  page.waitForFunction((many) => document.querySelectorAll("#sheet [aria-label^='Panel ']").length === many, count);
+
+/** Waits until the garment has so many seams. */
+export const untilSeams = (page, count) =>
+  page.waitForFunction((text) => document.getElementById("seam-count").textContent.replace(/^\d+ of (\d+).*/, "$1") === text, String(count));
+
+/** Waits until all that changed is painted. */
+export const twoFrames = (page) =>
+  page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+
+export const press = (page, name) => page.getByRole("button", { name, exact: true }).click();
+
+export const undo = (page) => press(page, "Undo");
+
+/** Opens the sample by a button; the check of its seams may come later. */
+export async function openSkirt(page, button = "Skirt sample") {
+  await press(page, button);
+  await page.waitForFunction(() => !document.getElementById("status").textContent.startsWith("Reading"));
+  await page.locator('path.edge[data-panel="skirt-front"]').first().waitFor({ state: "attached" });
+  await twoFrames(page);
+}
+
+/** Opens a page of the drawer. */
+export async function openDrawer(page, name) {
+  const handle = page.locator(`[data-drawer="${name}"]`);
+  if (await handle.getAttribute("aria-expanded") === "false") await handle.click();
+}
+
+/** Chooses a file whose content is given. */
+export const chooseFile = (page, name, content) =>
+  page.setInputFiles("#open-file", { name, mimeType: "application/octet-stream", buffer: Buffer.from(content) });
+
+/** The garment as the page would save it. */
+export async function savedGarment(page) {
+  const waiting = page.waitForEvent("download");
+  await press(page, "Save garment");
+  return JSON.parse(await readFile(await (await waiting).path()));
+}
+
+export const edgePath = (page, panel, edge) => page.locator(`path.edge[data-panel="${panel}"][data-edge="${edge}"]`);
+
+/** A point of an edge on the screen, at a fraction of its length, clockwise. */
+export const pointOnEdge = (page, panel, edge, fraction = 0.5) => edgePath(page, panel, edge).evaluate((path, share) => {
+  const { x, y } = path.getPointAtLength(path.getTotalLength() * share).matrixTransform(path.getScreenCTM());
+  return { x, y };
+}, fraction);
+
+/** Clicks an edge at a fraction of its length. */
+export async function clickEdge(page, panel, edge, fraction, { shift = false } = {}) {
+  const { x, y } = await pointOnEdge(page, panel, edge, fraction);
+  if (shift) await page.keyboard.down("Shift");
+  await page.mouse.click(x, y);
+  if (shift) await page.keyboard.up("Shift");
+}
+
+/** Presses a key on an edge. */
+export async function keyOnEdge(page, panel, edge, key) {
+  await edgePath(page, panel, edge).focus();
+  await page.keyboard.press(key);
+}
+
+/** The body of the next check that the page asks for, once it is answered. */
+export async function checkedAfter(page, act) {
+  const asked = page.waitForRequest((request) => request.url().endsWith("/seams/check"));
+  await act();
+  const request = await asked;
+  assert.equal((await request.response()).status(), 200);
+  return request.postDataJSON();
+}
+
+/** The pattern that the page shows, as the service has it. */
+export const shownPattern = (page) => page.evaluate(() =>
+  fetch(`/v1/patterns/${new URLSearchParams(location.hash.slice(1)).get("pattern")}`).then((response) => response.json()));
+
+/** Id of the fit that the address names, or null. */
+export const fitOf = (page) => page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("fit"));
