@@ -88,6 +88,8 @@ impl PlacementAnchor {
             Self::ArmRightFront => Self::ArmLeftFront,
             Self::ArmLeftBack => Self::ArmRightBack,
             Self::ArmRightBack => Self::ArmLeftBack,
+            Self::LegLeft => Self::LegRight,
+            Self::LegRight => Self::LegLeft,
             other => other,
         }
     }

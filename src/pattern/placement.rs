@@ -57,6 +57,10 @@ pub enum PlacementAnchor {
     ArmRightFront,
     /// Behind the right arm.
     ArmRightBack,
+    /// Round the left leg and that half of the hips, hung from the waist (a leg in one piece).
+    LegLeft,
+    /// Round the right leg and that half of the hips.
+    LegRight,
     /// Round the neck, standing on it.
     Neck,
     /// In front of the neck (half a collar).

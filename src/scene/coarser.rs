@@ -1,8 +1,8 @@
 //! The same scene on a coarser mesh: what a multilevel solver starts from.
 
-use super::{Body, FiberSpring, Membrane, Scene};
-use crate::mesh::{self, ClothMesh, CoarserMesh, PanelRange};
-use nalgebra::{Vector2, Vector3};
+use super::chords;
+use super::{FiberSpring, Membrane, Scene};
+use crate::mesh::{self, ClothMesh, CoarserMesh};
 use std::collections::BTreeMap;
 
 /// A scene on a coarser mesh, and how the finer one hangs on it.
@@ -19,14 +19,6 @@ pub struct CoarserScene {
 
 /// Least bending length of cloth on a coarser mesh, as a share of its mesh edges.
 const BENDING_LENGTH: f64 = 1.0;
-/// Mesh edges of the next coarser mesh over those of a mesh: it has a third of the vertices.
-const COARSER_EDGE: f64 = 1.75;
-/// Most that a panel may turn along one mesh edge at its start \[rad\]: the edge sags by an eighth
-/// of the radius there.
-const MOST_TURN: f64 = 1.0;
-/// Longest mesh edges of a coarser mesh of what is worn \[m\]: a quarter of the girth of an arm.
-/// Longer ones close through arms, ankles and shoulders, or beside them.
-const LONGEST_WORN: f64 = 0.065;
 /// Directions of fibers are told apart to this much of a turn.
 const TURN: f64 = 1e6;
 
@@ -41,7 +33,7 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
         mesh,
         finer,
         weights,
-    } = mesh::coarser(&scene.mesh, &scene.pins, &chords(scene))?;
+    } = mesh::coarser(&scene.mesh, &scene.pins, &chords::chords(scene))?;
     let mut number = vec![usize::MAX; scene.start.len()];
     finer.iter().enumerate().for_each(|(n, &v)| number[v] = n);
     let mut mass = vec![0.0; finer.len()];
@@ -79,48 +71,6 @@ pub fn coarser(scene: &Scene) -> Option<CoarserScene> {
         finer,
         weights,
     })
-}
-
-/// Returns the panels whose edges on a coarser mesh would be chords through the body: those that
-/// start so round, as a sleeve or a collar, and of what is worn those whose edges are as long.
-fn chords(scene: &Scene) -> Vec<bool> {
-    let is_worn = matches!(scene.body, Some(Body::Avatar(_)));
-    let is_chord = |range| {
-        let edge = COARSER_EDGE * mean_edge(&scene.mesh, range);
-        is_worn && edge > LONGEST_WORN || edge * start_curvature(scene, range) > MOST_TURN
-    };
-    scene.mesh.panels.iter().map(is_chord).collect()
-}
-
-/// Returns the length of the edges of equal triangles as many as a panel has \[m\].
-fn mean_edge(mesh: &ClothMesh, range: &PanelRange) -> f64 {
-    let triangles = &mesh.triangles[range.triangles.clone()];
-    let doubled = triangles.iter().map(|t| {
-        let [p, q, r] = t.map(|v| Vector2::from(mesh.uv[v]));
-        (q - p).perp(&(r - p)).abs()
-    });
-    let area = 0.5 * doubled.sum::<f64>() / triangles.len().max(1) as f64;
-    (4.0 / 3f64.sqrt() * area).sqrt()
-}
-
-/// Returns the mean curvature of the start of a panel that is rolled one way \[1/m\]: the
-/// angles of its inner edges, each times the edge's length, over the area (D. Cohen-Steiner, J.-M.
-/// Morvan, "Restricted Delaunay triangulations and normal cycle", 19th Symposium on
-/// Computational Geometry, 2003).
-fn start_curvature(scene: &Scene, range: &PanelRange) -> f64 {
-    let mut beside: BTreeMap<[usize; 2], Vector3<f64>> = BTreeMap::new();
-    let (mut turned, mut area) = (0.0, 0.0);
-    for &[a, b, c] in &scene.mesh.triangles[range.triangles.clone()] {
-        let [p, q, r] = [a, b, c].map(|v| scene.start[v]);
-        let across = (q - p).cross(&(r - p));
-        area += 0.5 * across.norm();
-        for [from, to] in [[a, b], [b, c], [c, a]] {
-            if let Some(other) = beside.insert([from.min(to), from.max(to)], across) {
-                turned += other.angle(&across) * (scene.start[to] - scene.start[from]).norm();
-            }
-        }
-    }
-    if area > 0.0 { turned / area } else { 0.0 }
 }
 
 /// The rigidity of a cloth whose bending length (B / (g density))^(1/3) is a share of the mesh
@@ -250,80 +200,4 @@ fn slopes([p, q, r]: [[f64; 2]; 3]) -> [[f64; 2]; 3] {
     let twice = u[0] * v[1] - u[1] * v[0];
     let (b, c) = ([v[1] / twice, -v[0] / twice], [-u[1] / twice, u[0] / twice]);
     [[-b[0] - c[0], -b[1] - c[1]], b, c]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mesh::Stitch;
-    use crate::pattern::{Panel, Placement, PlacementAnchor};
-    use crate::scene::{AnchoredPlacement, Cut, PanelParts, Parts, build, fabric};
-    use crate::seam::Face;
-
-    /// A panel 20 cm wide and 120 cm long of squares of 2 cm, at a place of the body.
-    fn panel(at: PlacementAnchor) -> Scene {
-        let (columns, rows, side) = (10, 60, 0.02);
-        let uv = (0..=rows)
-            .flat_map(|j| (0..=columns).map(move |i| [side * f64::from(i), side * f64::from(j)]));
-        let at_corner = |i: usize, j: usize| j * (columns as usize + 1) + i;
-        let (columns_of, rows_of) = (columns as usize, rows as usize);
-        let triangles = (0..rows_of).flat_map(|j| {
-            (0..columns_of).flat_map(move |i| {
-                let [a, b, c, d] =
-                    [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(|(i, j)| at_corner(i, j));
-                [[a, b, c], [a, c, d]]
-            })
-        });
-        let uv: Vec<_> = uv.collect();
-        let triangles: Vec<_> = triangles.collect();
-        let corners = [(0, 0), (0, rows_of), (columns_of, rows_of), (columns_of, 0)];
-        let mesh = ClothMesh {
-            panels: vec![PanelRange {
-                vertices: 0..uv.len(),
-                triangles: 0..triangles.len(),
-                corners: corners.map(|(i, j)| at_corner(i, j)).to_vec(),
-            }],
-            uv,
-            triangles,
-            stitches: Vec::<Stitch>::new(),
-        };
-        let outline = Panel::rectangle("sleeve", [0.2, 1.2]);
-        let placement = Placement {
-            at: Some(at),
-            ..Placement::default()
-        };
-        let anchored = AnchoredPlacement::new(&outline, Some(&placement)).expect("a place");
-        build(Parts {
-            mesh,
-            panels: vec![PanelParts {
-                cut: Cut {
-                    fabric: 0,
-                    warp_angle: 0.0,
-                    face_down: false,
-                },
-                placed: anchored.place(&outline, Face::Up, None),
-            }],
-            fabrics: vec![fabric::library().remove("linen").expect("a shipped fabric")],
-            body: None,
-            friction: None,
-            pins: vec![],
-        })
-    }
-
-    /// 20 cm rolled by a turn have a radius of 32 mm, so that edges of 35 mm turn by more than a
-    /// radian.
-    #[test]
-    fn a_sleeve_keeps_its_vertices_where_a_front_is_made_coarser() {
-        assert!(coarser(&panel(PlacementAnchor::TorsoFront)).is_some());
-        assert!(coarser(&panel(PlacementAnchor::ArmLeft)).is_none());
-        let sleeve = panel(PlacementAnchor::ArmLeft);
-        let curvature = start_curvature(&sleeve, &sleeve.mesh.panels[0]);
-        let exact = std::f64::consts::TAU / 0.2;
-        // The turns between columns are those of the roll, but those at its sides are missing.
-        let missing = 1.0 / 10.0;
-        assert!(
-            (curvature / exact - 1.0).abs() < missing + 0.01,
-            "{curvature} {exact}"
-        );
-    }
 }

@@ -4,6 +4,7 @@ mod avatar;
 mod body;
 mod build;
 mod carriers;
+mod chords;
 mod coarser;
 mod crotch;
 mod fabric;

@@ -9,7 +9,7 @@ mod words;
 
 pub(super) use self::measured::measured;
 
-use self::places::{Place, limbs, normal_to, parts, upper_arm};
+use self::places::{Place, along_leg, limbs, normal_to, on_side, parts, upper_arm};
 use self::section::{Plane, Section, Sections, level, steps};
 use self::words::section_in_words;
 use crate::fault::{FitCode, Warning};
@@ -74,7 +74,7 @@ pub(super) fn overstretched(scene: &Scene, positions: &[Vector3<f64>]) -> Option
 /// A tube of a garment: its name, its panels, and planes across it.
 type Tube = (&'static str, Vec<usize>, Vec<Plane>);
 
-/// Returns the tubes of a garment round trunk and arms, with planes all along them.
+/// Returns the tubes of a garment round trunk, arms and legs, with planes all along them.
 fn tubes(avatar: &Avatar, scene: &Scene) -> Vec<Tube> {
     let [trunk, left, right] = parts(scene);
     let height = |name: &str| avatar.landmarks.get(name).map(|p| p.y);
@@ -82,7 +82,7 @@ fn tubes(avatar: &Avatar, scene: &Scene) -> Vec<Tube> {
     if let (Some(low), Some(high)) = (height("crotch"), height("armpit_l")) {
         tubes.push((
             "trunk",
-            trunk,
+            trunk.clone(),
             steps([low, high], TUBE_STEP).map(level).collect(),
         ));
     }
@@ -97,6 +97,19 @@ fn tubes(avatar: &Avatar, scene: &Scene) -> Vec<Tube> {
         let alongs = steps([along[0], axis.length()], TUBE_STEP);
         let planes = alongs.filter_map(|along| normal_to(avatar, limb, along));
         tubes.push((name, panels, planes.collect()));
+    }
+    let legs = [
+        ("left leg", Limb::LegLeft, 1.0),
+        ("right leg", Limb::LegRight, -1.0),
+    ];
+    for (name, limb, side) in legs {
+        let crotch = height("crotch").and_then(|height| along_leg(avatar, limb, height));
+        let (Some(axis), Some(crotch)) = (avatar.limb(limb), crotch) else {
+            continue;
+        };
+        let alongs = steps([crotch, axis.length()], TUBE_STEP);
+        let planes = alongs.filter_map(|along| normal_to(avatar, limb, along));
+        tubes.push((name, on_side(scene, &trunk, side), planes.collect()));
     }
     tubes
 }

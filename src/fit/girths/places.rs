@@ -53,28 +53,34 @@ pub(super) fn limbs(
 /// Returns the thighs, measured by the panels on their own side: they go all round one only where
 /// they are legs of trousers.
 fn thighs(avatar: &Avatar, scene: &Scene, trunk: &[usize]) -> Vec<Place> {
-    let on_side = |side: f64| {
-        let panels = trunk.iter().copied();
-        panels
-            .filter(move |&panel| side * center_x(scene, panel) > 0.0)
-            .collect::<Vec<_>>()
-    };
     let legs = [
         ("left thigh", Limb::LegLeft, 1.0),
         ("right thigh", Limb::LegRight, -1.0),
     ];
     let thighs = legs.into_iter().filter_map(|(name, limb, side)| {
         let height = avatar.landmarks.get("crotch")?.y - BELOW_CROTCH;
-        let (joint, direction) = avatar.limb(limb)?.at(0.0);
-        let along = (height - joint.y) / direction.y;
         Some(Place {
             name,
             planes: vec![level(height), level(height - OFF_LEVEL)],
-            panels: on_side(side),
-            body_m: avatar.limb_girth(limb, along)?,
+            panels: on_side(scene, trunk, side),
+            body_m: avatar.limb_girth(limb, along_leg(avatar, limb, height)?)?,
         })
     });
     thighs.collect()
+}
+
+/// Returns the panels of the trunk whose middles start on one side of it, 1 at +x or -1 at -x.
+pub(super) fn on_side(scene: &Scene, trunk: &[usize], side: f64) -> Vec<usize> {
+    let panels = trunk.iter().copied();
+    panels
+        .filter(|&panel| side * center_x(scene, panel) > 0.0)
+        .collect()
+}
+
+/// Returns how far down a leg from its joint a height is \[m\].
+pub(super) fn along_leg(avatar: &Avatar, limb: Limb, height: f64) -> Option<f64> {
+    let (joint, direction) = avatar.limb(limb)?.at(0.0);
+    Some((height - joint.y) / direction.y)
 }
 
 /// Returns the panels about the trunk, the left and the right arm.

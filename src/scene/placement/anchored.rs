@@ -2,12 +2,13 @@
 
 use super::cone::Cone;
 use super::name_hint::guess;
+use super::on_leg;
 use super::placed::Placed;
 use super::spot::Spot;
 use super::taper::Taper;
 use crate::fault::{Fault, Faults, PlacementCode, pointer_token};
 use crate::pattern::{Hole, Panel, Placement, PlacementAnchor, Wrap, polyline};
-use crate::scene::Avatar;
+use crate::scene::{Avatar, Limb};
 use crate::seam::Face;
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use std::f64::consts::TAU;
@@ -134,6 +135,10 @@ impl AnchoredPlacement {
             placed.sense = 1.0;
             return placed;
         }
+        if let (Some(limb), Wrap::Cylinder) = (leg_of(*anchor), wrap) {
+            let outline: Vec<_> = outline(panel).map(|uv| up * Vector2::from(uv)).collect();
+            return on_leg::place(placed, &outline, limb, avatar);
+        }
         if wrap == Wrap::Level {
             placed.key = middle_of_hole(panel, &up).unwrap_or([placed.key[0], center_y]);
             return placed;
@@ -218,6 +223,15 @@ impl AnchoredPlacement {
     }
 }
 
+/// Returns the leg that a key point is about.
+fn leg_of(anchor: PlacementAnchor) -> Option<Limb> {
+    match anchor {
+        PlacementAnchor::LegLeft => Some(Limb::LegLeft),
+        PlacementAnchor::LegRight => Some(Limb::LegRight),
+        _ => None,
+    }
+}
+
 /// Returns the reach of the trunk from its axis between two heights \[m\]: to the front and back
 /// for flat panels, all round for rolled ones. Beyond the tips of the shoulders there are arms.
 fn radius(avatar: Option<&Avatar>, center: f64, span: [f64; 2], wrap: Wrap) -> f64 {
@@ -283,7 +297,7 @@ pub(super) fn bounds(panel: &Panel, up: &Rotation2<f64>) -> [[f64; 2]; 2] {
 fn unknown(panel: &Panel) -> Faults {
     let pointer = format!("/panels/{}/placement", pointer_token(&panel.id));
     Fault::new(PlacementCode::Unknown, pointer, format!("the name of panel {} does not say where on the body it goes", panel.id))
-        .fix("give \"at\": torso_front, torso_back, skirt_front, skirt_back, waist, waist_front, waist_back, neck, arm_left, arm_right or origin, or take suggested placements")
+        .fix("give \"at\": torso_front, torso_back, skirt_front, skirt_back, waist, waist_front, waist_back, neck, arm_left, arm_right, leg_left, leg_right or origin, or take suggested placements")
         .into()
 }
 

@@ -9,6 +9,7 @@ mod layered;
 mod lifted;
 mod limb_pose;
 mod name_hint;
+mod on_leg;
 mod on_limb;
 mod panel_placement;
 mod placed;

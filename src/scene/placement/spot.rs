@@ -112,6 +112,8 @@ impl Spot {
             PlacementAnchor::ArmRightFront => arm(Limb::ArmRight, 0.0, 0.5),
             PlacementAnchor::ArmLeftBack => arm(Limb::ArmLeft, PI, 0.5),
             PlacementAnchor::ArmRightBack => arm(Limb::ArmRight, PI, 0.5),
+            PlacementAnchor::LegLeft => spot(body.waist, true, FRAC_PI_2, Some(1.0)),
+            PlacementAnchor::LegRight => spot(body.waist, true, -FRAC_PI_2, Some(1.0)),
             PlacementAnchor::Origin => Self {
                 axis: Vector3::zeros(),
                 ..spot(0.0, true, 0.0, None)

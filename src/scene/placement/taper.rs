@@ -31,19 +31,10 @@ impl Taper {
     /// line, for a limb that reaches `least` from the axis at its upper and lower end \[m\]; none
     /// where it does not narrow downward.
     pub(super) fn of(outline: &[Vector2<f64>], radius: f64, least: [f64; 2]) -> Option<Self> {
-        let heights = outline.iter().map(|p| p.y);
-        let [bottom, top] = heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], y| {
-            [low.min(y), high.max(y)]
-        });
-        let at = |share: f64| bottom + (top - bottom) * share;
-        let hem = at(NEAR_HEM);
-        let shares = (1..STEPS).map(|k| f64::from(k) / f64::from(STEPS));
-        let measured = shares.map(|share| (at(share), sides(outline, at(share))));
+        let [bottom, top] = heights(outline);
+        let hem = bottom + (top - bottom) * NEAR_HEM;
         let width = |[left, right]: [f64; 2]| right - left;
-        let wider = |a: (f64, [f64; 2]), b: (f64, [f64; 2])| {
-            if width(b.1) > width(a.1) { b } else { a }
-        };
-        let (widest, most) = measured.fold((top, [0.0; 2]), wider);
+        let (widest, most) = widest_line(outline);
         let least_wide = sides(outline, hem);
         let slope = radius * (1.0 - width(least_wide) / width(most)) / (widest - hem);
         let middle = |[left, right]: [f64; 2]| 0.5 * (left + right);
@@ -69,6 +60,33 @@ impl Taper {
     pub(super) fn aside(&self, height: f64) -> f64 {
         self.aside * (self.widest - height).max(0.0)
     }
+}
+
+/// Returns the height of the widest line of a closed outline, and how far it reaches to its two
+/// sides \[m\].
+pub(super) fn widest_line(outline: &[Vector2<f64>]) -> (f64, [f64; 2]) {
+    let [bottom, top] = heights(outline);
+    let shares = (1..STEPS).map(|k| f64::from(k) / f64::from(STEPS));
+    let measured = shares.map(|share| {
+        let height = bottom + (top - bottom) * share;
+        (height, sides(outline, height))
+    });
+    let width = |[left, right]: [f64; 2]| right - left;
+    measured.fold((top, [0.0; 2]), |widest, line| {
+        if width(line.1) > width(widest.1) {
+            line
+        } else {
+            widest
+        }
+    })
+}
+
+/// Returns the heights of the lowest and the highest point \[m\].
+pub(super) fn heights(outline: &[Vector2<f64>]) -> [f64; 2] {
+    let heights = outline.iter().map(|p| p.y);
+    heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], y| {
+        [low.min(y), high.max(y)]
+    })
 }
 
 /// Returns how far a closed outline reaches to its two sides at a height \[m\].

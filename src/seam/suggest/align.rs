@@ -60,7 +60,9 @@ impl AlignmentWeights {
     /// Returns the cost of segments of one role that differ in length.
     fn unevenness_cost(&self, features: &OutlineFeatures, segments: &[RoleSegment]) -> f64 {
         let mut cost = 0.0;
-        for (i, a) in segments.iter().enumerate() {
+        // Of a leg in one piece the crotch is longer behind than in front.
+        let is_alike = |s: &&RoleSegment| s.role != EdgeRole::Crotch;
+        for (i, a) in segments.iter().enumerate().filter(|(_, s)| is_alike(s)) {
             for b in segments[i + 1..].iter().filter(|b| b.role == a.role) {
                 let ratio = (features.length(&a.edges) / features.length(&b.edges)).ln();
                 cost += self.misfit(ratio, [0.0, self.unevenness]);

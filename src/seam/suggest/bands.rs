@@ -85,6 +85,7 @@ fn openings(parts: &[LabeledPanel]) -> Vec<BandOpening> {
             EdgeRole::Waist,
             WAIST,
         ),
+        (PanelKind::Waistband, PanelKind::Leg, EdgeRole::Waist, WAIST),
         (PanelKind::Cuff, PanelKind::Sleeve, EdgeRole::Hem, CUFF),
         (PanelKind::Hood, PanelKind::Hood, EdgeRole::Center, STRIP),
     ];
@@ -92,6 +93,9 @@ fn openings(parts: &[LabeledPanel]) -> Vec<BandOpening> {
         let around = if *host == PanelKind::Hood {
             let half = parts.iter().find(|p| p.kind == *host && p.half)?;
             half.role_length(*role)
+        } else if *host == PanelKind::Leg {
+            let leg = parts.iter().find(|p| p.kind == *host)?;
+            2.0 * leg.role_length(*role)
         } else if *host == PanelKind::Sleeve {
             let sleeve = parts.iter().find(|p| p.kind == *host && !p.half)?;
             sleeve.role_length(*role)

@@ -136,6 +136,7 @@ impl NameContext<'_> {
         let of_bodice = BTreeSet::from(OF_BODICE);
         match (hints.kind, hints.front_back) {
             (Some(PanelKind::Side), Some(_)) => vec![PanelKind::Side, PanelKind::Bodice],
+            (Some(PanelKind::Trouser), None) => vec![PanelKind::Trouser, PanelKind::Leg],
             (Some(kind), _) => vec![kind],
             (None, Some(_)) if !of_bodice.is_disjoint(&self.named) => vec![PanelKind::Bodice],
             (None, Some(_)) => PanelKind::BODY.to_vec(),

@@ -287,6 +287,7 @@ fn reason(
             Bodice
             | Skirt
             | PanelKind::Trouser
+            | PanelKind::Leg
             | Sleeve
             | PanelKind::UnderSleeve
             | Side
@@ -317,7 +318,7 @@ fn unnamed_reason(
         let mut parts = garment.parts_of(kind);
         parts.any(|p| sewn.contains(&(p.panel % pattern.panels.len())))
     };
-    let trousers = has(PanelKind::Trouser);
+    let trousers = has(PanelKind::Trouser) || has(PanelKind::Leg);
     let whole = trousers || has(PanelKind::Sleeve) && has(PanelKind::Bodice);
     match share {
         share if share < NEEDED_AREA => Loose::Unneeded,
@@ -332,7 +333,9 @@ fn needed_roles(garment: &GarmentModel, part: &LabeledPanel) -> Vec<EdgeRole> {
     let mut roles = match part.kind {
         PanelKind::Bodice => vec![EdgeRole::Side, EdgeRole::Shoulder],
         PanelKind::Skirt => vec![EdgeRole::Side],
-        PanelKind::Trouser => vec![EdgeRole::Side, EdgeRole::Inseam, EdgeRole::Crotch],
+        PanelKind::Trouser | PanelKind::Leg => {
+            vec![EdgeRole::Side, EdgeRole::Inseam, EdgeRole::Crotch]
+        }
         PanelKind::Sleeve => vec![
             EdgeRole::Cap,
             EdgeRole::Underarm,

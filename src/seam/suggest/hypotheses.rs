@@ -1,9 +1,9 @@
 //! Hypotheses of what panels are that no name tells of: a garment that they make whole is stronger
 //! evidence than the look of each.
 //!
-//! Side panels, under sleeves, yokes and hoods look like many other panels. They are looked for
-//! only where the usual reading leaves panels over, and taken only where everything that must be
-//! sewn then finds its partner, and the edges that meet are as long as each other.
+//! Side panels, under sleeves, yokes, hoods and legs in one piece look like many other panels. They
+//! are looked for only where the usual reading leaves panels over, and taken only where everything
+//! that must be sewn then finds its partner, and the edges that meet are as long as each other.
 
 use super::cut_edges::CutPattern;
 use super::labels::PanelKind;
@@ -13,11 +13,12 @@ use crate::config::Limits;
 use crate::pattern::Pattern;
 
 /// Kinds that are looked for, beside the usual ones.
-const RARE: [PanelKind; 4] = [
+const RARE: [PanelKind; 5] = [
     PanelKind::Side,
     PanelKind::UnderSleeve,
     PanelKind::Yoke,
     PanelKind::Hood,
+    PanelKind::Leg,
 ];
 /// Most kinds that are looked for together.
 const MAX_TOGETHER: usize = 2;

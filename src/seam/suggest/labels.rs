@@ -8,7 +8,10 @@ use serde::Deserialize;
 pub(super) enum PanelKind {
     Bodice,
     Skirt,
+    /// The front or the back of a leg of trousers.
     Trouser,
+    /// A leg of trousers in one piece.
+    Leg,
     Sleeve,
     /// The lower part of a sleeve of two parts.
     UnderSleeve,
@@ -41,6 +44,7 @@ impl PanelKind {
             Self::Bodice => "a bodice",
             Self::Skirt => "a skirt",
             Self::Trouser => "trousers",
+            Self::Leg => "a leg in one piece",
             Self::Sleeve => "a sleeve",
             Self::UnderSleeve => "an under sleeve",
             Self::Side => "a side panel",

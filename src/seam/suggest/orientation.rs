@@ -267,9 +267,14 @@ pub(super) fn assign_left_right(
     forms
 }
 
-/// Returns true if a spare part could be set in where another is: as a short and a long sleeve.
+/// Returns true if a spare part could be set in where another is: as a short and a long sleeve or
+/// leg.
 fn is_form(taken: &LabeledPanel, spare: &LabeledPanel) -> bool {
-    let [a, b] = [taken, spare].map(|p| p.role_length(EdgeRole::Cap));
+    let joined = |p: &LabeledPanel| match p.kind {
+        PanelKind::Leg => p.role_length(EdgeRole::Waist),
+        _ => p.role_length(EdgeRole::Cap),
+    };
+    let [a, b] = [taken, spare].map(joined);
     a > 0.0 && (a - b).abs() <= FORM_LENGTH_SHARE * a.max(b)
 }
 
@@ -280,6 +285,7 @@ fn is_drawn_once(part: &LabeledPanel) -> bool {
         PanelKind::Sleeve
             | PanelKind::UnderSleeve
             | PanelKind::Side
+            | PanelKind::Leg
             | PanelKind::Cuff
             | PanelKind::ArmBand
     )

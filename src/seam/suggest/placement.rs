@@ -5,9 +5,9 @@ use super::labeled_panel::LabeledPanel;
 use super::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 use super::ring_panel::{RingPanel, RingPlace};
 use crate::pattern::PlacementAnchor::{
-    self, ArmLeft, ArmLeftBack, ArmLeftFront, ArmRight, ArmRightBack, ArmRightFront, Neck,
-    NeckBack, NeckFront, SkirtBack, SkirtFront, TorsoBack, TorsoFront, Waist, WaistBack,
-    WaistFront,
+    self, ArmLeft, ArmLeftBack, ArmLeftFront, ArmRight, ArmRightBack, ArmRightFront, LegLeft,
+    LegRight, Neck, NeckBack, NeckFront, SkirtBack, SkirtFront, TorsoBack, TorsoFront, Waist,
+    WaistBack, WaistFront,
 };
 use crate::pattern::{Placement, Wrap};
 
@@ -73,9 +73,11 @@ fn placement(garment: &GarmentModel, part: &LabeledPanel) -> Option<Placement> {
             )
         }
         PanelKind::Sleeve | PanelKind::UnderSleeve | PanelKind::ArmBand => (arm(part)?, [0.0; 3]),
+        PanelKind::Leg => (pick(side < 0.0, LegLeft, LegRight), [0.0; 3]),
         PanelKind::Cuff if on_leg(garment, part) => {
             let at = pick(behind, SkirtFront, SkirtBack);
-            let leg = tallest(garment, PanelKind::Trouser);
+            let legs = [PanelKind::Trouser, PanelKind::Leg].map(|kind| tallest(garment, kind));
+            let leg = legs[0].max(legs[1]);
             (at, [side * 0.1, -leg, 0.0])
         }
         PanelKind::Cuff => (

@@ -11,7 +11,8 @@ pub(super) fn drop_strays(parts: &mut Vec<LabeledPanel>) {
         parts.iter().any(is_there)
     };
     let both = |kind| has(kind, FrontBack::Front) && has(kind, FrontBack::Back);
-    let [trousers, skirt] = [PanelKind::Trouser, PanelKind::Skirt].map(both);
+    let [halves, skirt] = [PanelKind::Trouser, PanelKind::Skirt].map(both);
+    let trousers = halves || parts.iter().any(|p| p.kind == PanelKind::Leg);
     let bodice = parts.iter().any(|p| p.kind == PanelKind::Bodice);
     parts.retain(|part| {
         let of_bodice = matches!(

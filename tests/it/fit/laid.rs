@@ -1,4 +1,5 @@
-//! Garments that are laid round the body before they hang: circle skirts in one piece, ponchos.
+//! Garments that are laid round the body before they hang: circle skirts and legs in one piece,
+//! ponchos.
 
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
@@ -6,7 +7,7 @@ use seamster::fit::{Garment, PatternRef};
 use seamster::pattern::Panel;
 use seamster::scene::DressForm;
 use seamster::solver::DrapeReport;
-use seamster_fixtures::panels::{panel_of, pattern, polygon, rectangle, with_hole};
+use seamster_fixtures::panels::{leg, panel_of, pattern, polygon, rectangle, with_hole};
 use serde_json::{Value, json};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -66,6 +67,15 @@ fn circle_skirts_in_one_piece_are_worn() {
         let report = sewn(panels, json!({"seams": "suggest", "simulate": simulate}));
         assert_worn(&report, &format!("{degrees} degrees"));
     }
+}
+
+/// Leggings of two panels and a waistband: rolled about the legs from the start.
+#[test]
+fn leggings_of_legs_in_one_piece_are_worn() {
+    let panels = vec![leg("leg", 0.72), rectangle("waistband", WAIST, 0.04)];
+    let simulate = json!({"edge_length_m": 0.03});
+    let report = sewn(panels, json!({"seams": "suggest", "simulate": simulate}));
+    assert_worn(&report, "leggings");
 }
 
 #[test]

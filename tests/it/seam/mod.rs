@@ -9,6 +9,7 @@ mod outside;
 mod pleats;
 mod suggest;
 mod suggest_kinds;
+mod suggest_legs;
 mod suggest_rings;
 mod suggest_unnamed;
 mod suggest_unseen;

@@ -47,90 +47,90 @@ fn twice_area(mesh: &ClothMesh, [a, b, c]: [usize; 3]) -> f64 {
     (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
 }
 
+/// Each holds for every level of both samples, whose bodies and meshes take the most time here.
 #[test]
-fn coarse_vertices_are_fine_ones_and_far_fewer() {
+fn garments_are_the_same_on_coarser_meshes() {
     for (fine, coarse) in garments() {
-        assert!(coarse.finer.windows(2).all(|w| w[0] < w[1]));
-        for (v, &of) in coarse.finer.iter().enumerate() {
-            assert_eq!(coarse.scene.mesh.uv[v], fine.mesh.uv[of]);
-            assert_eq!(coarse.scene.start[v], fine.start[of]);
-        }
-        assert!(coarse.finer.len() * 2 < fine.start.len());
+        coarse_vertices_are_fine_ones_and_far_fewer(&fine, &coarse);
+        panels_keep_corners_and_cover_what_thinned_outlines_enclose(&fine, &coarse);
+        stitches_stay_or_go_with_both_their_vertices(&fine, &coarse);
+        weights_say_where_each_fine_vertex_lies(&fine, &coarse);
+        mass_is_kept(&fine, &coarse);
     }
 }
 
-#[test]
-fn panels_keep_corners_and_cover_what_thinned_outlines_enclose() {
-    for (fine, coarse) in garments() {
-        for (of, to) in fine.mesh.panels.iter().zip(&coarse.scene.mesh.panels) {
-            let kept = to.corners.iter().map(|&v| coarse.finer[v]);
-            assert!(kept.eq(of.corners.iter().copied()));
-            let area = |mesh: &ClothMesh, range: &std::ops::Range<usize>| -> f64 {
-                let triangles = &mesh.triangles[range.clone()];
-                assert!(triangles.iter().all(|&t| twice_area(mesh, t) > 0.0));
-                0.5 * triangles.iter().map(|&t| twice_area(mesh, t)).sum::<f64>()
-            };
-            let (whole, left) = (
-                area(&fine.mesh, &of.triangles),
-                area(&coarse.scene.mesh, &to.triangles),
-            );
-            // Outlines turn by less than 30 degrees where a vertex goes, so that a chord over two
-            // parts cuts off at most tan(15 deg)/4 of its length squared; of panels that are many
-            // parts wide that is a few per cent.
-            assert!((left / whole - 1.0).abs() < 0.05, "{left} of {whole}");
-        }
+fn coarse_vertices_are_fine_ones_and_far_fewer(fine: &Scene, coarse: &CoarserScene) {
+    assert!(coarse.finer.windows(2).all(|w| w[0] < w[1]));
+    for (v, &of) in coarse.finer.iter().enumerate() {
+        assert_eq!(coarse.scene.mesh.uv[v], fine.mesh.uv[of]);
+        assert_eq!(coarse.scene.start[v], fine.start[of]);
+    }
+    assert!(coarse.finer.len() * 2 < fine.start.len());
+}
+
+fn panels_keep_corners_and_cover_what_thinned_outlines_enclose(
+    fine: &Scene,
+    coarse: &CoarserScene,
+) {
+    for (of, to) in fine.mesh.panels.iter().zip(&coarse.scene.mesh.panels) {
+        let kept = to.corners.iter().map(|&v| coarse.finer[v]);
+        assert!(kept.eq(of.corners.iter().copied()));
+        let area = |mesh: &ClothMesh, range: &std::ops::Range<usize>| -> f64 {
+            let triangles = &mesh.triangles[range.clone()];
+            assert!(triangles.iter().all(|&t| twice_area(mesh, t) > 0.0));
+            0.5 * triangles.iter().map(|&t| twice_area(mesh, t)).sum::<f64>()
+        };
+        let (whole, left) = (
+            area(&fine.mesh, &of.triangles),
+            area(&coarse.scene.mesh, &to.triangles),
+        );
+        // Outlines turn by less than 30 degrees where a vertex goes, so that a chord over two
+        // parts cuts off at most tan(15 deg)/4 of its length squared; of panels that are many
+        // parts wide that is a few per cent.
+        assert!((left / whole - 1.0).abs() < 0.05, "{left} of {whole}");
     }
 }
 
-#[test]
-fn stitches_stay_or_go_with_both_their_vertices() {
-    for (fine, coarse) in garments() {
-        let number = |v: usize| coarse.finer.binary_search(&v).ok();
-        let mut expected = BTreeSet::new();
-        for s in &fine.mesh.stitches {
-            match (number(s.a), number(s.b)) {
-                (Some(a), Some(b)) => {
-                    expected.insert((s.seam, a, b));
-                }
-                (None, None) => {}
-                _ => panic!("a stitch lost one vertex"),
+fn stitches_stay_or_go_with_both_their_vertices(fine: &Scene, coarse: &CoarserScene) {
+    let number = |v: usize| coarse.finer.binary_search(&v).ok();
+    let mut expected = BTreeSet::new();
+    for s in &fine.mesh.stitches {
+        match (number(s.a), number(s.b)) {
+            (Some(a), Some(b)) => {
+                expected.insert((s.seam, a, b));
             }
+            (None, None) => {}
+            _ => panic!("a stitch lost one vertex"),
         }
-        let found = coarse
-            .scene
-            .mesh
-            .stitches
-            .iter()
-            .map(|s| (s.seam, s.a, s.b));
-        assert_eq!(found.collect::<BTreeSet<_>>(), expected);
-        assert!(expected.len() * 3 > fine.mesh.stitches.len());
+    }
+    let found = coarse
+        .scene
+        .mesh
+        .stitches
+        .iter()
+        .map(|s| (s.seam, s.a, s.b));
+    assert_eq!(found.collect::<BTreeSet<_>>(), expected);
+    assert!(expected.len() * 3 > fine.mesh.stitches.len());
+}
+
+fn weights_say_where_each_fine_vertex_lies(fine: &Scene, coarse: &CoarserScene) {
+    for (corners, uv) in coarse.weights.iter().zip(&fine.mesh.uv) {
+        for (k, uv) in uv.iter().enumerate() {
+            let at: f64 = corners
+                .iter()
+                .map(|&(v, w)| w * coarse.scene.mesh.uv[v][k])
+                .sum();
+            // Barycentric coordinates of meters, in a triangle whose height is above a
+            // thousandth of its edges.
+            assert!((at - uv).abs() < 1e-12);
+        }
     }
 }
 
-#[test]
-fn weights_say_where_each_fine_vertex_lies() {
-    for (fine, coarse) in garments() {
-        for (corners, uv) in coarse.weights.iter().zip(&fine.mesh.uv) {
-            for (k, uv) in uv.iter().enumerate() {
-                let at: f64 = corners
-                    .iter()
-                    .map(|&(v, w)| w * coarse.scene.mesh.uv[v][k])
-                    .sum();
-                // Barycentric coordinates of meters, in a triangle whose height is above a
-                // thousandth of its edges.
-                assert!((at - uv).abs() < 1e-12);
-            }
-        }
-    }
-}
-
-#[test]
-fn mass_is_kept() {
-    for (fine, coarse) in garments() {
-        let sum = |scene: &Scene| scene.mass.iter().sum::<f64>();
-        assert!((sum(&coarse.scene) / sum(&fine) - 1.0).abs() < 1e-12);
-        assert!(coarse.scene.mass.iter().all(|m| *m > 0.0));
-    }
+fn mass_is_kept(fine: &Scene, coarse: &CoarserScene) {
+    let sum = |scene: &Scene| scene.mass.iter().sum::<f64>();
+    assert!((sum(&coarse.scene) / sum(fine) - 1.0).abs() < 1e-12);
+    assert!(coarse.scene.mass.iter().all(|m| *m > 0.0));
 }
 
 /// Wherever cloth deforms the same everywhere, a net and its fibers have the same energy: nothing

@@ -7,7 +7,7 @@ use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 
 /// Sews the cuffs.
 pub(super) fn sew(garment: &mut GarmentModel) {
-    for host in [PanelKind::Sleeve, PanelKind::Trouser] {
+    for host in [PanelKind::Sleeve, PanelKind::Trouser, PanelKind::Leg] {
         for (laterality, side) in [(Laterality::Left, "left"), (Laterality::Right, "right")] {
             let mut opening = hem(garment, host, laterality);
             for flared in [false, true] {
@@ -26,10 +26,10 @@ pub(super) fn sew(garment: &mut GarmentModel) {
 
 fn name(host: PanelKind, flared: bool) -> &'static str {
     match (host, flared) {
-        (PanelKind::Trouser, false) => "leg-cuff",
-        (PanelKind::Trouser, true) => "leg-frill",
-        (_, false) => "cuff",
-        (_, true) => "frill",
+        (PanelKind::Sleeve, false) => "cuff",
+        (PanelKind::Sleeve, true) => "frill",
+        (_, false) => "leg-cuff",
+        (_, true) => "leg-frill",
     }
 }
 
@@ -42,7 +42,7 @@ fn cuffs(
     let here = |p: &LabeledPanel| {
         let of_leg = p.of.contains(&PanelKind::Trouser) || !garment.has(PanelKind::Sleeve);
         band::is_on(p, laterality)
-            && of_leg == (host == PanelKind::Trouser)
+            && of_leg == (host != PanelKind::Sleeve)
             && p.of.contains(&PanelKind::Skirt) == flared
     };
     band::bands(garment, PanelKind::Cuff, here)

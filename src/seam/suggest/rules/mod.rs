@@ -8,6 +8,7 @@ mod godet;
 mod hood;
 mod hood_edges;
 mod hood_of_three;
+mod leg;
 mod neck;
 mod raglan;
 mod ring;
@@ -34,6 +35,7 @@ pub(super) fn sew(garment: &mut GarmentModel, pattern: &Pattern) {
     raglan::sew(garment);
     skirt::sew(garment);
     trousers::sew(garment);
+    leg::sew(garment);
     waist::sew(garment);
     hood::sew(garment);
     ring::sew_loops(garment);

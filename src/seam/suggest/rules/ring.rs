@@ -65,7 +65,9 @@ pub(super) fn sew_bands(garment: &mut GarmentModel) {
 /// Returns the band that fits the hole of a ring best, with its kind; none that belongs to panels
 /// which are no rings.
 fn best_band(garment: &GarmentModel, ring: &RingPanel) -> Option<(PanelKind, BandSet)> {
-    let has_lower = garment.has(PanelKind::Skirt) || garment.has(PanelKind::Trouser);
+    let has_lower = [PanelKind::Skirt, PanelKind::Trouser, PanelKind::Leg]
+        .into_iter()
+        .any(|kind| garment.has(kind));
     let is_yoke = ring.kind == Some(PanelKind::Yoke);
     let neck_is_free = is_yoke || !garment.has(PanelKind::Bodice);
     let at_waist = (!has_lower && !is_yoke).then_some(PanelKind::Waistband);

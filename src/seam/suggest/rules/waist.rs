@@ -2,7 +2,7 @@
 //! together.
 
 use super::band::{self, BandEdge, Opening};
-use super::skirt;
+use super::{leg, skirt};
 use crate::seam::suggest::edge_chain::EdgeStep;
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
@@ -11,6 +11,7 @@ use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
 /// Sews bodice, waistband and skirt or trousers together at the waist.
 pub(super) fn sew(garment: &mut GarmentModel) {
     let lower = opening(garment, PanelKind::Trouser, EdgeRole::Waist)
+        .or_else(|| leg::waist(garment))
         .or_else(|| opening(garment, PanelKind::Skirt, EdgeRole::Waist))
         .or_else(|| skirt::gores_waist(garment));
     let upper = opening(garment, PanelKind::Bodice, EdgeRole::Hem);
