@@ -7,6 +7,7 @@ use super::lifted;
 use super::on_limb;
 use super::panel_placement::{OwnStitch, PanelPlacement, SeamPoint, own_stitches, thinned};
 use crate::scene::Avatar;
+use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Share of the sum of squares that another pose must save to be taken: where a panel fits alike
@@ -57,26 +58,38 @@ pub fn place_panels(
     placed
 }
 
-/// Returns the pose of `panel` in which its stitches are shortest.
+/// Returns the pose of `panel` in which its stitches are shortest, moved to what it is sewn to.
 fn turned(
     panel: &PanelPlacement<'_>,
     stitches: &[OwnStitch],
     (placed, index): (&[Placed], usize),
     avatar: Option<&Avatar>,
 ) -> Placed {
-    let cost = |pose: &Placed| {
-        let length = |[own, other]: &OwnStitch| {
-            let at = if other.panel == index {
-                pose
-            } else {
-                &placed[other.panel]
-            };
-            (pose.position(own.uv) - at.position(other.uv)).norm_squared()
-        };
-        stitches.iter().map(length).sum::<f64>()
+    let seams = Seams {
+        stitches,
+        placed,
+        index,
     };
-    let mut best = placed[index].clone();
-    let mut least = (1.0 - SAVED) * cost(&best);
+    let moved = |pose: Placed| {
+        let ways = seams.ways(&pose);
+        if pose.is_about_limb() {
+            pose.moved_down_the_limb(&ways)
+        } else {
+            panel
+                .placement
+                .moved_down_the_trunk(pose, panel.panel, &ways, avatar)
+        }
+    };
+    let cost = |pose: &Placed, from: &Placed| {
+        if pose.is_below(from) && seams.lie_below_the_middle(pose) {
+            f64::INFINITY
+        } else {
+            seams.cost(pose)
+        }
+    };
+    let drawn = &placed[index];
+    let mut best = moved(drawn.clone());
+    let mut least = (1.0 - SAVED) * cost(&best, drawn);
     for placement in panel.placement.quarter_turns() {
         let upright = placement.place(panel.panel, panel.face, avatar);
         let turned = |angle: f64| Placed {
@@ -84,24 +97,57 @@ fn turned(
             ..upright.clone()
         };
         // Points run on circles: the sum of squares is a constant and one wave of the angle.
-        let [ahead, aside, behind] = [0.0, FRAC_PI_2, PI].map(|angle| cost(&turned(angle)));
+        let [ahead, aside, behind] = [0.0, FRAC_PI_2, PI].map(|angle| seams.cost(&turned(angle)));
         let mean = 0.5 * (ahead + behind);
-        let pose = turned((mean - aside).atan2(mean - ahead));
-        let cost = cost(&pose);
+        let pose = moved(turned((mean - aside).atan2(mean - ahead)));
+        let cost = cost(&pose, &upright);
         if cost < least {
             (best, least) = (pose, cost);
         }
     }
-    let others = stitches.iter().filter(|[_, other]| other.panel != index);
-    let ways =
-        others.map(|[own, other]| placed[other.panel].position(other.uv) - best.position(own.uv));
-    let ways: Vec<_> = ways.collect();
-    if best.is_about_limb() {
-        best.moved_down_the_limb(&ways)
-    } else {
-        panel
-            .placement
-            .moved_down_the_trunk(best, panel.panel, &ways, avatar)
+    best
+}
+
+/// The stitches of a panel to others that are placed, and to itself.
+struct Seams<'a> {
+    stitches: &'a [OwnStitch],
+    placed: &'a [Placed],
+    index: usize,
+}
+
+impl Seams<'_> {
+    /// Returns the sum of the squares of the stitches' lengths in a pose of the panel \[m²\].
+    fn cost(&self, pose: &Placed) -> f64 {
+        let length = |[own, other]: &OwnStitch| {
+            let at = if other.panel == self.index {
+                pose
+            } else {
+                &self.placed[other.panel]
+            };
+            (pose.position(own.uv) - at.position(other.uv)).norm_squared()
+        };
+        self.stitches.iter().map(length).sum()
+    }
+
+    fn to_others(&self) -> impl Iterator<Item = &OwnStitch> {
+        let stitches = self.stitches.iter();
+        stitches.filter(|[_, other]| other.panel != self.index)
+    }
+
+    /// Returns the ways from the panel to the others that it is sewn to \[m\].
+    fn ways(&self, pose: &Placed) -> Vec<Vector3<f64>> {
+        let way = |[own, other]: &OwnStitch| {
+            self.placed[other.panel].position(other.uv) - pose.position(own.uv)
+        };
+        self.to_others().map(way).collect()
+    }
+
+    /// Returns true if what the panel is sewn by is below its middle: at a hem, it would lie over
+    /// what it hangs from.
+    fn lie_below_the_middle(&self, pose: &Placed) -> bool {
+        let middle = pose.middle().y;
+        let above = |[own, _]: &OwnStitch| pose.position(own.uv).y - middle;
+        self.to_others().map(above).sum::<f64>() < 0.0
     }
 }
 
@@ -178,7 +224,8 @@ mod tests {
         );
     }
 
-    /// Front and back 65 cm long, with a band at their hems that is tighter than the hip.
+    /// Front and back 65 cm long, with a band at their hems that is tighter than the hip, sewn by
+    /// the upper or the lower edge of its drawing: it hangs below them either way.
     #[test]
     fn a_band_at_the_hem_of_a_bodice_starts_there_and_clear_of_the_body() {
         let avatar = DressForm::default().build().expect("a body");
@@ -203,23 +250,31 @@ mod tests {
             placement,
             face: Face::Up,
         });
+        let placed: Vec<_> = placed.collect();
         let point = |panel, uv| SeamPoint { panel, uv };
-        let along = (0..=20).map(|k| f64::from(k) / 20.0);
-        let stitches: Vec<_> = along
-            .flat_map(|along| {
-                [(0, 0.0), (1, 0.4)].map(|(panel, start)| {
-                    let hem = point(panel, [0.5 * along, 0.0]);
-                    [hem, point(2, [start + 0.4 * along, 0.06])]
+        for sewn in [0.06, 0.0] {
+            let along = (0..=20).map(|k| f64::from(k) / 20.0);
+            let stitches: Vec<_> = along
+                .flat_map(|along| {
+                    [(0, 0.0), (1, 0.4)].map(|(panel, start)| {
+                        let hem = point(panel, [0.5 * along, 0.0]);
+                        [hem, point(2, [start + 0.4 * along, sewn])]
+                    })
                 })
-            })
-            .collect();
-        let start = place_panels(&placed.collect::<Vec<_>>(), &stitches, Some(&avatar));
-        let hem = start[0].position([0.25, 0.0]).y;
-        assert!(hem < avatar.landmarks["waist_front"].y - 0.1, "{hem}");
-        for k in 0..=40 {
-            let [low, high] = [0.0, 0.06].map(|y| start[2].position([0.02 * f64::from(k), y]));
-            assert!((high.y - hem).abs() < 1e-9, "{high} beside {hem}");
-            assert!(avatar.exact_distance(&low) > 0.01, "{low}");
+                .collect();
+            let start = place_panels(&placed, &stitches, Some(&avatar));
+            let hem = start[0].position([0.25, 0.0]).y;
+            assert!(hem < avatar.landmarks["waist_front"].y - 0.1, "{hem}");
+            for k in 0..=40 {
+                let at = |y| start[2].position([0.02 * f64::from(k), y]);
+                let [upper, lower] = [sewn, 0.06 - sewn].map(at);
+                assert!((upper.y - hem).abs() < 1e-9, "{upper} beside {hem}");
+                assert!(
+                    (upper.y - lower.y - 0.06).abs() < 1e-9,
+                    "{sewn}: {upper} {lower}"
+                );
+                assert!(avatar.exact_distance(&lower) > 0.01, "{lower}");
+            }
         }
     }
 

@@ -78,6 +78,11 @@ impl Placed {
         self
     }
 
+    /// Returns true if it is rolled about the trunk lower than another start of the same panel.
+    pub(super) fn is_below(&self, other: &Self) -> bool {
+        self.tilt.is_none() && self.axis.y < other.axis.y
+    }
+
     /// The point of the turned drawing on a cone, whose narrow end is at the key point.
     fn on_cone(&self, cone: &Cone, upright: &Vector2<f64>) -> Vector3<f64> {
         let [turn, out, down] = cone.place(upright);
