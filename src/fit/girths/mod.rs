@@ -107,9 +107,13 @@ fn tubes(avatar: &Avatar, scene: &Scene) -> Vec<Tube> {
         let (Some(axis), Some(crotch)) = (avatar.limb(limb), crotch) else {
             continue;
         };
+        let panels = on_side(scene, &trunk, side);
+        if panels.is_empty() {
+            continue;
+        }
         let alongs = steps([crotch, axis.length()], TUBE_STEP);
         let planes = alongs.filter_map(|along| normal_to(avatar, limb, along));
-        tubes.push((name, on_side(scene, &trunk, side), planes.collect()));
+        tubes.push((name, panels, planes.collect()));
     }
     tubes
 }

@@ -10,6 +10,8 @@ const OFF_LEVEL: f64 = 0.03;
 const STEP: f64 = 0.02;
 /// Part of an arm below the armpit in which the upper arm is measured \[m\].
 const UPPER_ARM: f64 = 0.12;
+/// Distance from the middle beyond which the middle of a panel on one side is \[m\].
+const BESIDE_MIDDLE: f64 = 0.03;
 /// Distance below the crotch at which the thigh is measured \[m\].
 const BELOW_CROTCH: f64 = 0.05;
 
@@ -69,11 +71,12 @@ fn thighs(avatar: &Avatar, scene: &Scene, trunk: &[usize]) -> Vec<Place> {
     thighs.collect()
 }
 
-/// Returns the panels of the trunk whose middles start on one side of it, 1 at +x or -1 at -x.
+/// Returns the panels of the trunk whose middles start on one side of it, 1 at +x or -1 at -x: the
+/// front of a skirt is on neither.
 pub(super) fn on_side(scene: &Scene, trunk: &[usize], side: f64) -> Vec<usize> {
     let panels = trunk.iter().copied();
     panels
-        .filter(|&panel| side * center_x(scene, panel) > 0.0)
+        .filter(|&panel| side * center_x(scene, panel) > BESIDE_MIDDLE)
         .collect()
 }
 

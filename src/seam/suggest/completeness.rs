@@ -306,7 +306,8 @@ fn reason(
 }
 
 /// Returns the reason where no name tells anything: large panels are needed. Trousers and tops with
-/// sleeves are whole without others, but for hoods and bands.
+/// sleeves are whole without others, but for hoods and bands; legs in one piece are not: many a
+/// panel of a jacket looks like one.
 fn unnamed_reason(
     (pattern, garment): (&Pattern, &GarmentModel),
     sewn: &BTreeSet<usize>,
@@ -318,7 +319,7 @@ fn unnamed_reason(
         let mut parts = garment.parts_of(kind);
         parts.any(|p| sewn.contains(&(p.panel % pattern.panels.len())))
     };
-    let trousers = has(PanelKind::Trouser) || has(PanelKind::Leg);
+    let trousers = has(PanelKind::Trouser);
     let whole = trousers || has(PanelKind::Sleeve) && has(PanelKind::Bodice);
     match share {
         share if share < NEEDED_AREA => Loose::Unneeded,

@@ -51,3 +51,15 @@ fn the_shorter_crotch_is_in_front() {
         assert_eq!(BTreeSet::from(ends), BTreeSet::from([1, 2]));
     }
 }
+
+/// Many a panel of a jacket looks like a leg: beside others as large that nothing tells of, it is
+/// not taken for one unasked.
+#[test]
+fn a_leg_by_shape_alone_beside_other_large_panels_is_no_sure_one() {
+    let others = [[0.25, 0.4], [0.2, 0.5], [0.33, 0.3]];
+    let others = others.iter().enumerate();
+    let others = others.map(|(k, [x, y])| rectangle(&format!("piece {}", k + 2), *x, *y));
+    let found = suggested([vec![leg("piece 1", 0.72)], others.collect()].concat());
+    let ids: BTreeSet<&str> = sure(&found).into_iter().collect();
+    assert!(SEAMS.iter().all(|id| !ids.contains(id)), "{ids:?}");
+}
