@@ -191,6 +191,8 @@ test("the answer of a fit that comes late does not land on another pattern", asy
   await page.locator("#run").click();
   await press(page, "Top sample");
   await untilPanels(page, 2);
+  // The verdict of a check that came later would take the place of what is said.
+  await untilStatus(page, "can be sewn");
   await release();
   await untilStatus(page, "is being sewn: Open lists it");
   assert.equal(await fitOf(page), null);
