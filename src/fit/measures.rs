@@ -17,7 +17,8 @@ pub struct GarmentMeasures {
     pub panels: Vec<PanelMeasures>,
     /// Lengths of the seams on the pattern, in their order.
     pub seams: Vec<SeamMeasures>,
-    /// Girths where the cloth is closed round the body; none without an avatar.
+    /// Girths where the cloth is closed round the body; none without an avatar, and none of a fit
+    /// whose mesh this version makes otherwise.
     pub girths: Vec<GirthMeasures>,
 }
 
@@ -52,7 +53,7 @@ pub struct GirthMeasures {
     pub height_m: f64,
     /// Length of the cut through the cloth \[m\]; where cloth lies on cloth, of both.
     pub cloth_m: f64,
-    /// Girth of the body there, of an upper arm the largest \[m\].
+    /// Girth of the body there \[m\].
     pub body_m: f64,
     /// Room: the cloth's girth less the body's \[m\]; too large where cloth lies on cloth.
     pub ease_m: f64,
@@ -70,8 +71,8 @@ pub fn measures(
     let scene = run::scene(garment, context)?;
     let positions = mesh.panels.iter().flat_map(|panel| &panel.positions);
     let positions: Vec<_> = positions.map(|p| Vector3::from(*p)).collect();
-    // A mesh of an older version may have other vertices.
-    let is_same = positions.len() == scene.start.len();
+    let uv = mesh.panels.iter().flat_map(|panel| &panel.uv);
+    let is_same = positions.len() == scene.start.len() && uv.eq(&scene.mesh.uv);
     let girths = is_same.then(|| girths::measured(&scene, &positions));
     let girths = girths.into_iter().flatten().map(|girth| GirthMeasures {
         at: girth.at.to_owned(),

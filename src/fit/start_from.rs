@@ -9,7 +9,8 @@ use crate::fault::{Fault, GarmentCode};
 use crate::pattern::Point2;
 use uuid::Uuid;
 
-/// Puts the shape that `garment`, complete but for it, starts from into it; none if it is at fault.
+/// Puts the shape that `garment` starts from into it, the last part that it lacks; none if that is
+/// at fault.
 pub(super) fn inline_start(
     garment: &mut Garment,
     library: &dyn AssetLibrary,
@@ -63,9 +64,9 @@ fn refused(id: Uuid, none: NoFinishedFit) -> Fault {
     }
 }
 
-/// Checks that both are worn on bodies of one kind: dress forms in the same pose and with the same
-/// limbs, whatever their measures, or one body of one's own. Beside arms in another pose a sleeve
-/// would hang in the air.
+/// Checks that both are worn on bodies of one kind: dress forms in the same pose, with the same
+/// limbs where the garment states them, whatever their measures; or one body of one's own. Beside
+/// arms in another pose a sleeve would hang in the air.
 fn check_avatar(avatar: Option<&AvatarRef>, earlier: Option<&AvatarRef>) -> Result<(), Fault> {
     let detail = match (avatar, earlier) {
         (None, None) => return Ok(()),
@@ -128,7 +129,7 @@ fn check_panel(panel: &StartPanel, limits: &Limits) -> Result<(), &'static str> 
         return Err("has not as many pattern coordinates as positions");
     }
     if panel.uv.iter().flatten().any(stored_surface::is_far) {
-        return Err("has a pattern coordinate that is none");
+        return Err("has a pattern coordinate that is no number of meters");
     }
     stored_surface::check(&panel.positions, &panel.triangles)?;
     let area = |t: &[u32; 3]| twice_area(t.map(|v| panel.uv[v as usize]));

@@ -47,10 +47,13 @@ pub(super) fn drape(
             let has_time = options
                 .time_limit_s
                 .is_none_or(|limit| limit - spent > ENOUGH * limit);
-            let reason = failure(scene, names, &drape, context.limits.crossing_pairs);
-            match reason.filter(|_| has_time && !drape.canceled) {
+            if drape.canceled {
+                return (drape, None);
+            }
+            match failure(scene, names, &drape, context.limits.crossing_pairs) {
                 None => return (drape, None),
-                Some(reason) => (reason, Some(drape)),
+                Some(reason) if has_time => (reason, Some(drape)),
+                Some(reason) => return (drape, Some(no_time(&reason))),
             }
         }
     };
@@ -63,6 +66,14 @@ pub(super) fn drape(
         format!("it was sewn from flat panels, not from the shape in start_from: {reason}");
     let warning = Warning::new(GarmentCode::StartLeft, "/start_from", detail);
     (drape, Some(warning))
+}
+
+/// Returns the warning of a drape from an earlier shape that is kept for want of time.
+fn no_time(reason: &str) -> Warning {
+    let detail = format!(
+        "{reason}; too little of the time allowed was left to sew it from flat panels: leave start_from out, or allow more time"
+    );
+    Warning::new(GarmentCode::StartLeft, "/start_from", detail)
 }
 
 /// Returns in words why a drape from an earlier shape is not taken, if it is not.
@@ -79,7 +90,7 @@ fn failure(scene: &Scene, names: &[&str], drape: &Drape, pairs: usize) -> Option
 /// Checks that a shape does not pass through itself, where it must not.
 ///
 /// # Errors
-/// The number of crossings, in words.
+/// The number of crossings, in words, or that it could not be counted.
 fn uncrossed(
     scene: &Scene,
     names: &[&str],
@@ -90,7 +101,8 @@ fn uncrossed(
         return Ok(());
     }
     let found = crossings::find(scene, names, positions, pairs);
-    match found.map_or(0, |found| found.cloth) {
+    let found = found.ok_or("its crossings could not be counted")?;
+    match found.cloth {
         0 => Ok(()),
         count => Err(format!("{count} pairs of triangles of cloth meet there")),
     }

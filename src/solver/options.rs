@@ -68,7 +68,7 @@ impl Default for SolverOptions {
 impl SolverOptions {
     /// Returns the same options with the CPU time `spent` already \[s\] taken off the time limit.
     #[must_use]
-    pub fn less_spent(&self, spent: f64) -> Self {
+    pub(crate) fn less_spent(&self, spent: f64) -> Self {
         Self {
             time_limit_s: self.time_limit_s.map(|limit| (limit - spent).max(0.0)),
             ..self.clone()

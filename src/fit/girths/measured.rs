@@ -14,7 +14,7 @@ pub(in crate::fit) struct MeasuredGirth {
     pub(in crate::fit) height_m: f64,
     /// Length of the cut through the cloth as it lies \[m\].
     pub(in crate::fit) cloth_m: f64,
-    /// Girth of the body \[m\].
+    /// Girth of the body in that plane; of a thigh, across it \[m\].
     pub(in crate::fit) body_m: f64,
 }
 
@@ -34,23 +34,20 @@ pub(in crate::fit) fn measured(scene: &Scene, positions: &[Vector3<f64>]) -> Vec
         let height = avatar.landmarks.get(landmark)?.y;
         Some(Place {
             name,
-            planes: vec![level(height)],
+            cuts: vec![(level(height), avatar.girth_at(height)?)],
             panels: parts[0].clone(),
-            body_m: avatar.girth_at(height)?,
         })
     });
     let sections = Sections::new(scene);
     let girth = |place: Place| {
-        let mut cuts = place.planes.iter().map(|plane| {
+        place.cuts.iter().find_map(|(plane, body_m)| {
             let section = sections.of(*plane, &place.panels, positions);
-            (plane, section)
-        });
-        let (plane, section) = cuts.find(|(_, section)| section.is_closed)?;
-        Some(MeasuredGirth {
-            at: place.name,
-            height_m: plane.point.y,
-            cloth_m: section.shape_m,
-            body_m: place.body_m,
+            section.is_closed.then_some(MeasuredGirth {
+                at: place.name,
+                height_m: plane.point.y,
+                cloth_m: section.shape_m,
+                body_m: *body_m,
+            })
         })
     };
     let places = trunk.chain(limbs(avatar, scene, &parts));

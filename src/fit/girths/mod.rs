@@ -32,11 +32,12 @@ pub(super) fn too_small(scene: &Scene) -> Option<Warning> {
     let sections = Sections::new(scene);
     let parts = parts(scene);
     let lack = |place: Place| {
-        let of = |plane: &Plane| sections.of(*plane, &place.panels, &scene.start);
-        let closed = place.planes.iter().map(of).filter(|s| s.is_closed);
+        let of = |(plane, _): &(Plane, f64)| sections.of(*plane, &place.panels, &scene.start);
+        let closed = place.cuts.iter().map(of).filter(|s| s.is_closed);
         let widest = closed.max_by(|a, b| a.stretched_m.total_cmp(&b.stretched_m))?;
-        let is_lacking = place.body_m - widest.stretched_m > NO_LACK;
-        is_lacking.then(|| section_in_words(&widest, place.name, place.body_m))
+        let body_m = place.body_m();
+        let is_lacking = body_m - widest.stretched_m > NO_LACK;
+        is_lacking.then(|| section_in_words(&widest, place.name, body_m))
     };
     let trunk = trunk::lack(avatar, scene, &sections, &parts[0]);
     let limbs = limbs(avatar, scene, &parts).into_iter().filter_map(lack);

@@ -18,10 +18,19 @@ const BELOW_CROTCH: f64 = 0.05;
 /// A place of the body at which a garment is measured.
 pub(super) struct Place {
     pub(super) name: &'static str,
-    pub(super) planes: Vec<Plane>,
+    /// Planes that it is cut by, with the girth of the body at each \[m\].
+    pub(super) cuts: Vec<(Plane, f64)>,
     pub(super) panels: Vec<usize>,
-    /// Girth of the body there \[m\].
-    pub(super) body_m: f64,
+}
+
+impl Place {
+    /// Returns the largest girth of the body there \[m\].
+    pub(super) fn body_m(&self) -> f64 {
+        self.cuts
+            .iter()
+            .map(|(_, girth)| *girth)
+            .fold(0.0, f64::max)
+    }
 }
 
 /// Returns the places of the limbs at which the start of a garment is measured.
@@ -35,17 +44,16 @@ pub(super) fn limbs(
         ("right upper arm", Limb::ArmRight, right),
     ];
     let arms = arms.into_iter().filter_map(|(name, limb, panels)| {
-        let alongs = upper_arm(avatar, limb)?;
-        let girths = alongs
-            .iter()
-            .filter_map(|&along| avatar.limb_girth(limb, along));
+        let alongs = upper_arm(avatar, limb)?.into_iter();
+        let cut = |along| {
+            Some((
+                normal_to(avatar, limb, along)?,
+                avatar.limb_girth(limb, along)?,
+            ))
+        };
         Some(Place {
             name,
-            body_m: girths.max_by(f64::total_cmp)?,
-            planes: alongs
-                .iter()
-                .filter_map(|&along| normal_to(avatar, limb, along))
-                .collect(),
+            cuts: alongs.filter_map(cut).collect(),
             panels: panels.clone(),
         })
     });
@@ -60,12 +68,18 @@ fn thighs(avatar: &Avatar, scene: &Scene, trunk: &[usize]) -> Vec<Place> {
         ("right thigh", Limb::LegRight, -1.0),
     ];
     let thighs = legs.into_iter().filter_map(|(name, limb, side)| {
-        let height = avatar.landmarks.get("crotch")?.y - BELOW_CROTCH;
+        let first = avatar.landmarks.get("crotch")?.y - BELOW_CROTCH;
+        let cut = |height: f64| {
+            let along = along_leg(avatar, limb, height)?;
+            Some((level(height), avatar.limb_girth(limb, along)?))
+        };
         Some(Place {
             name,
-            planes: vec![level(height), level(height - OFF_LEVEL)],
+            cuts: [first, first - OFF_LEVEL]
+                .into_iter()
+                .filter_map(cut)
+                .collect(),
             panels: on_side(scene, trunk, side),
-            body_m: avatar.limb_girth(limb, along_leg(avatar, limb, height)?)?,
         })
     });
     thighs.collect()

@@ -26,15 +26,13 @@ impl Strains {
     pub(super) fn of(scene: &Scene, positions: &[Vector3<f64>]) -> Self {
         let mut sums = vec![[0.0; 3]; positions.len()];
         let mut areas = vec![0.0; positions.len()];
-        let mut of: Option<(&Fabric, Vec<Direction>)> = None;
+        let tables: Vec<_> = scene.fabrics.iter().map(directions).collect();
         for (triangle, fabric, rest) in cut_triangles(scene) {
             let Some((metric, area)) = metric(rest, triangle.map(|v| positions[v])) else {
                 continue;
             };
-            // Triangles of one fabric follow one another.
-            let known = of.take().filter(|(known, _)| ptr::eq(*known, fabric));
-            let (_, directions) = of.insert(known.unwrap_or_else(|| (fabric, directions(fabric))));
-            let values = strains(&metric, directions);
+            let number = scene.fabrics.iter().position(|f| ptr::eq(f, fabric));
+            let values = strains(&metric, number.map_or(&[], |number| &tables[number]));
             for v in triangle {
                 areas[v] += area;
                 for (sum, value) in sums[v].iter_mut().zip(values) {

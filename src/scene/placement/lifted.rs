@@ -5,6 +5,7 @@
 //! far down, is drawn through it or off it to the side, and the garment ends round the waist.
 
 use super::anchored::outline;
+use super::limb_pose::ABOVE_ANKLE;
 use super::panel_placement::{OwnStitch, PanelPlacement, thinned};
 use super::placed::Placed;
 use crate::pattern::Wrap;
@@ -24,8 +25,6 @@ const STEPS: u32 = 40;
 /// Points at which a stitch is looked at, and stitches that are looked at, at most.
 const POINTS: u32 = 24;
 const STITCHES: usize = 500;
-/// Height of the hem of trousers above the ankles \[m\]: below, it would close through a foot.
-const ABOVE_ANKLE: f64 = 0.02;
 
 /// Lifts the panels of the upper trunk until their stitches from front to back over the shoulders
 /// are clear of the body, and those that hang from them as far as their seams are lower; legs of
@@ -215,21 +214,9 @@ fn height_to_clear([a, b]: &[Vector3<f64>; 2], avatar: &Avatar) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::pattern::{Panel, Placement, PlacementAnchor};
+    use crate::scene::placement::test_body::body;
     use crate::scene::placement::{AnchoredPlacement, SeamPoint, place_panels};
-    use crate::scene::{DressForm, Limbs};
     use crate::seam::Face;
-
-    fn body() -> Avatar {
-        let limbs = Some(Limbs {
-            arms: true,
-            legs: true,
-        });
-        let form = DressForm {
-            limbs,
-            ..DressForm::default()
-        };
-        form.build().expect("a body")
-    }
 
     /// Rectangles of these sizes that a file puts with their middles at these points.
     fn place(

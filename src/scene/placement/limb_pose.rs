@@ -8,6 +8,8 @@ use nalgebra::{Rotation3, Vector3};
 const CLEARANCE: f64 = 0.01;
 /// Distance from the axis of an arm at which cloth clears a hand \[m\].
 const HAND: f64 = 0.046;
+/// Height of the hem of trousers above the ankles \[m\]: below, it would close through a foot.
+pub(super) const ABOVE_ANKLE: f64 = 0.02;
 /// A sleeve starts at this angle from the body where that has no arms \[rad\]: so that it clears
 /// the sides.
 const SPREAD: f64 = 0.7;
@@ -108,12 +110,17 @@ impl LimbPose {
         }
     }
 
-    /// The turn that takes the upright axis onto the arm's.
+    /// The turn that takes the upright axis onto the limb's.
     pub(super) fn tilt(&self) -> Rotation3<f64> {
-        let upright = -Vector3::y();
-        Rotation3::rotation_between(&upright, &self.direction)
-            .unwrap_or_else(|| Rotation3::new(Vector3::z() * std::f64::consts::PI))
+        tilt(&self.direction)
     }
+}
+
+/// Returns the turn that takes the upright axis onto one that leads down along `direction`.
+pub(super) fn tilt(direction: &Vector3<f64>) -> Rotation3<f64> {
+    let upright = -Vector3::y();
+    Rotation3::rotation_between(&upright, direction)
+        .unwrap_or_else(|| Rotation3::new(Vector3::z() * std::f64::consts::PI))
 }
 
 #[cfg(test)]

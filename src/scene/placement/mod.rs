@@ -15,6 +15,8 @@ mod panel_placement;
 mod placed;
 mod spot;
 mod taper;
+#[cfg(test)]
+mod test_body;
 
 pub use anchored::AnchoredPlacement;
 pub use by_seams::place_panels;

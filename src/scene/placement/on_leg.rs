@@ -3,29 +3,30 @@
 //! The middle of the panel lies at the outside of the leg; its edges of the crotch end short of the
 //! body's middle, below the crotch, so that both seams close beside the trunk and not through it.
 
-use super::limb_pose::LimbPose;
+use super::limb_pose::{ABOVE_ANKLE, LimbPose, tilt};
 use super::placed::Placed;
 use super::taper::{self, Taper};
 use crate::scene::{Avatar, Limb};
-use nalgebra::{Rotation3, Vector2, Vector3};
+use nalgebra::{Vector2, Vector3};
 use std::f64::consts::TAU;
 
-/// Room between the hips and the panel at the start, and between the crotch and the end of the
-/// edges that are sewn there \[m\].
+/// Room between the hips and the panel at the start \[m\].
 const CLEARANCE: f64 = 0.01;
+/// Room between the body's crotch and the widest line of the panel, below it \[m\].
 const BELOW_CROTCH: f64 = 0.02;
-/// Distance from the body's middle that the edges of the crotch have at least \[m\].
+/// Distance from the body's middle that the panel has at least \[m\].
 const BESIDE_MIDDLE: f64 = 0.005;
-/// Height of the hem above the ankle \[m\]: below, it would close through the foot.
-const ABOVE_ANKLE: f64 = 0.02;
 /// Distance below the joint of the hip from which on a leg is apart from the trunk \[m\].
 const BESIDE_TRUNK: f64 = 0.1;
-/// Steps in height at which the hips are looked at, and in radius \[m\].
+/// Steps in height at which the hips are looked at, and along outlines \[m\].
 const STEP: f64 = 0.01;
+/// Steps in which the radius grows until both edges of the crotch are on their side \[m\].
 const RADIUS_STEP: f64 = 0.002;
+/// Room that the radius grows by at most to clear the hips \[m\].
+const MOST_ROOM: f64 = 0.04;
 /// Largest radius of a leg \[m\]: of a skirt as wide the edges need not be kept apart.
 const MOST_RADIUS: f64 = 0.5;
-/// Middle of the left leg, and heights of crotch, waist and ankle, without a body \[m\].
+/// Distance of the middle of a leg from that of a body that is not there \[m\].
 const NO_BODY: f64 = 0.09;
 
 /// A leg as the panel about it sees it: a straight line, and how far the body reaches from it.
@@ -51,21 +52,65 @@ pub(super) fn place(
     let [bottom, top] = taper::heights(outline);
     let (crotch, [left, right]) = taper::widest_line(outline);
     let line = LegLine::of(limb, side, &upright.axis, top - bottom, avatar);
-    let middle = 0.5 * (left + right);
-    let from_middle: Vec<_> = outline.iter().map(|p| [p.x - middle, top - p.y]).collect();
-    let radius = radius(&line, side, right - left, &from_middle);
     let down = avatar.map_or(0.0, |avatar| {
         line.way_down([top - crotch, top - bottom], avatar)
     });
-    Placed {
-        axis: line.top + line.direction * down,
-        tilt: Rotation3::rotation_between(&-Vector3::y(), &line.direction),
+    let rolled = |radius: f64| Placed {
+        axis: line.at(down),
+        tilt: Some(tilt(&line.direction)),
         outward: side * 0.25 * TAU,
-        key: [middle, top],
+        key: [0.5 * (left + right), top],
         radius,
         taper: Taper::of(outline, radius, line.ends),
-        ..upright
+        offset: Vector3::zeros(),
+        ..upright.clone()
+    };
+    let points = along(outline);
+    let is_free = |placed: &Placed, has_room: bool| {
+        points.iter().all(|p| {
+            let place = placed.position((upright.up.inverse() * p).into());
+            let is_of_hips = has_room && p.y >= crotch;
+            side * place.x >= BESIDE_MIDDLE && !(is_of_hips && touches(&place, avatar))
+        })
+    };
+    let first = line.hips.max((right - left) / TAU);
+    let placed = rolled(least_radius(first, |radius, has_room| {
+        is_free(&rolled(radius), has_room)
+    }));
+    Placed {
+        offset: upright.offset,
+        ..placed
     }
+}
+
+/// Returns the least radius from `first` on \[m\] at which a leg is free: told the radius, and if
+/// there is room to clear the hips.
+fn least_radius(first: f64, is_free: impl Fn(f64, bool) -> bool) -> f64 {
+    let mut radius = first;
+    while !is_free(radius, radius < first + MOST_ROOM) && radius < MOST_RADIUS {
+        radius += RADIUS_STEP;
+    }
+    radius
+}
+
+fn touches(p: &Vector3<f64>, avatar: Option<&Avatar>) -> bool {
+    avatar.is_some_and(|avatar| avatar.distance(p) < 0.5 * CLEARANCE)
+}
+
+/// Returns points of a closed outline, a step or less apart.
+fn along(outline: &[Vector2<f64>]) -> Vec<Vector2<f64>> {
+    let next = outline.iter().cycle().skip(1);
+    let edges = outline.iter().zip(next).flat_map(|(p, q)| {
+        let count = ((q - p).norm() / STEP).ceil();
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "the length of an edge over a step"
+        )]
+        let steps = 0..count as usize;
+        steps.map(move |k| p.lerp(q, k as f64 / count))
+    });
+    edges.collect()
 }
 
 impl LegLine {
@@ -94,8 +139,10 @@ impl LegLine {
             },
             |axis| {
                 let joint = axis.at(0.0).0;
-                let end = (length - (waist.y - joint.y)).clamp(2.0 * BESIDE_TRUNK, axis.length());
-                let pose = LimbPose::between(axis, &joint, [BESIDE_TRUNK, end]);
+                let end = length - (waist.y - joint.y);
+                let end = end.max(2.0 * BESIDE_TRUNK).min(axis.length());
+                let start = BESIDE_TRUNK.min(0.5 * end);
+                let pose = LimbPose::between(axis, &joint, [start, end]);
                 let up = (waist.y - pose.top.y) / pose.direction.y;
                 Self {
                     top: pose.top + pose.direction * up,
@@ -106,7 +153,7 @@ impl LegLine {
             },
         );
         line.hips = line.hips.max(line.reach_of_hips(side, avatar) + CLEARANCE);
-        line.ends[0] = line.hips;
+        line.ends[0] = line.ends[0].max(line.hips);
         line
     }
 
@@ -148,63 +195,56 @@ impl LegLine {
     }
 }
 
-/// Returns the least radius at which a panel of this width clears the hips and all of its outline
-/// stays on its side of the body: points beside its middle and below its upper end \[m\].
-fn radius(line: &LegLine, side: f64, width: f64, outline: &[[f64; 2]]) -> f64 {
-    let is_aside = |radius: f64| {
-        let reach = |[beside, below]: &[f64; 2]| {
-            side * line.at(*below).x + radius * (beside / radius).cos()
-        };
-        outline.iter().all(|p| reach(p) >= BESIDE_MIDDLE)
-    };
-    let mut radius = line.hips.max(width / TAU);
-    while !is_aside(radius) && radius < MOST_RADIUS {
-        radius += RADIUS_STEP;
-    }
-    radius
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::pattern::{Panel, Placement, PlacementAnchor};
     use crate::scene::placement::AnchoredPlacement;
-    use crate::scene::{DressForm, Limbs};
+    use crate::scene::placement::test_body::body;
     use crate::seam::Face;
 
-    fn body() -> Avatar {
-        let limbs = Some(Limbs {
-            arms: true,
-            legs: true,
-        });
-        let form = DressForm {
-            limbs,
-            ..DressForm::default()
-        };
-        form.build().expect("a body")
+    /// The outline of a leg so wide at the crotch and so long \[m\], narrower at waist and hem: the
+    /// front on the left.
+    fn outline(width: f64, length: f64) -> Vec<Vector2<f64>> {
+        let crotch = length - RISE;
+        let points = [
+            [0.25, 0.0],
+            [0.0, crotch],
+            [0.12, length - 0.03],
+            [0.82, length],
+            [1.0, crotch],
+            [0.75, 0.0],
+        ];
+        points.map(|[x, y]| Vector2::new(width * x, y)).to_vec()
     }
 
-    /// The start of a rectangle about a leg, with points all over it.
-    fn start(size: [f64; 2], anchor: PlacementAnchor, avatar: &Avatar) -> Vec<Vector3<f64>> {
-        let panel = Panel::rectangle("leg", size);
+    /// The start of such a leg.
+    fn start(outline: &[Vector2<f64>], anchor: PlacementAnchor, avatar: &Avatar) -> Placed {
+        let panel = Panel::rectangle("leg", [1.0, 1.0]);
         let placement = Placement {
             at: Some(anchor),
             ..Placement::default()
         };
         let anchored = AnchoredPlacement::new(&panel, Some(&placement)).expect("a place");
-        let placed = anchored.place(&panel, Face::Up, Some(avatar));
-        let share = |k: u32| f64::from(k) / 40.0;
-        (0..=40)
-            .flat_map(|i| (0..=40).map(move |j| [size[0] * share(i), size[1] * share(j)]))
-            .map(|uv| placed.position(uv))
-            .collect()
+        let waist = Placed {
+            axis: Vector3::new(0.0, avatar.landmarks["waist_front"].y, 0.0),
+            ..anchored.place(&panel, Face::Up, None)
+        };
+        let limb = match anchor {
+            PlacementAnchor::LegRight => Limb::LegRight,
+            _ => Limb::LegLeft,
+        };
+        place(waist, outline, limb, Some(avatar))
     }
 
-    /// Narrow and wide, short and long legs, on both sides.
+    /// Height of the waist above the crotch \[m\].
+    const RISE: f64 = 0.28;
+
+    /// Tight and wide, short and long legs, on both sides.
     #[test]
     fn a_leg_starts_on_its_side_clear_of_the_body_and_of_the_foot() {
         let avatar = body();
-        let ankle = avatar.landmarks["ankle_l"].y;
+        let [crotch, ankle] = ["crotch", "ankle_l"].map(|name| avatar.landmarks[name].y);
         let sides = [
             (PlacementAnchor::LegLeft, 1.0),
             (PlacementAnchor::LegRight, -1.0),
@@ -212,16 +252,24 @@ mod tests {
         for (anchor, side) in sides {
             for width in [0.48, 0.6, 0.9] {
                 for length in [0.5, 0.9] {
-                    let points = start([width, length], anchor, &avatar);
-                    let told = format!("{anchor:?} {width} {length}");
-                    for p in &points {
-                        assert!(
-                            side * p.x > -0.01 && avatar.exact_distance(p) > 0.0,
-                            "{told}: {p}"
-                        );
+                    let outline = outline(width, length);
+                    let placed = start(&outline, anchor, &avatar);
+                    let next = outline.iter().cycle().skip(1);
+                    let edges = outline.iter().zip(next);
+                    let along = edges
+                        .flat_map(|(p, q)| (0..20).map(move |k| p.lerp(q, f64::from(k) / 20.0)));
+                    for uv in along {
+                        let p = placed.position(uv.into());
+                        let told = format!("{anchor:?} {width} {length} {uv}: {p}");
+                        assert!(side * p.x >= BESIDE_MIDDLE, "{told}");
+                        assert!(avatar.exact_distance(&p) > 0.0, "{told}");
+                        assert!(p.y > ankle, "{told}");
                     }
-                    let heights = points.iter().map(|p| p.y);
-                    assert!(heights.fold(f64::INFINITY, f64::min) > ankle, "{told}");
+                    // Of the widest line that is looked at, within a step of a fortieth.
+                    for x in [0.0, width] {
+                        let end = placed.position([x, length - RISE]);
+                        assert!(end.y < crotch - BELOW_CROTCH + 0.025 * length, "{end}");
+                    }
                 }
             }
         }

@@ -252,19 +252,8 @@ mod tests {
     use crate::pattern::{Placement, PlacementAnchor};
     use crate::scene::placement::AnchoredPlacement;
     use crate::scene::placement::panel_placement::{SeamPoint, own_stitches};
-    use crate::scene::{DressForm, Limbs};
+    use crate::scene::placement::test_body::body;
     use crate::seam::Face;
-
-    fn body() -> Avatar {
-        let form = DressForm {
-            limbs: Some(Limbs {
-                arms: true,
-                legs: true,
-            }),
-            ..DressForm::default()
-        };
-        form.build().expect("a body")
-    }
 
     /// The starts of two panels of this size that a file puts at two places and turns, sewn to each
     /// other, before and after they are rolled.

@@ -8,7 +8,8 @@ use std::rc::Rc;
 /// Sewn edges of panels that are forms of each other, or front and back, agree to this share.
 const FORM_LENGTH_SHARE: f64 = 0.06;
 
-/// Edges of a side panel that differ by less do not tell which lies at the side.
+/// Edges of a side panel or a leg that differ by less do not tell which lies at the side, or in
+/// front.
 const MIN_SHOWN_SHARE: f64 = 0.02;
 
 /// A panel that is another form of one that is taken, both by their indices in the pattern.
@@ -318,12 +319,38 @@ fn drawn_side_of_body(parts: &[LabeledPanel], part: &LabeledPanel) -> Option<Lat
     half(FrontBack::Front).or_else(|| half(FrontBack::Back))
 }
 
+/// Returns the side of the wearer that the outline of a part shows that is usually drawn for one.
+fn shown_side(part: &LabeledPanel) -> Option<Laterality> {
+    match part.kind {
+        PanelKind::Side => shown_by_underarm(part),
+        PanelKind::Leg => shorter_crotch(part).map(|front| match front {
+            DrawnSide::Left => Laterality::Left,
+            DrawnSide::Right => Laterality::Right,
+        }),
+        _ => None,
+    }
+}
+
+/// Returns the side of the drawing on which the crotch of a leg in one piece is shorter, as it is
+/// in front: a leg drawn hem down and face up is a left one if that is the left. Nothing for one
+/// that is its own mirror image.
+pub(super) fn shorter_crotch(leg: &LabeledPanel) -> Option<DrawnSide> {
+    let crotch = |side| {
+        let segment = leg.segment(EdgeRole::Crotch, Some(side))?;
+        Some(leg.features.length(&segment.edges))
+    };
+    let [left, right] = [crotch(DrawnSide::Left)?, crotch(DrawnSide::Right)?];
+    let is_shown = (left - right).abs() >= MIN_SHOWN_SHARE * left.max(right);
+    is_shown.then_some(if left < right {
+        DrawnSide::Left
+    } else {
+        DrawnSide::Right
+    })
+}
+
 /// Returns the side of the wearer that the outline of a side panel beside the front or the back
 /// shows: its edge at the side ends at the underarm, the other one above.
-fn shown_side(part: &LabeledPanel) -> Option<Laterality> {
-    if part.kind != PanelKind::Side {
-        return None;
-    }
+fn shown_by_underarm(part: &LabeledPanel) -> Option<Laterality> {
     part.front_back?;
     let [before, after] = part.beside(part.segment(EdgeRole::Hem, None)?)?;
     let [before, after] = [before, after].map(|s| part.features.length(&s.edges));

@@ -17,7 +17,7 @@ fn legs_in_one_piece_are_closed_and_meet_at_the_crotch() {
                 panels.push(rectangle("waistband", 0.8, 0.05));
             }
             let found = suggested(panels);
-            let ids: BTreeSet<&str> = sure(&found).into_iter().collect();
+            let ids = sure(&found);
             let told = format!("{name} {inseam}: {ids:?}");
             assert!(SEAMS.iter().all(|id| ids.contains(id)), "{told}");
             let band = ids.iter().any(|id| id.starts_with("waistband"));
@@ -60,6 +60,6 @@ fn a_leg_by_shape_alone_beside_other_large_panels_is_no_sure_one() {
     let others = others.iter().enumerate();
     let others = others.map(|(k, [x, y])| rectangle(&format!("piece {}", k + 2), *x, *y));
     let found = suggested([vec![leg("piece 1", 0.72)], others.collect()].concat());
-    let ids: BTreeSet<&str> = sure(&found).into_iter().collect();
+    let ids = sure(&found);
     assert!(SEAMS.iter().all(|id| !ids.contains(id)), "{ids:?}");
 }

@@ -5,13 +5,10 @@ use crate::seam::suggest::edge_chain::{EdgeChain, reversed};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{DrawnSide, EdgeRole, Laterality, PanelKind};
-
-/// Crotches that differ by less do not tell front from back.
-const MIN_SHOWN_SHARE: f64 = 0.02;
+use crate::seam::suggest::orientation;
 
 /// Sews the legs.
 pub(super) fn sew(garment: &mut GarmentModel) {
-    assign_left_right(garment);
     for (laterality, side) in [(Laterality::Left, "left"), (Laterality::Right, "right")] {
         let Some(leg) = leg(garment, laterality) else {
             continue;
@@ -28,13 +25,23 @@ pub(super) fn sew(garment: &mut GarmentModel) {
     ) else {
         return;
     };
-    for (is_front, id) in [(true, "crotch-front"), (false, "crotch-back")] {
+    for (is_front, id, because) in [
+        (
+            true,
+            "crotch-front",
+            "the legs meet at the crotch, in front where it is shorter",
+        ),
+        (
+            false,
+            "crotch-back",
+            "the legs meet at the crotch, behind where it is longer",
+        ),
+    ] {
         let [a, b] = [&left, &right].map(|leg| {
             let front = front_side(leg);
             let side = if is_front { front } else { front.other() };
             leg.role_chain(EdgeRole::Crotch, Some(side), EdgeRole::Waist)
         });
-        let because = "the left and the right leg meet at the crotch";
         garment.sew(SeamRationale::new(id, because), a, b);
     }
 }
@@ -57,19 +64,6 @@ pub(super) fn waist(garment: &GarmentModel) -> Option<[EdgeChain; 2]> {
     Some([ring, vec![]])
 }
 
-/// Gives legs that are called neither left nor right the side that their front belongs to: a leg
-/// drawn hem down and face up is a left one if its front lies on the left.
-fn assign_left_right(garment: &mut GarmentModel) {
-    let is_unsaid = |p: &&mut LabeledPanel| p.kind == PanelKind::Leg && !p.laterality_named;
-    for part in garment.parts.iter_mut().filter(is_unsaid) {
-        let shown = shorter_crotch(part).map(|side| match side {
-            DrawnSide::Left => Laterality::Left,
-            DrawnSide::Right => Laterality::Right,
-        });
-        part.laterality = shown.or(part.laterality);
-    }
-}
-
 fn leg(garment: &GarmentModel, laterality: Laterality) -> Option<LabeledPanel> {
     let mut legs = garment.parts_of(PanelKind::Leg);
     legs.find(|p| p.laterality == Some(laterality)).cloned()
@@ -81,21 +75,5 @@ fn front_side(leg: &LabeledPanel) -> DrawnSide {
         .laterality
         .unwrap_or(Laterality::Left)
         .usual_front_side();
-    shorter_crotch(leg).unwrap_or(usual)
-}
-
-/// Returns the side of the drawing on which the crotch is shorter, as it is in front; nothing for a
-/// leg that is its own mirror image.
-fn shorter_crotch(leg: &LabeledPanel) -> Option<DrawnSide> {
-    let [left, right] = [DrawnSide::Left, DrawnSide::Right].map(|side| {
-        let segment = leg.segment(EdgeRole::Crotch, Some(side));
-        segment.map_or(0.0, |segment| leg.features.length(&segment.edges))
-    });
-    if (left - right).abs() < MIN_SHOWN_SHARE * left.max(right) {
-        None
-    } else if left < right {
-        Some(DrawnSide::Left)
-    } else {
-        Some(DrawnSide::Right)
-    }
+    orientation::shorter_crotch(leg).unwrap_or(usual)
 }
