@@ -84,6 +84,35 @@ export async function checkedAfter(page, act) {
   return request.postDataJSON();
 }
 
+/** The seams of the list, offers among them. */
+export const seamRows = (page) => page.locator("#seam-list .seam");
+
+/** Deletes a seam, or refuses it where it is suggested, and waits for the check of the others. */
+export async function deleteSeam(page, id) {
+  const count = await seamRows(page).count();
+  const body = await checkedAfter(page, () => page.locator(`button[aria-label="Delete ${id}"], button[aria-label="Refuse ${id}"]`).click());
+  assert.equal(body.seams.length, count - 1);
+  assert.ok(!body.seams.some((seam) => seam.id === id));
+}
+
+/** Holds the answers of a call back: `release()` lets them come, and what they bring is painted. */
+export async function holdBack(page, method, path) {
+  let release;
+  const gate = new Promise((done) => { release = done; });
+  const matches = (url) => path.test(url.pathname);
+  await page.route(matches, async (route) => {
+    if (route.request().method() !== method) return route.fallback();
+    const response = await route.fetch();
+    await gate;
+    return route.fulfill({ response }).catch(() => {});
+  });
+  return async () => {
+    release();
+    await page.unroute(matches, { behavior: "wait" });
+    await twoFrames(page);
+  };
+}
+
 /** The pattern that the page shows, as the service has it. */
 export const shownPattern = (page) => page.evaluate(() =>
   fetch(`/v1/patterns/${new URLSearchParams(location.hash.slice(1)).get("pattern")}`).then((response) => response.json()));

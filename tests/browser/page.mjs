@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, test } from "node:test";
-import { checkedAfter, chooseFile, clickEdge, edgePath, fitOf, openDrawer, press, shownPattern, statusOf, undo, untilStatus } from "./acts.mjs";
+import { checkedAfter, chooseFile, clickEdge, deleteSeam, edgePath, fitOf, openDrawer, press, seamRows, shownPattern, statusOf, undo, untilStatus } from "./acts.mjs";
 import { assertAccessible, assertClean, axeFaults, difference, expectErrors, openTab, startPage, startService, TOKEN_TEST } from "./support.mjs";
 
 const FIT_MS = 300_000;
@@ -10,14 +10,7 @@ const { page, record, browser, close } = await startPage();
 after(close);
 let emptyStage;
 
-const seams = () => page.locator("#seam-list .seam");
-
-async function deleteSeam(id) {
-  const count = await seams().count();
-  const body = await checkedAfter(page, () => page.locator(`button[aria-label="Delete ${id}"], button[aria-label="Refuse ${id}"]`).click());
-  assert.equal(body.seams.length, count - 1);
-  assert.ok(!body.seams.some((seam) => seam.id === id));
-}
+const seams = () => seamRows(page);
 
 /** Side A and B of a sample's seam with directions as the page states them. */
 const SIDE = {
@@ -69,7 +62,7 @@ test("the drawing is y up and clockwise", async () => {
 });
 
 test("a seam is deleted and picked again by keyboard", async () => {
-  await deleteSeam("side-left");
+  await deleteSeam(page, "side-left");
   await edgePath(page, "skirt-front", 0).focus();
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("Enter");
@@ -88,7 +81,7 @@ test("a seam is deleted and picked again by keyboard", async () => {
 
 test("a seam is deleted and picked again by pointer, the nearer end first", async () => {
   const name = await page.locator("#seam-list .seam.selected .choose").getAttribute("data-key");
-  await deleteSeam(name.replace("choose ", ""));
+  await deleteSeam(page, name.replace("choose ", ""));
   await clickEdge(page, "skirt-front", 1, 0.2);
   assert.match(await statusOf(page), /1 → 2, clockwise/);
   const body = await checkedAfter(page, () => clickEdge(page, "skirt-back", 4, 0.8));
@@ -232,7 +225,7 @@ test("a saved garment opens again", async () => {
   await press(page, "Save garment");
   const file = await (await waiting).path();
   await openDrawer(page, "seams");
-  await deleteSeam("side-right");
+  await deleteSeam(page, "side-right");
   await chooseFile(page, "skirt.garment.json", await readFile(file));
   await untilStatus(page, "All 6 seams can be sewn");
   assert.equal(await seams().count(), 6);

@@ -2,21 +2,14 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, test } from "node:test";
-import { checkedAfter, chooseFile, edgePath, openDrawer, press, samplePath, statusOf, undo, untilStatus } from "./acts.mjs";
+import { checkedAfter, chooseFile, deleteSeam, edgePath, openDrawer, press, samplePath, seamRows, statusOf, undo, untilStatus } from "./acts.mjs";
 import { assertAccessible, assertClean, expectErrors, startPage } from "./support.mjs";
 
 const FIT_MS = 300_000;
 const { page, record, close } = await startPage();
 after(close);
 
-const seams = () => page.locator("#seam-list .seam");
-
-async function deleteSeam(id) {
-  const count = await seams().count();
-  const body = await checkedAfter(page, () => page.locator(`button[aria-label="Delete ${id}"], button[aria-label="Refuse ${id}"]`).click());
-  assert.equal(body.seams.length, count - 1);
-  assert.ok(!body.seams.some((seam) => seam.id === id));
-}
+const seams = () => seamRows(page);
 
 const suggested = () => page.locator("#seam-list .tag");
 
@@ -59,7 +52,7 @@ test("what was picked stays, and a suggestion that was changed is no longer one"
   await untilStatus(page, "can be sewn");
   const count = await seams().count();
   const id = (await page.locator("#seam-list .choose").first().getAttribute("data-key")).replace("choose ", "");
-  await deleteSeam(id);
+  await deleteSeam(page, id);
   const body = await checkedAfter(page, suggest);
   assert.equal(body.seams.length, count);
   await untilStatus(page, `1 seam suggested, ${count - 1} left as they were picked`);

@@ -1,7 +1,7 @@
 // Nothing that was done is lost: `node tests/browser/work.mjs`.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { chooseFile, fitOf, openDrawer, press, savedGarment, statusOf, undo, untilPanels, untilSeams, untilStatus } from "./acts.mjs";
+import { chooseFile, fitOf, holdBack, openDrawer, press, savedGarment, statusOf, undo, untilPanels, untilSeams, untilStatus } from "./acts.mjs";
 import { assertClean, axeFaults, expectErrors, startPage } from "./support.mjs";
 
 const { page, context, record, service, close } = await startPage();
@@ -168,26 +168,8 @@ test("work that another pattern takes the place of is kept over a reload, and op
   assert.deepEqual(await garment(), left);
 });
 
-/** Holds the answers of a call back: `release()` lets them come. */
-async function holdBack(method, path) {
-  let release;
-  const gate = new Promise((done) => { release = done; });
-  const matches = (url) => path.test(url.pathname);
-  await page.route(matches, async (route) => {
-    if (route.request().method() !== method) return route.fallback();
-    const response = await route.fetch();
-    await gate;
-    return route.fulfill({ response }).catch(() => {});
-  });
-  return async () => {
-    release();
-    await page.unroute(matches, { behavior: "wait" });
-    await untilKept();
-  };
-}
-
 test("the answer of a fit that comes late does not land on another pattern", async () => {
-  const release = await holdBack("POST", /\/v1\/fits$/);
+  const release = await holdBack(page, "POST", /\/v1\/fits$/);
   await page.locator("#run").click();
   await press(page, "Top sample");
   await untilPanels(page, 2);
@@ -209,7 +191,7 @@ test("a fit comes back with its pattern, also when that was left before the fit 
   assert.ok(id);
   await press(page, "Top sample");
   await untilPanels(page, 2);
-  const release = await holdBack("GET", /\/v1\/fits\/[^/]+$/);
+  const release = await holdBack(page, "GET", /\/v1\/fits\/[^/]+$/);
   await undo(page);
   await untilPanels(page, 3);
   await press(page, "Redo");
