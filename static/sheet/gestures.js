@@ -23,6 +23,10 @@ const spread = ([a, b]) => Math.hypot(a[0] - b[0], a[1] - b[1]);
 /** Follows the space bar: with it held a drag moves the sheet. */
 function followSpace(host) {
   const space = { held: false, used: false };
+  const letGo = () => {
+    space.held = false;
+    host.classList.remove("grab");
+  };
   document.addEventListener("keydown", (event) => {
     if (event.key !== " " || takesSpace(event.target)) return;
     if (event.target !== document.body && !host.contains(event.target)) return;
@@ -31,15 +35,10 @@ function followSpace(host) {
     host.classList.add("grab");
   });
   document.addEventListener("keyup", (event) => {
-    if (event.key !== " ") return;
-    space.held = false;
-    host.classList.remove("grab");
+    if (event.key === " ") letGo();
   });
   // The key may be let go in another window.
-  addEventListener("blur", () => {
-    space.held = false;
-    host.classList.remove("grab");
-  });
+  addEventListener("blur", letGo);
   return space;
 }
 
