@@ -3,7 +3,7 @@
 import { byId } from "../dom.js";
 import { state, update, watch } from "../state.js";
 import { drawn, host, placeOf } from "./drawn.js";
-import { edgeAt } from "./pointing.js";
+import { edgeAt, forgetHover } from "./pointing.js";
 import { caughtPoint, drawTape } from "./tape.js";
 import { toSheet } from "./view.js";
 
@@ -34,7 +34,8 @@ const toggle = () => update({ tape: state.tape ? null : { from: null, to: null }
 function drawTool() {
   byId("tape").setAttribute("aria-pressed", String(state.tape !== null));
   host().classList.toggle("measuring", state.tape !== null);
-  drawn.layers?.hover.replaceChildren();
+  // The tape and the run that a click would pick are painted in one place.
+  forgetHover();
 }
 
 /** Puts the tool to work, by its button and by its key on the sheet. */

@@ -50,7 +50,7 @@ export function drawHover() {
     drawTag({ rows: edgeRows(panel, edge, firstLength), at, window: sheet.size }));
 }
 
-/** Points at nothing: the panels are others now. */
+/** Points at nothing, as the sheet that is drawn next shows. */
 export function forgetHover() {
   hovered = null;
 }

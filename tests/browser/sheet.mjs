@@ -208,4 +208,16 @@ test("letters are keys in the work alone, in either case", async () => {
   await rail.waitFor();
 });
 
+test("the tape takes the place of the run that a click would pick", async () => {
+  const at = await pointOnEdge(page, "skirt-front", 1, 0.3);
+  await page.locator('path.edge[data-panel="skirt-front"][data-edge="0"]').focus();
+  await twoFrames(page);
+  await page.mouse.move(at.x, at.y);
+  assert.equal(await page.locator(".preview").count(), 1);
+  await page.keyboard.press("t");
+  await twoFrames(page);
+  assert.equal(await page.locator(".preview, .edge-tag, .edge.hovered").count(), 0);
+  await page.keyboard.press("t");
+});
+
 test("nothing failed", () => assertClean(record));
