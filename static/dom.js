@@ -83,6 +83,19 @@ export function paintWhenFree(host, paint) {
   else paint();
 }
 
+let pressed = null; // what the mouse went down on, among what is painted anew under its key
+
+const keyed = (target) => target.closest?.("[data-key]");
+
+document.addEventListener("mousedown", ({ target, button }) => { pressed = button === 0 ? keyed(target) : null; });
+
+// A browser clicks nothing where what was pressed is replaced before it is let go.
+document.addEventListener("mouseup", ({ target, button }) => {
+  if (button !== 0 || !pressed || pressed.isConnected) return;
+  const successor = keyed(target);
+  if (successor instanceof HTMLElement && successor.dataset.key === pressed.dataset.key) successor.click();
+});
+
 /** True if a key that is pressed there writes or chooses. */
 export const isTyping = (target) => Boolean(target.matches?.("input, select, textarea"));
 

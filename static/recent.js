@@ -16,22 +16,22 @@ const when = (at) => new Date(at).toLocaleString("en", { day: "numeric", month: 
 
 let showFit = async () => {};
 
-function entry(name, note, act) {
+function entry(key, name, note, act) {
   const open = () => {
     byId("open-dialog").close();
     act();
   };
-  return el("li", {}, el("button", { type: "button", class: "entry", onclick: open }, el("span", {}, name), el("small", {}, note)));
+  return el("li", {}, el("button", { type: "button", class: "entry", "data-key": key, onclick: open }, el("span", {}, name), el("small", {}, note)));
 }
 
 const list = (title, entries) => entries.length > 0 && [el("h3", {}, title), el("ul", { class: "entries" }, entries)];
 
 const draftEntry = (draft) =>
-  entry(draft.name, `${plural(draft.garment.seams.length, "seam")}, ${when(draft.at)}`, () => openDraft(draft, showFit));
+  entry(`draft ${draft.tab}`, draft.name, `${plural(draft.garment.seams.length, "seam")}, ${when(draft.at)}`, () => openDraft(draft, showFit));
 
 function fitEntry(fit, names) {
   const name = names.get(fit.id) ?? "A garment";
-  return entry(name, `${STATUS[fit.status] ?? fit.status}, ${when(fit.created_at)}`, () => openFit(fit.id, showFit));
+  return entry(`fit ${fit.id}`, name, `${STATUS[fit.status] ?? fit.status}, ${when(fit.created_at)}`, () => openFit(fit.id, showFit));
 }
 
 async function fill() {

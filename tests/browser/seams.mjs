@@ -1,7 +1,7 @@
 // All kinds of seams by hand, and proposals: `node tests/browser/seams.mjs`.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { chooseFile, clickEdge, edgePath, keyOnEdge, openDrawer, pointOnEdge, press, samplePath, savedGarment, shownPattern, statusOf, twoFrames, undo, untilStatus } from "./acts.mjs";
+import { chooseFile, clickEdge, edgePath, holdBack, keyOnEdge, openDrawer, pointOnEdge, press, samplePath, savedGarment, shownPattern, statusOf, twoFrames, undo, untilStatus } from "./acts.mjs";
 import { assertClean, axeFaults, startPage } from "./support.mjs";
 
 const { page, record, close } = await startPage();
@@ -109,6 +109,25 @@ test("a text that is being typed stays while the check answers", async () => {
   await page.unroute("**/seams/check");
   await undo(page);
   await undo(page);
+});
+
+test("a button is clicked that was painted anew while the mouse was down", async () => {
+  const before = await seams();
+  const release = await holdBack(page, "POST", /\/seams\/check$/);
+  const reverse = page.locator("#seam-list button[aria-label^='Reverse']");
+  await reverse.click();
+  await twoFrames(page);
+  const pressed = await reverse.elementHandle();
+  const { x, y, width, height } = await pressed.boundingBox();
+  await page.mouse.move(x + width / 2, y + height / 2);
+  await page.mouse.down();
+  await release();
+  await page.waitForFunction((button) => !button.isConnected, pressed);
+  await page.mouse.up();
+  assert.deepEqual(await seams(), before, "it was clicked twice, so all is as it was");
+  await undo(page);
+  await undo(page);
+  assert.deepEqual(await seams(), before);
 });
 
 test("a seam is selected by its number on the drawing, renamed and deleted by key", async () => {
