@@ -4,7 +4,7 @@
  */
 
 import { postJson } from "./api.js";
-import { say, takeDone } from "./say.js";
+import { sayVerdict } from "./say.js";
 import { state, update, watch } from "./state.js";
 import { plural, sentence } from "./words.js";
 
@@ -28,12 +28,6 @@ function verdict(check) {
   return { text: (check.seams.length === 1 ? "The seam can be sewn." : `All ${check.seams.length} seams can be sewn.`) + doubt, tone: doubt ? "warn" : false };
 }
 
-function sayVerdict(check) {
-  const before = takeDone();
-  const { text, tone } = verdict(check);
-  if (!state.picked) say([before, text].filter(Boolean).join(" "), tone);
-}
-
 const isPassing = (problem) => problem.status === 0 || problem.status >= 500;
 
 async function check(pause = RETRY_MS) {
@@ -49,12 +43,13 @@ async function check(pause = RETRY_MS) {
     const body = { seams: garment.seams, ...(Object.keys(garment.panels).length && { panels: garment.panels }), simulate: garment.simulate };
     const answer = await postJson(`/v1/patterns/${pattern.id}/seams/check`, body, { signal });
     update({ check: answer, checkProblem: null });
-    sayVerdict(answer);
+    const { text, tone } = verdict(answer);
+    if (!state.picked) sayVerdict(text, tone);
   } catch (problem) {
     if (problem.name === "AbortError") return;
     update({ check: null, checkProblem: problem });
     const again = isPassing(problem) ? " It is tried again." : "";
-    say(`The seams could not be checked. ${sentence(problem.message)}${again}`, true);
+    sayVerdict(`The seams could not be checked. ${sentence(problem.message)}${again}`, true);
     if (again) retry = setTimeout(check, pause, Math.min(2 * pause, LONGEST_RETRY_MS));
   }
 }

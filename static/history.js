@@ -4,6 +4,7 @@
  */
 
 import { byId } from "./dom.js";
+import { forgetSaid } from "./say.js";
 import { state, update, watch } from "./state.js";
 
 const DEPTH = 200;
@@ -35,6 +36,7 @@ export function change(patch, words) {
   past.push(snapshot(words));
   if (past.length > DEPTH) past.shift();
   future.length = 0;
+  forgetSaid();
   update(patch);
   tell();
 }

@@ -2,7 +2,7 @@
 
 import { allDrafts, announce, keepDraft, openDrafts } from "./drafts.js";
 import { fromAddress } from "./address.js";
-import { act, say } from "./say.js";
+import { say } from "./say.js";
 import { state, watch } from "./state.js";
 
 const COPY = "This tab is a copy of another one. Each keeps its own work from here on.";
@@ -27,7 +27,7 @@ async function keep() {
     await keepDraft(state.draft, work());
   } catch {
     // The verdict of a check that comes next is added to it.
-    if (!isToldNotKept) act(NOT_KEPT);
+    if (!isToldNotKept) say(NOT_KEPT);
     isToldNotKept = true;
   }
 }

@@ -8,7 +8,7 @@ import { change, changeGarment } from "./history.js";
 import { isMirrorId, mirrorOf } from "./mirrored.js";
 import { runsOf } from "./outline.js";
 import { forgetCopies, leftOut, panelsShown, titleOf } from "./panels.js";
-import { act } from "./say.js";
+import { say } from "./say.js";
 import { allFabrics, fabricOptions } from "./settings.js";
 import { boxOf } from "./sheet/arrangement.js";
 import { state, update, watch } from "./state.js";
@@ -51,7 +51,7 @@ function choice(panel, field, text, pairs) {
 function flip(panel) {
   const now = state.garment.panels[panel.id]?.face ?? state.check?.faces?.[panel.id] ?? "up";
   setPanel(panel.id, { face: now === "up" ? "down" : "up" }, `turning ${titleOf(panel)}`);
-  act(`${titleOf(panel)}: the other side is out.`);
+  say(`${titleOf(panel)}: the other side is out.`);
 }
 
 /** The garment without the seams and settings of a panel. */
@@ -66,18 +66,18 @@ function removeCopy(panel) {
   const { gone, garment } = without(panel.id);
   change({ garment }, `taking ${titleOf(panel)} away`);
   forgetCopies();
-  act(`${titleOf(panel)} is taken away${gone ? `, with ${plural(gone, "seam")}` : ""}.`);
+  say(`${titleOf(panel)} is taken away${gone ? `, with ${plural(gone, "seam")}` : ""}.`);
 }
 
 function leaveOut(panel) {
   const { gone, garment } = without(panel.id);
   change({ garment, leftOut: [...state.leftOut, panel.id] }, `leaving ${titleOf(panel)} out`);
-  act(`${titleOf(panel)} is left out${gone ? `, with ${plural(gone, "seam")}` : ""}.`);
+  say(`${titleOf(panel)} is left out${gone ? `, with ${plural(gone, "seam")}` : ""}.`);
 }
 
 function takeIn(panel) {
   change({ leftOut: state.leftOut.filter((id) => id !== panel.id) }, `taking ${titleOf(panel)} in`);
-  act(`${titleOf(panel)} is sewn with the others.`);
+  say(`${titleOf(panel)} is sewn with the others.`);
 }
 
 const button = (panel, what, act, key = what) =>

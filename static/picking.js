@@ -5,7 +5,7 @@ import { redo, undo } from "./history.js";
 import { edgesOf, lengthOfSide, runsOf } from "./outline.js";
 import { forgetCopies, panelOf, panelsShown } from "./panels.js";
 import { clockwise, runName, sideName } from "./run_names.js";
-import { act, say } from "./say.js";
+import { say } from "./say.js";
 import { changeSeams, deleteSeam, freshId } from "./seams.js";
 import { dartIn, isSameStretch, joined, overlap, stretchesOf, twinOf } from "./sides.js";
 import { state, update, watch } from "./state.js";
@@ -15,7 +15,7 @@ import { centimeters } from "./words.js";
 function travel(move, verb) {
   const words = move();
   forgetCopies();
-  if (words !== null) act(`${verb}: ${words}.`);
+  if (words !== null) say(`${verb}: ${words}.`);
 }
 
 function letGo() {
@@ -53,7 +53,7 @@ function extend(run) {
   const { growing } = state;
   const seams = state.garment.seams.map((seam) => (seam.id === growing ? { ...seam, b: joined(seam.b, run) } : seam));
   changeSeams(seams, `an edge more of ${growing}`, { selected: growing });
-  act(`Seam ${growing}: second side ${sideName(seams.find((seam) => seam.id === growing).b)}.`);
+  say(`Seam ${growing}: second side ${sideName(seams.find((seam) => seam.id === growing).b)}.`);
 }
 
 /** The twin on the other half of the body, where there is one and its edges are free. */
@@ -70,7 +70,7 @@ function sew(a, b) {
   const twins = twinFor(seam);
   update({ picked: null, pickedAt: null, growing: seam.id });
   changeSeams([...state.garment.seams, seam, ...twins], `seam ${seam.id}`, { selected: seam.id });
-  act(`Seam ${seam.id}: ${sideName(a)} with ${sideName(b)}${twins.length ? `, and mirrored ${twins[0].id}` : ""}.`);
+  say(`Seam ${seam.id}: ${sideName(a)} with ${sideName(b)}${twins.length ? `, and mirrored ${twins[0].id}` : ""}.`);
 }
 
 /** A second pick of the first side: a dart in it, the side turned, or let go. */

@@ -3,28 +3,30 @@
 import { byId } from "./dom.js";
 import { makersText } from "./makers_words.js";
 
-let done = ""; // the last change in words, until its check answers
+let said = { text: "", tone: false }; // what was said last, without the verdict on it
 
-/** Says something to everyone; `tone` is "good", "warn" for what is doubtful, "bad" or true. */
-export function say(text, tone = false) {
+function show(text, tone) {
   const status = byId("status");
-  const said = makersText(text);
-  status.firstElementChild.textContent = said;
-  status.title = said;
+  const shown = makersText(text);
+  status.firstElementChild.textContent = shown;
+  status.title = shown;
   status.classList.toggle("bad", tone === true || tone === "bad");
   status.classList.toggle("warn", tone === "warn");
   status.classList.toggle("good", tone === "good");
 }
 
-/** Says what was changed; the verdict of the check is added to it. */
-export function act(text) {
-  done = text;
-  say(text);
+/** Says something to everyone; `tone` is "good", "warn" for what is doubtful, "bad" or true. */
+export function say(text, tone = false) {
+  said = { text, tone };
+  show(text, tone);
 }
 
-/** The last change in words, once. */
-export function takeDone() {
-  const text = done;
-  done = "";
-  return text;
+/** Says a verdict, which may come late: what was said last stays before it. */
+export function sayVerdict(text, tone) {
+  show([said.text, text].filter(Boolean).join(" "), tone || said.tone);
+}
+
+/** Forgets what was said last, which the next verdict is not about. */
+export function forgetSaid() {
+  said = { text: "", tone: false };
 }

@@ -6,7 +6,7 @@ import { el } from "./dom.js";
 import { edgesOf, lengthOf, lengthOfSide, runsOf, wayOf } from "./outline.js";
 import { panelOf, panelsShown } from "./panels.js";
 import { drawnWay, sideName } from "./run_names.js";
-import { act } from "./say.js";
+import { say } from "./say.js";
 import { changeSeam, changeSeams, renameSeam } from "./seams.js";
 import { state } from "./state.js";
 import { suggestionOf } from "./suggest.js";
@@ -75,7 +75,7 @@ function partFields(seam, side, title) {
     const way = wayOf(panel, run);
     const [start, end] = way === "ccw" ? ends.reverse() : ends;
     changeSeam(seam.id, { [side]: { panel: panel.id, from: start, to: end, direction: way } }, `the part of ${seam.id}`);
-    act(`${title} of ${seam.id}: ${centimeters(to - from)} of ${centimeters(length)}.`);
+    say(`${title} of ${seam.id}: ${centimeters(to - from)} of ${centimeters(length)}.`);
     return true;
   };
   const field = (name, label) => {
@@ -105,7 +105,7 @@ function correction(seam) {
   if (!other) return null;
   const use = () => {
     changeSeams(state.garment.seams.map((one) => (one.id === seam.id ? other : one)), `correcting ${seam.id}`, { selected: seam.id });
-    act(`Seam ${seam.id} corrected.`);
+    say(`Seam ${seam.id} corrected.`);
   };
   return el("button", { type: "button", class: "small", "data-key": `correct ${seam.id}`, onclick: use },
     `Use the correction: ${correctionText(seam, other)}`);

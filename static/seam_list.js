@@ -4,7 +4,7 @@ import { byId, el, paintWhenFree, replaceChildren } from "./dom.js";
 import { leftOut } from "./panels.js";
 import { selectSeam } from "./picking.js";
 import { panelName, sideName } from "./run_names.js";
-import { act } from "./say.js";
+import { say } from "./say.js";
 import { seamDetails } from "./seam_details.js";
 import { changeSeams, deleteSeam, reverseSeam } from "./seams.js";
 import { colorClass } from "./sheet/seam_marks.js";
@@ -31,7 +31,7 @@ function move(seam, by) {
   const moved = order.filter((one) => one !== seam);
   moved.splice(at + by, 0, stage === (seam.stage ?? 0) ? seam : { ...seam, stage });
   changeSeams(moved, `the place of ${seam.id}`);
-  act(`Seam ${seam.id} is now sewn as number ${at + by + 1} in order.`);
+  say(`Seam ${seam.id} is now sewn as number ${at + by + 1} in order.`);
 }
 
 const inOrder = () =>

@@ -2,7 +2,7 @@
 
 import { change } from "./history.js";
 import { reversedSide, runsOf } from "./outline.js";
-import { act, say } from "./say.js";
+import { say } from "./say.js";
 import { state } from "./state.js";
 
 /** An id that no seam has, from the panels of its sides. */
@@ -39,12 +39,12 @@ export function changeSeam(id, patch, words = `options of ${id}`) {
 export function reverseSeam(id) {
   const seam = state.garment.seams.find((one) => one.id === id);
   changeSeam(id, { b: reversedSide(seam.b) }, `turning ${id}`);
-  act(`${id}: the second side now runs the other way.`);
+  say(`${id}: the second side now runs the other way.`);
 }
 
 export function deleteSeam(id) {
   changeSeams(state.garment.seams.filter((seam) => seam.id !== id), `deleting ${id}`);
-  act(`Seam ${id} deleted.`);
+  say(`Seam ${id} deleted.`);
 }
 
 /** Gives a seam another name, which no other has; true if it took it. */
@@ -60,6 +60,6 @@ export function renameSeam(id, name) {
   changeSeams(state.garment.seams.map((seam) => (seam.id === id ? { ...seam, id: fresh } : seam)), `renaming ${id}`, {
     selected: fresh, suggested: reason ? { ...suggested, [fresh]: reason } : suggested, numbers: { ...numbers, [fresh]: number },
   });
-  act(`Seam ${id} is now named ${fresh}.`);
+  say(`Seam ${id} is now named ${fresh}.`);
   return true;
 }

@@ -8,7 +8,7 @@ import { byId } from "./dom.js";
 import { change } from "./history.js";
 import { sourceOf } from "./mirrored.js";
 import { panelOf, sewnIds } from "./panels.js";
-import { act, say } from "./say.js";
+import { say } from "./say.js";
 import { changeSeams } from "./seams.js";
 import { overlap, stretchesOf } from "./sides.js";
 import { state, update, watch } from "./state.js";
@@ -81,14 +81,14 @@ function add(found) {
   const leftOut = state.pattern.panels.map((panel) => panel.id).filter((id) => !sewn.has(sourceOf(id)));
   changeSeams([...there, ...proposals.map(plainSeam)], "suggested seams",
     { selected: null, placements: placementsFor(found.panels), leftOut, suggested, offers });
-  act(summary(proposals, offers, found.seams.length - free.length));
+  say(summary(proposals, offers, found.seams.length - free.length));
 }
 
 /** Takes proposals as they are: they are no longer marked as such. */
 export function accept(ids) {
   const suggested = Object.fromEntries(Object.entries(state.suggested).filter(([id]) => !ids.includes(id)));
   change({ suggested }, `accepting ${ids.length === 1 ? ids[0] : plural(ids.length, "proposal")}`);
-  act(ids.length === 1 ? `Seam ${ids[0]} accepted.` : `${plural(ids.length, "proposal")} accepted.`);
+  say(ids.length === 1 ? `Seam ${ids[0]} accepted.` : `${plural(ids.length, "proposal")} accepted.`);
 }
 
 const withoutOffer = (id) => state.offers.filter((offer) => offer.id !== id);
@@ -97,12 +97,12 @@ const withoutOffer = (id) => state.offers.filter((offer) => offer.id !== id);
 export function acceptOffer(offer) {
   const seam = withFreshId(plainSeam(offer), new Set(state.garment.seams.map(({ id }) => id)));
   changeSeams([...state.garment.seams, seam], `accepting ${offer.id}`, { selected: seam.id, offers: withoutOffer(offer.id) });
-  act(`Seam ${seam.id} accepted.`);
+  say(`Seam ${seam.id} accepted.`);
 }
 
 export function refuseOffer(offer) {
   change({ offers: withoutOffer(offer.id) }, `refusing ${offer.id}`);
-  act(`${offer.id} refused.`);
+  say(`${offer.id} refused.`);
 }
 
 /** Asks the service for seams and adds those whose edges are free. */

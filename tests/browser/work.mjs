@@ -173,8 +173,6 @@ test("the answer of a fit that comes late does not land on another pattern", asy
   await page.locator("#run").click();
   await press(page, "Top sample");
   await untilPanels(page, 2);
-  // The verdict of a check that came later would take the place of what is said.
-  await untilStatus(page, "can be sewn");
   await release();
   await untilStatus(page, "is being sewn: Open lists it");
   assert.equal(await fitOf(page), null);
@@ -204,6 +202,18 @@ test("a fit comes back with its pattern, also when that was left before the fit 
   await page.waitForFunction((fit) => location.hash.includes(fit), id);
   // It was canceled before it had a shape, so it has no report.
   expectErrors(record, / 404 .*\/report$/, { least: 2 });
+});
+
+test("what was said last stays before a verdict that comes late", async () => {
+  const release = await holdBack(page, "POST", /\/seams\/check$/);
+  await press(page, "Skirt sample");
+  await untilStatus(page, "Undo brings back");
+  await release();
+  await untilStatus(page, "All 6 seams can be sewn");
+  assert.match(await statusOf(page), /Undo brings back .*All 6 seams can be sewn/);
+  if (!await page.getByLabel("Face of WAISTBAND").isVisible()) await page.locator("[data-row=waistband] summary").click();
+  await page.getByLabel("Face of WAISTBAND").selectOption("down");
+  await page.waitForFunction(() => document.getElementById("status").textContent === "All 6 seams can be sewn.");
 });
 
 test("a pattern that is opened again is checked again", async () => {
