@@ -47,7 +47,7 @@ function show(found) {
   const draft = found.draft ?? (isLeft ? null : state.draft) ?? freshName();
   const patch = {
     pattern, garment, reading, suggested, offers, leftOut, numbers, draft,
-    picked: null, pickedAt: null, growing: null, tape: null, selected: null, check: null, fit: null, report: null, ran: null,
+    picked: null, pickedAt: null, growing: null, tape: null, selected: null, check: null, fit: null, awaited: null, report: null, ran: null,
   };
   if (state.pattern) change(patch, `opening ${pattern.name}`);
   else update(patch);

@@ -24,6 +24,9 @@ let submitting = false;
 
 const fitPath = (id) => `/v1/fits/${encodeURIComponent(id)}`;
 
+/** True if asking again brings the same answer. */
+const isRefusal = (problem) => problem.status >= 400 && problem.status < 500;
+
 const pause = (ms) => new Promise((done) => { setTimeout(done, ms); });
 
 /** Ends the showing of an earlier fit, whose late answers are dropped; the signal of the next. */
@@ -60,7 +63,7 @@ async function followOnce(id, lastId, signal, onEvent) {
       if (isRunningNow && state.fit?.id === id) update({ fit: { ...state.fit, status: "running" } });
     }
   } catch (error) {
-    if (error.name === "AbortError" || (error.status >= 400 && error.status < 500)) throw error;
+    if (error.name === "AbortError" || isRefusal(error)) throw error;
   }
   return last;
 }
@@ -79,7 +82,7 @@ async function follow(id, signal) {
   for (;;) {
     lastId = await followOnce(id, lastId, signal, isBack);
     const fit = await getJson(fitPath(id), { signal }).catch((error) => {
-      if (error.name === "AbortError" || (error.status >= 400 && error.status < 500)) throw error;
+      if (error.name === "AbortError" || isRefusal(error)) throw error;
       return null;
     });
     if (fit) isBack();
@@ -130,7 +133,7 @@ async function showResult(fit, signal) {
 }
 
 async function watchFit(fit, signal) {
-  update({ fit, report: null });
+  update({ fit, awaited: null, report: null });
   byId("progress-bar").removeAttribute("value");
   byId("progress-stage").textContent = "Waiting for a worker";
   byId("progress-figures").textContent = "";
@@ -235,13 +238,16 @@ async function download(what) {
  */
 export async function showFit(id, ran) {
   const signal = begin();
+  update({ awaited: id, ran: ran ?? asText() });
   try {
     const fit = await getJson(fitPath(id), { signal });
     signal.throwIfAborted();
-    update({ ran: ran ?? asText() });
     await watchFit(fit, signal);
   } catch (problem) {
-    if (!signal.aborted) showFaults(problem);
+    if (signal.aborted) return;
+    // Where the service could not say, the address keeps the fit: a reload asks again.
+    if (isRefusal(problem)) update({ awaited: null });
+    showFaults(problem);
   }
 }
 

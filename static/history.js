@@ -5,7 +5,7 @@
 
 import { byId } from "./dom.js";
 import { forgetSaid } from "./say.js";
-import { state, update, watch } from "./state.js";
+import { fitId, state, update, watch } from "./state.js";
 
 const DEPTH = 200;
 /** Parts of the state that are brought back. */
@@ -14,12 +14,11 @@ const KEPT = ["pattern", "reading", "garment", "suggested", "offers", "leftOut",
 const past = [];
 const future = [];
 let reopen = () => {};
-let awaited = { pattern: null, fit: null }; // the fit of a pattern that came back, while it is fetched
 
 /** The fit that belongs to the pattern, as `{id, ran}`, or null. */
 function fitNow() {
-  if (state.fit) return { id: state.fit.id, ran: state.ran };
-  return awaited.pattern === state.pattern ? awaited.fit : null;
+  const id = fitId();
+  return id === null ? null : { id, ran: state.ran };
 }
 
 const snapshot = (words) => ({
@@ -53,9 +52,8 @@ function step(from, to) {
   to.push(snapshot(target.words));
   const { words, fit, ...kept } = target;
   const isOther = kept.pattern !== state.pattern;
-  update({ ...kept, picked: null, selected: null, ...(isOther && { check: null, fit: null, report: null, ran: null }) });
+  update({ ...kept, picked: null, selected: null, ...(isOther && { check: null, fit: null, awaited: null, report: null, ran: null }) });
   tell();
-  if (isOther) awaited = { pattern: kept.pattern, fit };
   if (isOther && fit) reopen(fit.id, fit.ran);
   return words;
 }

@@ -3,7 +3,7 @@
 import { allDrafts, announce, keepDraft, openDrafts } from "./drafts.js";
 import { fromAddress } from "./address.js";
 import { say } from "./say.js";
-import { state, watch } from "./state.js";
+import { fitId, state, watch } from "./state.js";
 
 const COPY = "This tab is a copy of another one. Each keeps its own work from here on.";
 const ELSEWHERE = "This pattern is open in another tab too. Each tab keeps its own work; Open lists both.";
@@ -14,10 +14,10 @@ let isToldNotKept = false;
 
 /** The state that a draft keeps; the pattern itself only where the service does not hold it. */
 function work() {
-  const { pattern, reading, garment, suggested, offers, leftOut, numbers, ran, fit } = state;
+  const { pattern, reading, garment, suggested, offers, leftOut, numbers, ran } = state;
   return {
     name: pattern.name, patternId: pattern.id, stored: Boolean(pattern.stored), pattern: pattern.stored ? null : pattern,
-    reading, garment, suggested, offers, leftOut, numbers, ran, fit: fit?.id ?? null,
+    reading, garment, suggested, offers, leftOut, numbers, ran, fit: fitId(),
   };
 }
 
@@ -41,7 +41,7 @@ export async function startKeeping() {
   const { pattern } = fromAddress();
   const isOther = pattern && draft?.patternId !== pattern;
   const others = isOther ? (await allDrafts()).filter((one) => one.patternId === pattern && one.garment.seams.length > 0) : [];
-  watch(["pattern", "garment", "suggested", "offers", "leftOut", "ran", "fit"], keep);
+  watch(["pattern", "garment", "suggested", "offers", "leftOut", "ran", "fit", "awaited"], keep);
   let isElsewhere = false;
   const tell = announce(() => {
     isElsewhere = true;

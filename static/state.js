@@ -34,6 +34,7 @@ export const state = {
   check: null, // the answer of seams/check
   checkProblem: null, // the error by which the last check came to nothing
   fit: null,
+  awaited: null, // id of the fit that belongs to the pattern, until it has come or is known to be gone
   report: null,
   shape: null, // id of the fit whose shape is on the stage
   ran: null, // the garment of the shown fit as text, to tell when it is out of date
@@ -42,6 +43,9 @@ export const state = {
   layout: { split: 50, rail: true, drawer: null, full: null },
   view: null, // the part of the sheet that is seen: {x, y, k, home}
 };
+
+/** Id of the fit that belongs to the pattern, shown or still to come; null where there is none. */
+export const fitId = () => state.fit?.id ?? state.awaited;
 
 const listeners = [];
 let changed = new Set();

@@ -7,8 +7,13 @@ import { assertClean, axeFaults, expectErrors, startPage } from "./support.mjs";
 const { page, context, record, service, close } = await startPage();
 after(close);
 
-/** Waits until a change is in the draft. */
-const untilKept = () => page.evaluate(() => new Promise((done) => { setTimeout(done, 150); }));
+/** Waits until the draft of a tab has what the tab shows. */
+const untilKept = (where = page) => where.waitForFunction(async () => {
+  const [{ allDrafts }, { fitId, state }] = await Promise.all([import("/drafts.js"), import("/state.js")]);
+  const draft = (await allDrafts()).find(({ tab }) => tab === sessionStorage.getItem("seamster.tab"));
+  const parts = (patternId, garment, fit) => JSON.stringify([patternId, garment, fit]);
+  return draft && parts(draft.patternId, draft.garment, draft.fit) === parts(state.pattern.id, state.garment, fitId());
+});
 
 /** The garment as the page would save it, without its pattern. */
 async function garment(where = page) {
@@ -134,7 +139,7 @@ test("a reload keeps the work of this tab, and a second tab has its own", async 
   await untilStatus(second, "open in another tab");
   await untilStatus(page, "open in another tab");
   await second.locator("#default-fabric").selectOption(await otherFabric(second));
-  await untilKept();
+  await untilKept(second);
   await page.reload();
   await untilSeams(page, 5);
   assert.deepEqual(await garment(), mine, "the first tab has what it had");
@@ -202,6 +207,30 @@ test("a fit comes back with its pattern, also when that was left before the fit 
   await page.waitForFunction((fit) => location.hash.includes(fit), id);
   // It was canceled before it had a shape, so it has no report.
   expectErrors(record, / 404 .*\/report$/, { least: 2 });
+});
+
+test("a fit stays in the address and the draft until it came, or is known to be gone", async () => {
+  const id = await fitOf(page);
+  const release = await holdBack(page, "GET", /\/v1\/fits\/[^/]+$/);
+  for (let i = 0; i < 2; i++) {
+    await page.reload();
+    await untilPanels(page, 3);
+    await page.locator("#default-fabric").selectOption(await otherFabric(page));
+    await untilKept();
+    assert.equal(await fitOf(page), id, "while it is fetched");
+  }
+  const looked = page.waitForResponse((response) => response.url().endsWith(`${id}/report`));
+  await release();
+  await looked;
+  const isFit = (url) => url.pathname.endsWith(`/v1/fits/${id}`);
+  for (const status of [503, 404]) {
+    await page.route(isFit, (route) => route.fulfill({ status, contentType: "application/problem+json", body: "{}" }));
+    await page.reload();
+    await untilStatus(page, `The service answered ${status}.`);
+    assert.equal(await fitOf(page), status === 404 ? null : id);
+    await page.unroute(isFit);
+  }
+  expectErrors(record, / (404|503) .*\/v1\/fits\//, { least: 3 });
 });
 
 test("what was said last stays before a verdict that comes late", async () => {
