@@ -132,7 +132,8 @@ async function patternOf(saved) {
     }
   }
   if (named?.panels) return { pattern: { ...named, stored: false } };
-  if (state.pattern) return { pattern: state.pattern };
+  // A copy: another garment of the same pattern is another work, with fits of its own.
+  if (state.pattern) return { pattern: { ...state.pattern } };
   throw new Error("This garment file names no pattern. Open its DXF first, then the garment file.");
 }
 

@@ -209,6 +209,18 @@ test("a fit comes back with its pattern, also when that was left before the fit 
   expectErrors(record, / 404 .*\/report$/, { least: 2 });
 });
 
+test("another garment of the same pattern does not take its fit", async () => {
+  const id = await fitOf(page);
+  const count = (await garment()).seams.length;
+  await chooseFile(page, "bare.json", JSON.stringify({ schema: "seamster/garment/1", seams: [] }));
+  await untilSeams(page, 0);
+  assert.equal(await fitOf(page), null);
+  await undo(page);
+  await untilSeams(page, count);
+  await page.waitForFunction((fit) => location.hash.includes(fit), id);
+  expectErrors(record, / 404 .*\/report$/, { least: 0 });
+});
+
 test("a fit stays in the address and the draft until it came, or is known to be gone", async () => {
   const id = await fitOf(page);
   const release = await holdBack(page, "GET", /\/v1\/fits\/[^/]+$/);
