@@ -50,6 +50,8 @@ async function inStore(mode, act) {
 /** A name for a draft that no other has. */
 export const freshName = () => Array.from(crypto.getRandomValues(new Uint32Array(4)), (part) => part.toString(36)).join("");
 
+const lockOf = (name) => `${NAME} ${name}`;
+
 /** True if no other tab holds the name; then this one does until it is closed. */
 function claim(name, options) {
   if (!navigator.locks || held.has(name)) return Promise.resolve(true);
@@ -60,7 +62,7 @@ function claim(name, options) {
       done(true);
       return new Promise(() => {});
     };
-    navigator.locks.request(`${NAME} ${name}`, options, forever).catch(() => done(false));
+    navigator.locks.request(lockOf(name), options, forever).catch(() => done(false));
   });
 }
 
@@ -85,10 +87,13 @@ export async function allDrafts() {
   return found.sort((a, b) => b.at - a.at);
 }
 
-/** Lets the oldest drafts go. */
+/** Lets drafts go that are too many, the oldest first and those of open tabs never. */
 async function prune() {
-  for (const old of (await allDrafts()).slice(MOST)) {
-    await inStore("readwrite", (store) => store.delete(old.tab)).catch(() => {});
+  // Where there are no locks, as without HTTPS, open tabs cannot be told from closed ones.
+  const { held: locks } = await navigator.locks?.query() ?? { held: [] };
+  const open = new Set(locks.map((lock) => lock.name));
+  for (const { tab } of (await allDrafts()).slice(MOST)) {
+    if (!open.has(lockOf(tab))) await inStore("readwrite", (store) => store.delete(tab)).catch(() => {});
   }
 }
 

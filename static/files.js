@@ -14,7 +14,7 @@ import { runsOf } from "./outline.js";
 import { plainPattern } from "./panels.js";
 import { say } from "./say.js";
 import { uploadBody } from "./settings.js";
-import { emptyGarment, state, update } from "./state.js";
+import { emptyGarment, hasWork, state, update } from "./state.js";
 import { suggest } from "./suggest.js";
 import { plural, problemItems, sentence } from "./words.js";
 
@@ -33,16 +33,13 @@ function greeting({ pattern, garment }) {
     : "Pick the first edge of a seam: click it near the end where sewing begins. Or have the seams suggested.";
 }
 
-/** True if there is work that another pattern takes the place of. */
-const hasWork = () => state.pattern !== null && state.garment.seams.length > 0;
-
 /**
  * Shows a pattern with a garment; the shown fit goes. What was there can be brought back, and stays
  * as a draft of its own; `said` tells of a pattern that is the same work still.
  */
 function show(found) {
   const { pattern, garment, reading = { file: null, options: {} }, suggested = {}, offers = [], leftOut = [], numbers = {}, said } = found;
-  const isLeft = hasWork() && !said;
+  const isLeft = state.pattern !== null && hasWork(state) && !said;
   const replaced = isLeft ? ` Undo brings back ${state.pattern.name}.` : "";
   const draft = found.draft ?? (isLeft ? null : state.draft) ?? freshName();
   const patch = {
@@ -101,7 +98,10 @@ export async function readAgain(options) {
     }
     const { garment, lost } = keepSeams(state.garment, before, pattern);
     const found = { pattern, garment, reading: { file, options }, leftOut: state.leftOut, suggested: state.suggested, numbers: state.numbers };
-    if (garment.seams.length === 0 && lost.length === 0) return { ...found, garment: { ...garment, seams: pattern.seams ?? [] } };
+    if (garment.seams.length === 0 && lost.length === 0) {
+      const own = { ...garment, seams: pattern.seams ?? [] };
+      return { ...found, garment: own, said: greeting({ pattern, garment: own }) };
+    }
     const gone = lost.length ? ` ${plural(lost.length, "seam")} went, because the edges are others: ${lost.join(", ")}. Undo brings all back.` : "";
     return { ...found, said: `${plural(garment.seams.length, "seam")} kept.${gone}` };
   });

@@ -3,7 +3,7 @@
 import { allDrafts, announce, keepDraft, openDrafts } from "./drafts.js";
 import { fromAddress } from "./address.js";
 import { say } from "./say.js";
-import { fitId, state, watch } from "./state.js";
+import { fitId, hasWork, state, watch } from "./state.js";
 
 const COPY = "This tab is a copy of another one. Each keeps its own work from here on.";
 const ELSEWHERE = "This pattern is open in another tab too. Each tab keeps its own work; Open lists both.";
@@ -40,7 +40,7 @@ export async function startKeeping() {
   const { draft, isCopy } = await openDrafts();
   const { pattern } = fromAddress();
   const isOther = pattern && draft?.patternId !== pattern;
-  const others = isOther ? (await allDrafts()).filter((one) => one.patternId === pattern && one.garment.seams.length > 0) : [];
+  const others = isOther ? (await allDrafts()).filter((one) => one.patternId === pattern && hasWork(one)) : [];
   watch(["pattern", "garment", "suggested", "offers", "leftOut", "ran", "fit", "awaited"], keep);
   let isElsewhere = false;
   const tell = announce(() => {

@@ -15,6 +15,10 @@ export const emptyGarment = () => ({
   simulate: { edge_length_m: 0.012 },
 });
 
+/** True if something was done with a pattern since it was opened, in this tab or as a draft. */
+export const hasWork = ({ garment, offers, leftOut }) =>
+  JSON.stringify(garment) !== JSON.stringify(emptyGarment()) || offers?.length > 0 || leftOut?.length > 0;
+
 export const state = {
   pattern: null,
   reading: { file: null, options: {} }, // the file that the pattern came from, and how it was read

@@ -309,4 +309,49 @@ test("work of a closed tab and earlier fits are listed and opened", async () => 
   await third.close();
 });
 
+test("work without seams is kept too where another pattern takes its place", async () => {
+  await chooseFile(page, "bare.dxf", pieces([[300, 0], [300, 200], [500, 200], [500, 0]]));
+  await untilPanels(page, 2);
+  await page.locator("#default-fabric").selectOption(await otherFabric(page));
+  await page.locator("#import-units").selectOption("cm");
+  await page.waitForFunction(() => document.getElementById("pattern-facts").textContent.includes("cm"));
+  assert.doesNotMatch(await statusOf(page), /Undo brings back/, "it is the same work");
+  await untilKept();
+  await press(page, "Skirt sample");
+  await untilPanels(page, 3);
+  await untilStatus(page, "can be sewn");
+  assert.match(await statusOf(page), /Undo brings back bare/);
+  await untilKept();
+  await page.locator("#open").click();
+  await page.locator("#open-recent .entry", { hasText: /bare\s*0 seams/ }).waitFor();
+  await page.locator("#open-close").click();
+});
+
+test("the draft of an open tab stays, whatever others there are", async () => {
+  const mine = await page.evaluate(async () => {
+    const { allDrafts } = await import("/drafts.js");
+    const tab = sessionStorage.getItem("seamster.tab");
+    const draft = (await allDrafts()).find((one) => one.tab === tab);
+    const later = Array.from({ length: 20 }, (_, i) => ({ ...draft, tab: `closed ${i}`, at: Date.now() + 60_000 + i }));
+    await new Promise((done, failed) => {
+      const request = indexedDB.open("seamster", 1);
+      request.onerror = failed;
+      request.onsuccess = () => {
+        const transaction = request.result.transaction("drafts", "readwrite");
+        for (const one of [...later, { ...draft, tab: "oldest", at: 0 }]) transaction.objectStore("drafts").put(one);
+        transaction.oncomplete = done;
+        transaction.onabort = failed;
+      };
+    });
+    return tab;
+  });
+  const other = await context.newPage();
+  await other.goto(service.url);
+  await press(other, "Try the skirt");
+  await other.waitForFunction(async () => !(await (await import("/drafts.js")).allDrafts()).some(({ tab }) => tab === "oldest"));
+  const kept = await page.evaluate(async () => (await (await import("/drafts.js")).allDrafts()).map(({ tab }) => tab));
+  assert.ok(kept.includes(mine));
+  await other.close();
+});
+
 test("nothing else failed", () => assertClean(record));
