@@ -45,20 +45,25 @@ function drawFabric() {
   byId("fabric-note").textContent = fabric?.density_kg_m2 ? `${(fabric.density_kg_m2 * 1000).toFixed(0)} g/m²` : "";
 }
 
+/** The dress form of now: while a field is typed in, its painting may be older. */
+const formNow = () => ({ ...DEFAULT_FORM, ...state.garment.avatar?.form });
+
+const inCentimeters = (meters) => Number((meters * 100).toFixed(2));
+
 function measure([field, text, least, most]) {
-  const form = state.garment.avatar?.form ?? {};
-  const value = Number(((form[field] ?? DEFAULT_FORM[field]) * 100).toFixed(2));
-  const change = (event) => {
-    const { target } = event;
+  const change = ({ target }) => {
+    // Another body came while this was typed.
+    if (!state.garment.avatar?.form) return;
     if (!target.checkValidity() || target.value === "") {
+      const value = inCentimeters(formNow()[field]);
       target.value = value;
       say(`${text} is between ${least} and ${most} cm; it stays at ${value} cm.`, true);
       return;
     }
-    changeGarment({ avatar: { form: { ...DEFAULT_FORM, ...form, [field]: Number((target.valueAsNumber / 100).toFixed(4)) } } }, `the ${text.toLowerCase()}`);
+    changeGarment({ avatar: { form: { ...formNow(), [field]: Number((target.valueAsNumber / 100).toFixed(4)) } } }, `the ${text.toLowerCase()}`);
   };
   return el("label", {}, `${text}, cm`,
-    el("input", { type: "number", min: least, max: most, step: 0.5, value, "data-key": field, onchange: change }));
+    el("input", { type: "number", min: least, max: most, step: 0.5, value: inCentimeters(formNow()[field]), "data-key": field, onchange: change }));
 }
 
 function drawBody() {

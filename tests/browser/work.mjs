@@ -257,6 +257,19 @@ test("what was said last stays before a verdict that comes late", async () => {
   await page.waitForFunction(() => document.getElementById("status").textContent === "All 6 seams can be sewn.");
 });
 
+test("a measurement that is typed while a garment is opened goes into the body of that", async () => {
+  await page.getByLabel("Waist, cm").fill("80");
+  await page.getByLabel("Waist, cm").press("Tab");
+  const release = await holdBack(page, "POST", /\/v1\/patterns$/);
+  await press(page, "Skirt sample");
+  await page.getByLabel("Hip, cm").fill("101");
+  await release();
+  await untilStatus(page, "Undo brings back");
+  await page.getByLabel("Hip, cm").press("Tab");
+  const { avatar: { form } } = await garment();
+  assert.deepEqual([form.waist_m, form.hip_m], [0.74, 1.01]);
+});
+
 test("a pattern that is opened again is checked again", async () => {
   const checked = () => page.waitForResponse((response) => response.url().endsWith("/seams/check") && response.ok());
   for (let i = 0; i < 2; i++) {
