@@ -224,11 +224,12 @@ function drawReport() {
 }
 
 async function download(what) {
+  const { id } = state.fit;
   const name = fileStem() + (what.startsWith("mesh.") ? what.slice(4) : `.${what}.json`);
   try {
-    save(await (await call(`${fitPath(state.fit.id)}/${what}`)).blob(), name);
+    save(await (await call(`${fitPath(id)}/${what}`)).blob(), name);
   } catch (problem) {
-    showFaults(problem);
+    if (state.fit?.id === id) showFaults(problem);
   }
 }
 
@@ -287,6 +288,7 @@ export function startFit() {
     // Another pattern was opened: the fit goes on, but neither it nor its faults are shown.
     if (state.fit || watching?.pattern === state.pattern) return;
     watching?.controller.abort();
+    watching = null;
     byId("fit-faults").replaceChildren();
   });
   watch(["pattern", "garment", "check", "checkProblem", "fit", "report", "ran"], drawRun);

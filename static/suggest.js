@@ -14,7 +14,7 @@ import { overlap, stretchesOf } from "./sides.js";
 import { state, update, watch } from "./state.js";
 import { plural, sentence } from "./words.js";
 
-let asking = false;
+let asking = null; // the pattern whose answer is awaited
 
 const sidesOf = (seam) => JSON.stringify([seam.a, seam.b]);
 
@@ -108,8 +108,8 @@ export function refuseOffer(offer) {
 /** Asks the service for seams and adds those whose edges are free. */
 export async function suggest() {
   const { pattern } = state;
-  if (asking || !pattern?.stored) return;
-  asking = true;
+  if (asking === pattern || !pattern?.stored) return;
+  asking = pattern;
   update({ picked: null });
   say("Looking for seams…");
   try {
@@ -118,7 +118,7 @@ export async function suggest() {
   } catch (problem) {
     if (state.pattern === pattern) say(`No seams could be suggested: ${sentence(problem.message)}`, true);
   } finally {
-    asking = false;
+    if (asking === pattern) asking = null;
   }
 }
 

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, test } from "node:test";
-import { checkedAfter, chooseFile, deleteSeam, edgePath, openDrawer, press, samplePath, seamRows, statusOf, undo, untilStatus } from "./acts.mjs";
+import { checkedAfter, chooseFile, deleteSeam, edgePath, holdBack, openDrawer, press, samplePath, seamRows, statusOf, undo, untilPanels, untilStatus } from "./acts.mjs";
 import { assertAccessible, assertClean, expectErrors, startPage } from "./support.mjs";
 
 const FIT_MS = 300_000;
@@ -128,6 +128,18 @@ test("a garment file that leaves its seams to the service has them suggested", a
   await chooseFile(page, "suggest.json", JSON.stringify({ ...garment, seams: "suggest" }));
   await untilStatus(page, "seams suggested");
   assert.ok(await suggested().count() > 0);
+});
+
+test("seams are suggested for a pattern while the answer for the one before is awaited", async () => {
+  await page.setInputFiles("#open-file", samplePath("skirt.dxf"));
+  await untilPanels(page, 3);
+  const release = await holdBack(page, "POST", /\/seams\/suggest$/);
+  await press(page, "Suggest seams");
+  await page.setInputFiles("#open-file", samplePath("top.dxf"));
+  await untilPanels(page, 2);
+  await press(page, "Suggest seams");
+  await release();
+  await untilStatus(page, "of 2 panels understood");
 });
 
 test("nothing else failed", () => assertClean(record));

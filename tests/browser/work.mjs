@@ -245,6 +245,19 @@ test("a fit stays in the address and the draft until it came, or is known to be 
   expectErrors(record, / (404|503) .*\/v1\/fits\//, { least: 3 });
 });
 
+test("the faults of a fit go with its pattern", async () => {
+  await press(page, "Top sample");
+  await untilPanels(page, 2);
+  await page.route("**/v1/fits", (route) => route.fulfill({ status: 503, contentType: "application/problem+json", body: "{}" }));
+  await page.locator("#run:enabled").click();
+  await page.locator("#fit-faults .fault").waitFor({ state: "attached" });
+  await page.unroute("**/v1/fits");
+  await undo(page);
+  await untilPanels(page, 3);
+  assert.equal(await page.locator("#fit-faults .fault").count(), 0);
+  expectErrors(record, / 503 .*\/v1\/fits/);
+});
+
 test("what was said last stays before a verdict that comes late", async () => {
   const release = await holdBack(page, "POST", /\/seams\/check$/);
   await press(page, "Skirt sample");
