@@ -2,7 +2,7 @@
 
 import { allDrafts, announce, keepDraft, openDrafts } from "./drafts.js";
 import { fromAddress } from "./address.js";
-import { say } from "./say.js";
+import { sayBefore } from "./say.js";
 import { fitId, hasWork, state, watch } from "./state.js";
 
 const COPY = "This tab is a copy of another one. Each keeps its own work from here on.";
@@ -26,8 +26,7 @@ async function keep() {
   try {
     await keepDraft(state.draft, work());
   } catch {
-    // The verdict of a check that comes next is added to it.
-    if (!isToldNotKept) say(NOT_KEPT);
+    if (!isToldNotKept) sayBefore(NOT_KEPT);
     isToldNotKept = true;
   }
 }
@@ -45,7 +44,7 @@ export async function startKeeping() {
   let isElsewhere = false;
   const tell = announce(() => {
     isElsewhere = true;
-    say(ELSEWHERE);
+    sayBefore(ELSEWHERE);
   });
   let told = null;
   watch(["pattern"], () => {

@@ -12,7 +12,7 @@ import { startKeeping } from "./keeping.js";
 import { startLayout } from "./layout.js";
 import { startPanelList } from "./panel_list.js";
 import { select, selectSeam, startPicking } from "./picking.js";
-import { say } from "./say.js";
+import { say, sayBefore } from "./say.js";
 import { startReading } from "./reading.js";
 import { startRecent } from "./recent.js";
 import { startSeamList } from "./seam_list.js";
@@ -42,7 +42,7 @@ startAddress(() => openFromAddress(null, showFit));
 try {
   const { draft, notice } = await startKeeping();
   await Promise.all([loadFabrics(), openFromAddress(draft, showFit)]);
-  if (notice() !== null) say(notice());
+  if (notice() !== null) sayBefore(notice());
 } catch (problem) {
   say(problem.message, true);
 }

@@ -69,7 +69,7 @@ export const startBrowser = () => chromium.launch({
 export async function openTab(browser, url, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, acceptDownloads: true, ...options });
   const page = await context.newPage();
-  page.setDefaultTimeout(PATIENCE_MS);
+  context.setDefaultTimeout(PATIENCE_MS);
   const record = { foreign: [], errors: [], breaches: [] };
   const origin = new URL(url).origin;
   page.on("request", (request) => {
