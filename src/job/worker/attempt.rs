@@ -232,11 +232,11 @@ fn run_isolated(
         let ran = catch_unwind(AssertUnwindSafe(run));
         tries += 1;
         match ran {
-            Ok(Err(RunError::NotStarted(cause)))
-                if tries < context.queue.limits.starts && flag.reason().is_none() =>
-            {
+            Ok(Err(RunError::NotStarted(cause))) if tries < context.queue.limits.starts => {
                 tracing::warn!(%cause, tries, "no process can be started");
-                std::thread::sleep(RETRY_DELAY);
+                if flag.wait(RETRY_DELAY).is_some() {
+                    return Ok(Err(RunError::NotStarted(cause)));
+                }
             }
             ran => return ran,
         }

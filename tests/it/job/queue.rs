@@ -659,6 +659,27 @@ fn a_process_that_cannot_be_started_is_tried_again_and_then_told() {
 }
 
 #[test]
+fn no_process_is_started_for_a_job_that_was_canceled_after_one_could_not_be() {
+    let folder = tempfile::tempdir().unwrap();
+    let id = die_while_running(JobKind::Fit, folder.path(), "sew");
+    let queue = open(folder.path());
+    let script = Script::default();
+    let runner = Dying {
+        script: script.clone(),
+        failures: 1.into(),
+        error: RunError::NotStarted("no more processes".to_owned()),
+    };
+    let pool = WorkerPool::start(&queue, runner, 1).unwrap();
+    wait_for(&queue, id, |record| record.status == JobStatus::Running);
+    // The first start has failed by then, and the next one is due after a second.
+    sleep(Duration::from_millis(200));
+    queue.cancel(JobKind::Fit, id).unwrap();
+    assert_eq!(finished(&queue, id).status, JobStatus::Canceled);
+    assert_eq!(script.begun.load(Ordering::SeqCst), 0);
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
 fn a_process_that_tells_nonsense_has_found_a_defect() {
     let record = ended_after(
         1,
