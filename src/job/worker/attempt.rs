@@ -4,7 +4,6 @@ use super::active_runs::{StopFlag, StopReason};
 use super::context::{RETRY_DELAY, WorkerContext};
 use super::run_result::{RunFailure, RunResult};
 use super::runner::RunError;
-use super::turn::Turn;
 use crate::job::failure::JobFailure;
 use crate::job::kind::JobKind;
 use crate::job::queue::{RecordUpdate, update_record};
@@ -71,12 +70,14 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
     let Some(record) = context.queue.store.job(lease.job)? else {
         return Ok(());
     };
-    // Before the record says that it runs: if the service dies, a job that only waits for another
-    // to end is not suspect.
-    let turn = Turn::wait(&context.isolation, record.isolated);
-    if let Some(StopReason::LeaseLost | StopReason::Shutdown) = flag.reason() {
+    if record.status.is_final() {
         return Ok(());
     }
+    // Before the record says that it runs: if the service dies, a job that only waits for another
+    // to end is not suspect.
+    let Some(permit) = context.run_permits.acquire(record.isolated, flag) else {
+        return end_waiting(context, lease, flag);
+    };
     let Some(record) = begin(context, lease)? else {
         return Ok(());
     };
@@ -97,7 +98,7 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
         Ok(Err(failure)) => RunResult::failed(failure),
         Err(stop) => RunResult::stopped(stop),
     };
-    drop(turn);
+    drop(permit);
     if let Some(files) = &result.files {
         let store = || store_files(context, &record, files);
         if let Err(stop) = patiently(context, flag, record.id, store)? {
@@ -107,6 +108,15 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
     let write = || end(context, &record, &result, &progress);
     // If it was asked to stop, the record stays as it is: the next start finds that it ran.
     let _ = patiently(context, flag, record.id, write)?;
+    Ok(())
+}
+
+/// Ends the attempt of a job that was asked to stop before it began.
+fn end_waiting(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(), StoreError> {
+    if flag.reason() == Some(StopReason::Canceled) {
+        // Its record asks for it and becomes that of a canceled job.
+        begin(context, lease)?;
+    }
     Ok(())
 }
 

@@ -7,13 +7,14 @@
 )]
 
 use super::counted_renewals::CountedRenewals;
+use jiff::Timestamp;
 use seamster::config::Limits;
 use seamster::fault::{Fault, Faults, SeamCode};
 use seamster::fit::{FitOutcome, Garment};
 use seamster::job::{
     FileBlobs, IdempotencyKey, JobEvent, JobEventKind, JobEvents, JobKind, JobOutcome, JobRecord,
-    JobRequest, JobStatus, JobStore, ManualClock, PageRequest, ProcessDeath, Queue, QueueError,
-    ResultFile, RunError, Runner, SqliteStore, WorkerPool,
+    JobRequest, JobStatus, JobStore, ManualClock, NewJob, PageRequest, ProcessDeath, Queue,
+    QueueError, ResultFile, RunError, Runner, SqliteStore, WorkerPool,
 };
 use seamster::progress::{CancelToken, Progress};
 use seamster::solver::{DrapeReport, Shortcoming, Verdict};
@@ -724,6 +725,37 @@ fn a_job_that_waits_for_one_in_its_own_process_is_not_suspect() {
     }
     queue.cancel(JobKind::Fit, first).unwrap();
     assert_eq!(finished(&queue, next).status, JobStatus::Succeeded);
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
+fn a_canceled_job_that_waits_to_run_alone_holds_nobody_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Arc::new(open_store(folder.path(), LEASE, &ManualClock::default()));
+    let blobs = Arc::new(FileBlobs::open(&folder.path().join("blobs")).unwrap());
+    let queue = Queue::new(store.clone(), store.clone(), blobs, Limits::default()).unwrap();
+    let pool = start(&queue, 3);
+    let runs = submit(&queue, "wait");
+    running(&queue, runs);
+    let waits = JobRecord {
+        isolated: true,
+        ..JobRecord::queued(JobKind::Fit, Uuid::now_v7(), Timestamp::now())
+    };
+    let job = NewJob {
+        record: &waits,
+        key: None,
+        queue_limit: 9,
+    };
+    store.submit(&job).unwrap();
+    // A worker has it by then.
+    sleep(Duration::from_millis(200));
+    queue.cancel(JobKind::Fit, waits.id).unwrap();
+    let canceled = Instant::now();
+    let next = submit(&queue, "sew");
+    assert_eq!(finished(&queue, next).status, JobStatus::Succeeded);
+    // Long before the first one ends.
+    assert!(canceled.elapsed() < Duration::from_secs(10));
+    assert_eq!(get(&queue, runs).status, JobStatus::Running);
     pool.shutdown(TIMEOUT);
 }
 
