@@ -15,6 +15,7 @@ use crate::job::store::{JobNotice, Lease, StoreError};
 use crate::progress::Progress;
 use jiff::Timestamp;
 use std::any::Any;
+use std::fmt::Display;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 use uuid::Uuid;
@@ -73,6 +74,12 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
     if record.status.is_final() {
         return Ok(());
     }
+    let key = request_key(record.kind, record.id);
+    // Before there is a permit: a job that the store keeps waiting holds nobody up.
+    let read = || context.queue.blobs.get(&key);
+    let Ok(request) = patiently(context, flag, record.id, read)? else {
+        return end_waiting(context, lease, flag);
+    };
     // Before the record says that it runs: if the service dies, a job that only waits for another
     // to end is not suspect.
     let Some(permit) = context.run_permits.acquire(record.isolated, flag) else {
@@ -85,9 +92,9 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
         return Ok(());
     }
     let mut progress = Progress::default();
-    let request = patiently(context, flag, record.id, || read_request(context, &record))?;
-    let mut result = match request {
-        Ok(Ok(request)) => {
+    // After it: what brings the service down when it is parsed is suspect.
+    let mut result = match parse_request(&record, request) {
+        Ok(request) => {
             let ran = run_request(context, &record, flag, request, &mut progress);
             RunResult::of(
                 record.kind,
@@ -95,8 +102,7 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
                 (flag.reason(), context.queue.limits.crashes),
             )
         }
-        Ok(Err(failure)) => RunResult::failed(failure),
-        Err(stop) => RunResult::stopped(stop),
+        Err(failure) => RunResult::failed(failure),
     };
     drop(permit);
     if let Some(files) = &result.files {
@@ -276,18 +282,12 @@ fn cpu_limit_s(context: &WorkerContext, kind: JobKind) -> f64 {
     }
 }
 
-/// Reads the stored request of a job, or finds that it is lost.
-fn read_request(
-    context: &WorkerContext,
-    record: &JobRecord,
-) -> Result<Result<JobRequest, JobFailure>, StoreError> {
+/// Parses the stored request of a job, or finds that it is lost.
+fn parse_request(record: &JobRecord, stored: Option<Vec<u8>>) -> Result<JobRequest, JobFailure> {
     let key = request_key(record.kind, record.id);
-    let Some(bytes) = context.queue.blobs.get(&key)? else {
-        let failure = JobFailure::storage(record.kind, format_args!("{key} is gone"));
-        return Ok(Err(failure));
-    };
-    Ok(JobRequest::read(record.kind, &bytes)
-        .map_err(|error| JobFailure::storage(record.kind, format_args!("{key}: {error}"))))
+    let lost = |why: &dyn Display| JobFailure::storage(record.kind, format_args!("{key}: {why}"));
+    let bytes = stored.ok_or_else(|| lost(&"it is gone"))?;
+    JobRequest::read(record.kind, &bytes).map_err(|error| lost(&error))
 }
 
 fn store_files(

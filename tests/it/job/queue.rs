@@ -760,6 +760,27 @@ fn a_canceled_job_that_waits_to_run_alone_holds_nobody_up() {
 }
 
 #[test]
+fn a_job_whose_request_cannot_be_read_yet_holds_nobody_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = die_while_running(JobKind::Fit, folder.path(), "sew");
+    let request = folder
+        .path()
+        .join(format!("blobs/garments/{first}/garment.json"));
+    let kept = std::fs::read(&request).unwrap();
+    std::fs::remove_file(&request).unwrap();
+    std::fs::create_dir(&request).unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 2);
+    let next = submit(&queue, "sew");
+    assert_eq!(finished(&queue, next).status, JobStatus::Succeeded);
+    assert_eq!(get(&queue, first).status, JobStatus::Queued);
+    std::fs::remove_dir(&request).unwrap();
+    std::fs::write(&request, kept).unwrap();
+    assert_eq!(finished(&queue, first).status, JobStatus::Succeeded);
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
 fn a_job_whose_record_cannot_be_read_has_failed_and_holds_nobody_up() {
     for kind in JobKind::ALL {
         let folder = tempfile::tempdir().unwrap();
