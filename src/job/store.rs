@@ -204,8 +204,8 @@ pub trait JobStore: Send + Sync {
     /// Returns the duration of a lease that is not renewed.
     fn lease_time(&self) -> Duration;
 
-    /// Leases the oldest job, of whatever kind, that is not final and that nobody has a live lease
-    /// on.
+    /// Leases the oldest job, of whatever kind this program knows, that is not final and that
+    /// nobody has a live lease on.
     ///
     /// # Errors
     /// If nothing could be read.

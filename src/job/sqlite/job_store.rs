@@ -98,8 +98,13 @@ impl JobStore for SqliteStore {
     }
 
     fn claim(&self) -> Result<Option<Lease>, StoreError> {
-        let query = "SELECT id FROM jobs WHERE status IN ('queued', 'running') ORDER BY id";
-        let open = self.read("looking at the queue", (query, []), |row| {
+        // Those of other kinds wait for the newer program that put them there.
+        let kinds = JobKind::ALL.map(JobKind::as_str).join("', '");
+        let query = format!(
+            "SELECT id FROM jobs WHERE status IN ('queued', 'running') AND kind IN ('{kinds}')
+             ORDER BY id"
+        );
+        let open = self.read("looking at the queue", (&query, []), |row| {
             row.get(0).map(Uuid::from_bytes)
         })?;
         Ok(self.leases.take(open))

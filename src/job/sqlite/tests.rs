@@ -5,10 +5,12 @@ use crate::job::clock::ManualClock;
 use crate::job::contract::store_contract;
 use crate::job::documents_contract::documents_contract;
 use crate::job::kind::JobKind;
+use crate::job::record::JobRecord;
 use crate::job::status::JobStatus;
 use crate::job::store::{
-    DocumentKind, Documents, IdempotencyKey, JobStore, PageRequest, Submitted,
+    DocumentKind, Documents, IdempotencyKey, JobStore, NewJob, PageRequest, Submitted,
 };
+use jiff::Timestamp;
 use rusqlite::Connection;
 use std::sync::Arc;
 use std::time::Duration;
@@ -119,6 +121,47 @@ fn a_folder_of_before_there_were_studies_opens() {
         let fabric = Uuid::from_u128(0x019a_0000_0000_7000_8000_0000_0000_0003);
         assert!(store.get(DocumentKind::Fabric, fabric).unwrap().is_some());
     }
+}
+
+fn submit(store: &SqliteStore, record: &JobRecord) {
+    let job = NewJob {
+        record,
+        key: None,
+        queue_limit: 9,
+    };
+    assert_eq!(store.submit(&job).unwrap(), Submitted::New);
+}
+
+fn fit() -> JobRecord {
+    JobRecord::queued(JobKind::Fit, Uuid::now_v7(), Timestamp::now())
+}
+
+#[test]
+fn a_job_of_a_kind_of_a_newer_program_is_left_to_that() {
+    let folder = tempfile::tempdir().unwrap();
+    let newer = fit();
+    {
+        let store = SqliteStore::open(folder.path()).unwrap();
+        submit(&store, &newer);
+        let change = "UPDATE jobs SET kind = 'repair', status = 'running',
+            record = json_set(record, '$.kind', 'repair', '$.status', 'running')";
+        assert_eq!(store.connection().execute(change, []), Ok(1));
+    }
+    let store = SqliteStore::open(folder.path()).unwrap();
+    let known = fit();
+    submit(&store, &known);
+    assert_eq!(
+        store.claim().unwrap().map(|lease| lease.job),
+        Some(known.id)
+    );
+    assert_eq!(store.claim().unwrap(), None);
+    let status: String = store
+        .connection()
+        .query_row("SELECT status FROM jobs WHERE kind = 'repair'", [], |row| {
+            row.get(0)
+        })
+        .unwrap();
+    assert_eq!(status, "running");
 }
 
 #[test]
