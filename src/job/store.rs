@@ -182,8 +182,8 @@ pub trait JobStore: Send + Sync {
     /// If nothing could be written.
     fn replace(&self, record: &JobRecord) -> Result<Option<u64>, StoreError>;
 
-    /// Replaces the record of a job that has not ended by that of one that has failed for `cause`,
-    /// and returns it: the record there was cannot be read. `None` if there is no such job.
+    /// Writes that a job that has not ended has failed for `cause`, and returns its record; what
+    /// of that cannot be read is as in a new one. `None` if there is no such job.
     ///
     /// # Errors
     /// If nothing could be written.

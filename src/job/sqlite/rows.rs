@@ -7,6 +7,7 @@ use crate::job::status::JobStatus;
 use crate::job::store::{IdempotencyKey, NewJob, StoreError, Submitted};
 use jiff::Timestamp;
 use rusqlite::{Connection, OptionalExtension, Row, params};
+use serde_json::Value;
 use uuid::Uuid;
 
 /// Reads a record from the columns `record` and `revision`.
@@ -56,8 +57,8 @@ pub(super) fn update_job(
     Ok((changed == 1).then_some(record.revision + 1))
 }
 
-/// Replaces the record of a job that has not ended by that of one that has failed for `cause`.
-/// Returns `None` if there is no such job.
+/// Writes that a job that has not ended has failed for `cause`, and returns its record, in which
+/// what cannot be read is as in a new one. Returns `None` if there is no such job.
 pub(super) fn fail_job(
     connection: &Connection,
     id: Uuid,
@@ -65,29 +66,51 @@ pub(super) fn fail_job(
 ) -> rusqlite::Result<Option<JobRecord>> {
     let found = connection
         .prepare_cached(
-            "SELECT kind, revision FROM jobs WHERE id = ?1 AND status IN ('queued', 'running')",
+            "SELECT kind, revision, record FROM jobs
+             WHERE id = ?1 AND status IN ('queued', 'running')",
         )?
         .query_row([id.as_bytes()], |row| {
-            Ok((row.get::<_, String>(0)?, row.get::<_, i64>(1)?))
+            let text: String = row.get(2).unwrap_or_default();
+            Ok((row.get::<_, String>(0)?, row.get::<_, i64>(1)?, text))
         })
         .optional()?;
-    let Some((word, revision)) = found else {
+    let Some((word, revision, text)) = found else {
         return Ok(None);
     };
     let mut kinds = JobKind::ALL.into_iter();
     let Some(kind) = kinds.find(|kind| kind.as_str() == word) else {
         return Ok(None);
     };
+    let blank = JobRecord::queued(kind, id, submitted_at(id));
     let mut record = JobRecord {
+        id,
+        kind,
         status: JobStatus::Failed,
         finished_at: Some(Timestamp::now()),
         error: Some(JobFailure::storage(kind, cause)),
         revision: revision.cast_unsigned(),
-        ..JobRecord::queued(kind, id, submitted_at(id))
+        ..readable_part(&text, blank)
     };
     let written = update_job(connection, &record)?;
     record.revision = written.unwrap_or(record.revision);
     Ok(written.map(|_| record))
+}
+
+/// Returns the record that a text holds; what of it cannot be read is as in `blank`.
+fn readable_part(text: &str, blank: JobRecord) -> JobRecord {
+    let Ok(Value::Object(fields)) = serde_json::from_str(text) else {
+        return blank;
+    };
+    fields.into_iter().fold(blank, |record, (name, value)| {
+        with_field(&record, name, value).unwrap_or(record)
+    })
+}
+
+/// Returns a record with one field as it is stored.
+fn with_field(record: &JobRecord, name: String, value: Value) -> serde_json::Result<JobRecord> {
+    let mut fields = serde_json::to_value(record)?;
+    fields[name] = value;
+    serde_json::from_value(fields)
 }
 
 /// Returns the time of submission of a job, which its id tells.

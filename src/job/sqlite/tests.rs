@@ -8,7 +8,7 @@ use crate::job::kind::JobKind;
 use crate::job::record::JobRecord;
 use crate::job::status::JobStatus;
 use crate::job::store::{
-    DocumentKind, Documents, IdempotencyKey, JobStore, NewJob, PageRequest, Submitted,
+    DocumentKind, Documents, IdempotencyKey, JobStore, NewJob, PageRequest, StoreError, Submitted,
 };
 use jiff::Timestamp;
 use rusqlite::Connection;
@@ -134,6 +134,45 @@ fn submit(store: &SqliteStore, record: &JobRecord) {
 
 fn fit() -> JobRecord {
     JobRecord::queued(JobKind::Fit, Uuid::now_v7(), Timestamp::now())
+}
+
+#[test]
+fn a_failed_job_keeps_what_can_be_read_of_its_record() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = SqliteStore::open(folder.path()).unwrap();
+    let cause = StoreError::of_data("reading", "as told");
+    for spoil in [
+        "record",
+        "json_set(record, '$.progress', 'none')",
+        "json_set(record, '$.progress.stage', 7, '$.status', 'stuck', '$.more', 1)",
+        "json_remove(record, '$.created_at')",
+    ] {
+        let record = JobRecord {
+            attempts: 3,
+            released: 1,
+            isolated: true,
+            started_at: Some(Timestamp::UNIX_EPOCH),
+            ..fit()
+        };
+        submit(&store, &record);
+        let spoil = format!("UPDATE jobs SET record = {spoil} WHERE id = ?1");
+        let changed = store.connection().execute(&spoil, [record.id.as_bytes()]);
+        assert_eq!(changed, Ok(1));
+        let failed = store.fail(record.id, &cause).unwrap().unwrap();
+        assert_eq!(store.job(record.id).unwrap().as_ref(), Some(&failed));
+        assert!(failed.finished_at.is_some() && failed.error.is_some());
+        let lost = record.created_at.duration_since(failed.created_at);
+        assert!(lost.abs() < jiff::SignedDuration::from_secs(1), "{spoil}");
+        let expected = JobRecord {
+            status: JobStatus::Failed,
+            created_at: failed.created_at,
+            finished_at: failed.finished_at,
+            error: failed.error.clone(),
+            revision: failed.revision,
+            ..record
+        };
+        assert_eq!(failed, expected, "{spoil}");
+    }
 }
 
 #[test]
