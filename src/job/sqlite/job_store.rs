@@ -77,8 +77,9 @@ impl JobStore for SqliteStore {
             listed_job,
         )?;
         let found = into_page(found, page, |(id, _)| *id);
+        let items = found.items.into_iter();
         Ok(Page {
-            items: found.items.into_iter().filter_map(|(_, job)| job).collect(),
+            items: items.filter_map(|job| self.readable(job)).collect(),
             next: found.next,
         })
     }

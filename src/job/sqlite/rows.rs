@@ -18,23 +18,22 @@ pub(super) fn job_record(row: &Row<'_>) -> rusqlite::Result<JobRecord> {
     Ok(record)
 }
 
-/// Reads the id of a job from the column after its record, and the record if it can be read.
-pub(super) fn listed_job(row: &Row<'_>) -> rusqlite::Result<(Uuid, Option<JobRecord>)> {
-    let id = Uuid::from_bytes(row.get(2)?);
-    let record = job_record(row)
-        .inspect_err(|cause| tracing::error!(%cause, job = %id, "its record is left out"));
-    Ok((id, record.ok()))
+/// The id of a job, and its record if that can be read.
+pub(super) type ListedJob = (Uuid, rusqlite::Result<JobRecord>);
+
+/// Reads the id of a job from the column after its record, and the record.
+pub(super) fn listed_job(row: &Row<'_>) -> rusqlite::Result<ListedJob> {
+    Ok((Uuid::from_bytes(row.get(2)?), job_record(row)))
 }
 
-/// Returns the records of all jobs of a status that can be read.
+/// Returns all jobs of a status.
 pub(super) fn jobs_of_status(
     connection: &Connection,
     status: JobStatus,
-) -> rusqlite::Result<Vec<JobRecord>> {
+) -> rusqlite::Result<Vec<ListedJob>> {
     connection
         .prepare("SELECT record, revision, id FROM jobs WHERE status = ?1")?
         .query_map([status.as_str()], listed_job)?
-        .filter_map(|listed| listed.map(|(_, record)| record).transpose())
         .collect()
 }
 

@@ -12,7 +12,8 @@ use crate::job::store::{
 };
 use jiff::Timestamp;
 use rusqlite::Connection;
-use std::sync::Arc;
+use std::fs::File;
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 use uuid::Uuid;
 
@@ -201,6 +202,33 @@ fn a_job_of_a_kind_of_a_newer_program_is_left_to_that() {
         })
         .unwrap();
     assert_eq!(status, "running");
+}
+
+#[test]
+fn the_log_tells_of_an_unreadable_record_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let log = folder.path().join("log");
+    let subscriber = tracing_subscriber::fmt()
+        .with_writer(Mutex::new(File::create(&log).unwrap()))
+        .finish();
+    let store = SqliteStore::open(folder.path()).unwrap();
+    submit(&store, &fit());
+    submit(&store, &fit());
+    let changed = store
+        .connection()
+        .execute("UPDATE jobs SET record = '{}'", []);
+    assert_eq!(changed, Ok(2));
+    let page = PageRequest {
+        limit: 9,
+        ..PageRequest::default()
+    };
+    tracing::subscriber::with_default(subscriber, || {
+        for _ in 0..5 {
+            assert_eq!(store.jobs(JobKind::Fit, &page).unwrap().items, []);
+        }
+    });
+    let log = std::fs::read_to_string(log).unwrap();
+    assert_eq!(log.matches("its record is left out").count(), 2, "{log}");
 }
 
 #[test]
