@@ -19,7 +19,9 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 /// Wait after a connection could not be taken: there is no file handle left.
 const ACCEPT_DELAY: Duration = Duration::from_millis(100);
 
-/// Size of the buffer of a connection \[bytes\]: the head of a request must fit.
+/// Size of the buffer of a connection, and the longest head of a request \[bytes\]; one that is
+/// longer is answered by 431. None of [`Limits`], since nobody needs another: heads of browsers and
+/// proxies are far shorter, and [`Limits::connections`] of these buffers take 256 MiB by default.
 const BUFFER_BYTES: usize = 64 << 10;
 
 /// Listens where the settings say.
@@ -88,6 +90,8 @@ fn http_builder(limits: &Limits) -> http1::Builder {
     let mut http = http1::Builder::new();
     http.timer(TokioTimer::new());
     http.max_buf_size(BUFFER_BYTES);
+    // The buffer alone lets through what comes with the read that fills it.
+    http.max_header_size(BUFFER_BYTES);
     http.header_read_timeout(Duration::from_secs_f64(limits.head_timeout_s));
     http
 }
