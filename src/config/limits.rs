@@ -83,12 +83,15 @@ pub struct Limits {
     /// Number of times that the service may die while it runs a fit or a study in a process of its
     /// own; at the last it has failed.
     pub service_deaths: u32,
-    /// Number of times that the process of a fit or a study is tried to be started, a second apart.
+    /// Attempts to start the process of a fit or a study that has one of its own, a second apart;
+    /// after the last it has failed.
     pub starts: u32,
     /// Memory of the process of a fit or a study that has one of its own \[bytes\].
     pub process_memory_bytes: u64,
     /// Longest wait of one request that asks to wait \[s\].
     pub wait_s: f64,
+    /// Requests that follow a fit or a study, or wait for its end, at the same time.
+    pub followers: usize,
     /// Connections open at the same time; further ones wait to be taken.
     pub connections: usize,
     /// Requests worked on at the same time, those whose body still comes not counted.
@@ -148,6 +151,7 @@ impl Default for Limits {
             starts: 10,
             process_memory_bytes: 8 << 30,
             wait_s: 60.0,
+            followers: 256,
             connections: 4_096,
             requests: 512,
             head_timeout_s: 15.0,

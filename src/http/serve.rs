@@ -19,7 +19,9 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 /// Wait after a connection could not be taken: there is no file handle left.
 const ACCEPT_DELAY: Duration = Duration::from_millis(100);
 
-/// Size of the buffer of a connection \[bytes\]: the head of a request must fit.
+/// Size of the buffer of a connection, and the longest head of a request \[bytes\]; one that is
+/// longer is answered by 431. None of [`Limits`], since nobody needs another: heads of browsers and
+/// proxies are far shorter, and [`Limits::connections`] of these buffers take 256 MiB by default.
 const BUFFER_BYTES: usize = 64 << 10;
 
 /// Listens where the settings say.
@@ -42,6 +44,7 @@ pub async fn serve(
     let router = router(config, Arc::clone(&queue));
     let limits = queue.limits();
     let permits = Arc::new(Semaphore::new(limits.connections));
+    let http = http_builder(limits);
     let open = GracefulShutdown::new();
     let mut shutdown = pin!(shutdown);
     loop {
@@ -52,11 +55,13 @@ pub async fn serve(
         match accepted {
             Ok((stream, permit)) => {
                 let connection = Connection {
+                    http: http.clone(),
+                    patience: Patience::new(limits.stall_timeout_s),
                     router: router.clone(),
                     watcher: open.watcher(),
                     _permit: permit,
                 };
-                tokio::spawn(connection.serve(stream, limits.clone()));
+                tokio::spawn(connection.serve(stream));
             }
             Err(error) => {
                 tracing::warn!(%error, "a connection is not taken");
@@ -80,26 +85,35 @@ async fn accept(
     Ok((stream, permit))
 }
 
+/// Returns the protocol of all connections.
+fn http_builder(limits: &Limits) -> http1::Builder {
+    let mut http = http1::Builder::new();
+    http.timer(TokioTimer::new());
+    http.max_buf_size(BUFFER_BYTES);
+    // The buffer alone lets through what comes with the read that fills it.
+    http.max_header_size(BUFFER_BYTES);
+    http.header_read_timeout(Duration::from_secs_f64(limits.head_timeout_s));
+    http
+}
+
 /// An open connection.
 struct Connection {
+    http: http1::Builder,
+    patience: Patience,
     router: Router,
     watcher: Watcher,
     _permit: OwnedSemaphorePermit,
 }
 
 impl Connection {
-    async fn serve(self, stream: TcpStream, limits: Limits) {
+    async fn serve(self, stream: TcpStream) {
         // Answers are written whole; events are small and must not wait for each other.
         if let Err(error) = stream.set_nodelay(true) {
             tracing::debug!(%error, "a connection delays small packets");
         }
-        let stream = PatientStream::new(stream, Patience::new(limits.stall_timeout_s));
-        let mut http = http1::Builder::new();
-        http.timer(TokioTimer::new());
-        http.max_buf_size(BUFFER_BYTES);
-        http.header_read_timeout(Duration::from_secs_f64(limits.head_timeout_s));
+        let stream = PatientStream::new(stream, self.patience);
         let service = TowerToHyperService::new(self.router);
-        let connection = http.serve_connection(TokioIo::new(stream), service);
+        let connection = self.http.serve_connection(TokioIo::new(stream), service);
         if let Err(error) = self.watcher.watch(connection).await {
             tracing::debug!(%error, "a connection ended");
         }

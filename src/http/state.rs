@@ -10,10 +10,7 @@ use std::ops::Deref;
 use std::sync::Arc;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 
-/// Most connections that follow a job or wait for one at the same time.
-const STREAMS: usize = 256;
-
-/// Most files of the store that are read whole at the same time.
+/// Most files of the store that are read whole at the same time; each is held in memory meanwhile.
 const FILES: usize = 4;
 /// Memory that one permit stands for \[bytes\].
 const MEMORY_UNIT: usize = 64 << 10;
@@ -75,10 +72,9 @@ impl App {
 impl AppState {
     /// Creates the state of a service with these settings and this queue.
     pub(super) fn new(config: &Config, queue: Arc<Queue>) -> Self {
-        let limits = queue.limits().clone();
+        let limits = queue.limits();
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         Self(Arc::new(App {
-            queue,
             access: AccessPolicy::new(&config.hosts, &config.tokens),
             metrics: RequestMetrics::default(),
             readiness: Readiness::default(),
@@ -87,8 +83,9 @@ impl AppState {
             request_permits: Arc::new(Semaphore::new(limits.requests)),
             uploads: ByteBudget::new(limits.upload_bytes_in_flight),
             answers: ByteBudget::new(limits.answer_bytes_in_flight),
-            stream_permits: Arc::new(Semaphore::new(STREAMS)),
+            stream_permits: Arc::new(Semaphore::new(limits.followers)),
             json_memory: Arc::new(Semaphore::new(memory_units(limits.json_memory_bytes))),
+            queue,
         }))
     }
 

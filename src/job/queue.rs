@@ -198,12 +198,12 @@ impl Queue {
             record.cancel_requested = true;
             true
         })?;
-        match changed {
-            RecordUpdate::Changed(record) if record.status.is_final() => {
+        if let RecordUpdate::Changed(record) = changed {
+            // Of one that is queued too: a worker may have it and wait for another job to end.
+            self.store.publish(JobNotice::Cancel(id));
+            if record.status.is_final() {
                 self.store.publish(JobNotice::Status(record));
             }
-            RecordUpdate::Changed(_) => self.store.publish(JobNotice::Cancel(id)),
-            RecordUpdate::Unchanged => {}
         }
         self.job(kind, id)
     }

@@ -182,8 +182,8 @@ pub trait JobStore: Send + Sync {
     /// If nothing could be written.
     fn replace(&self, record: &JobRecord) -> Result<Option<u64>, StoreError>;
 
-    /// Replaces the record of a job that has not ended by that of one that has failed for `cause`,
-    /// and returns it: the record there was cannot be read. `None` if there is no such job.
+    /// Writes that a job that has not ended has failed for `cause`, and returns its record; what
+    /// of that cannot be read is as in a new one. `None` if there is no such job.
     ///
     /// # Errors
     /// If nothing could be written.
@@ -204,8 +204,8 @@ pub trait JobStore: Send + Sync {
     /// Returns the duration of a lease that is not renewed.
     fn lease_time(&self) -> Duration;
 
-    /// Leases the oldest job, of whatever kind, that is not final and that nobody has a live lease
-    /// on.
+    /// Leases the oldest job, of whatever kind this program knows, that is not final and that
+    /// nobody has a live lease on.
     ///
     /// # Errors
     /// If nothing could be read.

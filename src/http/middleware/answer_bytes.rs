@@ -12,15 +12,15 @@ use std::sync::Arc;
 use tokio_stream::StreamExt;
 
 /// Counts an answer in the bytes in flight until its client has taken it. Where there is no room
-/// for one that is read, the client is told to come again; that of a request which has changed
-/// something goes out uncounted, since the client must learn of it.
+/// for it, the client is told to come again; the answer of a request which has changed something
+/// goes out uncounted, since the client must learn of it.
 pub(in crate::http) async fn count_answer_bytes(
     State(state): State<AppState>,
     request: Request,
     next: Next,
 ) -> Response {
     let client = Client::of(request.extensions());
-    let may_come_again = matches!(*request.method(), Method::GET | Method::HEAD);
+    let removes = *request.method() == Method::DELETE;
     let response = next.run(request).await;
     // Streams of events have no length; they are bounded by their number.
     let Some(length) = response.body().size_hint().exact() else {
@@ -28,10 +28,11 @@ pub(in crate::http) async fn count_answer_bytes(
     };
     let bytes = usize::try_from(length).unwrap_or(usize::MAX);
     let Some(right) = state.answers.take(client, bytes) else {
-        if may_come_again {
-            return Problem::too_many_bytes().into_response();
+        // What was made has a `Location`; a request without one was answered and left nothing.
+        if removes || response.headers().contains_key(header::LOCATION) {
+            return response;
         }
-        return response;
+        return Problem::too_many_bytes().into_response();
     };
     if right.is_free() {
         return response;
@@ -52,16 +53,19 @@ mod tests {
     use crate::config::Limits;
     use axum::Router;
     use axum::middleware::from_fn_with_state;
-    use axum::routing::get;
+    use axum::routing::{get, post};
     use tower::ServiceExt;
 
-    /// The status of an answer of 128 KiB to a method.
-    async fn status(state: &AppState, method: Method) -> u16 {
+    /// The status of an answer of 128 KiB to a method; `/made` is that to what was made.
+    async fn status(state: &AppState, method: Method, path: &str) -> u16 {
         let answer = || async { vec![0; 128 << 10] };
+        let made = || async { ([(header::LOCATION, "/made/1")], vec![0; 128 << 10]) };
         let router = Router::new()
             .route("/", get(answer).post(answer).delete(answer))
+            .route("/made", post(made))
             .layer(from_fn_with_state(state.clone(), count_answer_bytes));
-        let request = Request::builder().method(method).body(Body::empty());
+        let request = Request::builder().method(method).uri(path);
+        let request = request.body(Body::empty());
         let answer = router.oneshot(request.unwrap()).await;
         answer.unwrap().status().as_u16()
     }
@@ -78,12 +82,14 @@ mod tests {
         assert!(all.is_some());
         let runtime = tokio::runtime::Builder::new_current_thread().build();
         runtime.unwrap().block_on(async {
-            assert_eq!(status(&state, Method::GET).await, 503);
-            assert_eq!(status(&state, Method::HEAD).await, 503);
-            assert_eq!(status(&state, Method::POST).await, 200);
-            assert_eq!(status(&state, Method::DELETE).await, 200);
+            for method in [Method::GET, Method::HEAD, Method::POST] {
+                assert_eq!(status(&state, method, "/").await, 503);
+            }
+            assert_eq!(status(&state, Method::POST, "/made").await, 200);
+            assert_eq!(status(&state, Method::DELETE, "/").await, 200);
             drop(all);
-            assert_eq!(status(&state, Method::GET).await, 200);
+            assert_eq!(status(&state, Method::GET, "/").await, 200);
+            assert_eq!(status(&state, Method::POST, "/").await, 200);
         });
     }
 }

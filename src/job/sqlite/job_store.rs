@@ -77,8 +77,9 @@ impl JobStore for SqliteStore {
             listed_job,
         )?;
         let found = into_page(found, page, |(id, _)| *id);
+        let items = found.items.into_iter();
         Ok(Page {
-            items: found.items.into_iter().filter_map(|(_, job)| job).collect(),
+            items: items.filter_map(|job| self.readable(job)).collect(),
             next: found.next,
         })
     }
@@ -98,8 +99,13 @@ impl JobStore for SqliteStore {
     }
 
     fn claim(&self) -> Result<Option<Lease>, StoreError> {
-        let query = "SELECT id FROM jobs WHERE status IN ('queued', 'running') ORDER BY id";
-        let open = self.read("looking at the queue", (query, []), |row| {
+        // Those of other kinds wait for the newer program that put them there.
+        let kinds = JobKind::ALL.map(JobKind::as_str).join("', '");
+        let query = format!(
+            "SELECT id FROM jobs WHERE status IN ('queued', 'running') AND kind IN ('{kinds}')
+             ORDER BY id"
+        );
+        let open = self.read("looking at the queue", (&query, []), |row| {
             row.get(0).map(Uuid::from_bytes)
         })?;
         Ok(self.leases.take(open))

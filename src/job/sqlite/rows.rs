@@ -7,6 +7,7 @@ use crate::job::status::JobStatus;
 use crate::job::store::{IdempotencyKey, NewJob, StoreError, Submitted};
 use jiff::Timestamp;
 use rusqlite::{Connection, OptionalExtension, Row, params};
+use serde_json::Value;
 use uuid::Uuid;
 
 /// Reads a record from the columns `record` and `revision`.
@@ -17,23 +18,22 @@ pub(super) fn job_record(row: &Row<'_>) -> rusqlite::Result<JobRecord> {
     Ok(record)
 }
 
-/// Reads the id of a job from the column after its record, and the record if it can be read.
-pub(super) fn listed_job(row: &Row<'_>) -> rusqlite::Result<(Uuid, Option<JobRecord>)> {
-    let id = Uuid::from_bytes(row.get(2)?);
-    let record = job_record(row)
-        .inspect_err(|cause| tracing::error!(%cause, job = %id, "its record is left out"));
-    Ok((id, record.ok()))
+/// The id of a job, and its record if that can be read.
+pub(super) type ListedJob = (Uuid, rusqlite::Result<JobRecord>);
+
+/// Reads the id of a job from the column after its record, and the record.
+pub(super) fn listed_job(row: &Row<'_>) -> rusqlite::Result<ListedJob> {
+    Ok((Uuid::from_bytes(row.get(2)?), job_record(row)))
 }
 
-/// Returns the records of all jobs of a status that can be read.
+/// Returns all jobs of a status.
 pub(super) fn jobs_of_status(
     connection: &Connection,
     status: JobStatus,
-) -> rusqlite::Result<Vec<JobRecord>> {
+) -> rusqlite::Result<Vec<ListedJob>> {
     connection
         .prepare("SELECT record, revision, id FROM jobs WHERE status = ?1")?
         .query_map([status.as_str()], listed_job)?
-        .filter_map(|listed| listed.map(|(_, record)| record).transpose())
         .collect()
 }
 
@@ -56,8 +56,8 @@ pub(super) fn update_job(
     Ok((changed == 1).then_some(record.revision + 1))
 }
 
-/// Replaces the record of a job that has not ended by that of one that has failed for `cause`.
-/// Returns `None` if there is no such job.
+/// Writes that a job that has not ended has failed for `cause`, and returns its record, in which
+/// what cannot be read is as in a new one. Returns `None` if there is no such job.
 pub(super) fn fail_job(
     connection: &Connection,
     id: Uuid,
@@ -65,29 +65,51 @@ pub(super) fn fail_job(
 ) -> rusqlite::Result<Option<JobRecord>> {
     let found = connection
         .prepare_cached(
-            "SELECT kind, revision FROM jobs WHERE id = ?1 AND status IN ('queued', 'running')",
+            "SELECT kind, revision, record FROM jobs
+             WHERE id = ?1 AND status IN ('queued', 'running')",
         )?
         .query_row([id.as_bytes()], |row| {
-            Ok((row.get::<_, String>(0)?, row.get::<_, i64>(1)?))
+            let text: String = row.get(2).unwrap_or_default();
+            Ok((row.get::<_, String>(0)?, row.get::<_, i64>(1)?, text))
         })
         .optional()?;
-    let Some((word, revision)) = found else {
+    let Some((word, revision, text)) = found else {
         return Ok(None);
     };
     let mut kinds = JobKind::ALL.into_iter();
     let Some(kind) = kinds.find(|kind| kind.as_str() == word) else {
         return Ok(None);
     };
+    let blank = JobRecord::queued(kind, id, submitted_at(id));
     let mut record = JobRecord {
+        id,
+        kind,
         status: JobStatus::Failed,
         finished_at: Some(Timestamp::now()),
         error: Some(JobFailure::storage(kind, cause)),
         revision: revision.cast_unsigned(),
-        ..JobRecord::queued(kind, id, submitted_at(id))
+        ..readable_part(&text, blank)
     };
     let written = update_job(connection, &record)?;
     record.revision = written.unwrap_or(record.revision);
     Ok(written.map(|_| record))
+}
+
+/// Returns the record that a text holds; what of it cannot be read is as in `blank`.
+fn readable_part(text: &str, blank: JobRecord) -> JobRecord {
+    let Ok(Value::Object(fields)) = serde_json::from_str(text) else {
+        return blank;
+    };
+    fields.into_iter().fold(blank, |record, (name, value)| {
+        with_field(&record, name, value).unwrap_or(record)
+    })
+}
+
+/// Returns a record with one field as it is stored.
+fn with_field(record: &JobRecord, name: String, value: Value) -> serde_json::Result<JobRecord> {
+    let mut fields = serde_json::to_value(record)?;
+    fields[name] = value;
+    serde_json::from_value(fields)
 }
 
 /// Returns the time of submission of a job, which its id tells.

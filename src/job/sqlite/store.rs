@@ -1,17 +1,21 @@
 //! The `SQLite` file, its lock, and how it is read and written.
 
 use super::leases::Leases;
+use super::rows::ListedJob;
 use super::{rows, schema};
 use crate::job::clock::{Clock, SystemClock};
+use crate::job::record::JobRecord;
 use crate::job::status::JobStatus;
 use crate::job::store::{JobNotice, StoreError};
 use rusqlite::{Connection, OpenFlags, Params, Row, Transaction, TransactionBehavior};
+use std::collections::HashSet;
 use std::fs::{File, TryLockError};
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::Sender;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
+use uuid::Uuid;
 
 /// Duration of a lease that is not renewed: far above any stall of a busy machine.
 const LEASE: Duration = Duration::from_secs(30);
@@ -30,6 +34,8 @@ pub struct SqliteStore {
     place: (u64, u64),
     pub(super) leases: Leases,
     pub(super) listeners: Mutex<Vec<Sender<JobNotice>>>,
+    /// Jobs whose records cannot be read, as the log has told.
+    unreadable: Mutex<HashSet<Uuid>>,
     _lock: File,
 }
 
@@ -62,6 +68,7 @@ impl SqliteStore {
             place,
             leases: Leases::new(lease, clock),
             listeners: Mutex::default(),
+            unreadable: Mutex::default(),
             _lock: lock,
         };
         store.requeue_running()?;
@@ -135,10 +142,24 @@ impl SqliteStore {
         found.map_err(|cause| store_error(doing, cause))
     }
 
+    /// Returns the record of a listed job, unless it cannot be read: the log tells of that once,
+    /// since lists are read every few seconds.
+    pub(super) fn readable(&self, (id, record): ListedJob) -> Option<JobRecord> {
+        let tell = |cause: &rusqlite::Error| {
+            let unreadable = self.unreadable.lock();
+            let mut unreadable = unreadable.unwrap_or_else(PoisonError::into_inner);
+            if unreadable.insert(id) {
+                tracing::error!(%cause, job = %id, "its record is left out of lists");
+            }
+        };
+        record.inspect_err(tell).ok()
+    }
+
     /// Puts the jobs that a process was running when it died back on the queue.
     fn requeue_running(&self) -> Result<(), StoreError> {
         self.write("requeueing jobs", |transaction| {
-            for mut record in rows::jobs_of_status(transaction, JobStatus::Running)? {
+            let running = rows::jobs_of_status(transaction, JobStatus::Running)?;
+            for mut record in running.into_iter().filter_map(|job| self.readable(job)) {
                 record.status = JobStatus::Queued;
                 record.started_at = None;
                 record.service_deaths += u32::from(record.isolated);

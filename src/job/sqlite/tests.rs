@@ -5,12 +5,15 @@ use crate::job::clock::ManualClock;
 use crate::job::contract::store_contract;
 use crate::job::documents_contract::documents_contract;
 use crate::job::kind::JobKind;
+use crate::job::record::JobRecord;
 use crate::job::status::JobStatus;
 use crate::job::store::{
-    DocumentKind, Documents, IdempotencyKey, JobStore, PageRequest, Submitted,
+    DocumentKind, Documents, IdempotencyKey, JobStore, NewJob, PageRequest, StoreError, Submitted,
 };
+use jiff::Timestamp;
 use rusqlite::Connection;
-use std::sync::Arc;
+use std::fs::File;
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 use uuid::Uuid;
 
@@ -119,6 +122,113 @@ fn a_folder_of_before_there_were_studies_opens() {
         let fabric = Uuid::from_u128(0x019a_0000_0000_7000_8000_0000_0000_0003);
         assert!(store.get(DocumentKind::Fabric, fabric).unwrap().is_some());
     }
+}
+
+fn submit(store: &SqliteStore, record: &JobRecord) {
+    let job = NewJob {
+        record,
+        key: None,
+        queue_limit: 9,
+    };
+    assert_eq!(store.submit(&job).unwrap(), Submitted::New);
+}
+
+fn fit() -> JobRecord {
+    JobRecord::queued(JobKind::Fit, Uuid::now_v7(), Timestamp::now())
+}
+
+#[test]
+fn a_failed_job_keeps_what_can_be_read_of_its_record() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = SqliteStore::open(folder.path()).unwrap();
+    let cause = StoreError::of_data("reading", "as told");
+    for spoil in [
+        "record",
+        "json_set(record, '$.progress', 'none')",
+        "json_set(record, '$.progress.stage', 7, '$.status', 'stuck', '$.more', 1)",
+        "json_remove(record, '$.created_at')",
+    ] {
+        let record = JobRecord {
+            attempts: 3,
+            released: 1,
+            isolated: true,
+            started_at: Some(Timestamp::UNIX_EPOCH),
+            ..fit()
+        };
+        submit(&store, &record);
+        let spoil = format!("UPDATE jobs SET record = {spoil} WHERE id = ?1");
+        let changed = store.connection().execute(&spoil, [record.id.as_bytes()]);
+        assert_eq!(changed, Ok(1));
+        let failed = store.fail(record.id, &cause).unwrap().unwrap();
+        assert_eq!(store.job(record.id).unwrap().as_ref(), Some(&failed));
+        assert!(failed.finished_at.is_some() && failed.error.is_some());
+        let lost = record.created_at.duration_since(failed.created_at);
+        assert!(lost.abs() < jiff::SignedDuration::from_secs(1), "{spoil}");
+        let expected = JobRecord {
+            status: JobStatus::Failed,
+            created_at: failed.created_at,
+            finished_at: failed.finished_at,
+            error: failed.error.clone(),
+            revision: failed.revision,
+            ..record
+        };
+        assert_eq!(failed, expected, "{spoil}");
+    }
+}
+
+#[test]
+fn a_job_of_a_kind_of_a_newer_program_is_left_to_that() {
+    let folder = tempfile::tempdir().unwrap();
+    let newer = fit();
+    {
+        let store = SqliteStore::open(folder.path()).unwrap();
+        submit(&store, &newer);
+        let change = "UPDATE jobs SET kind = 'repair', status = 'running',
+            record = json_set(record, '$.kind', 'repair', '$.status', 'running')";
+        assert_eq!(store.connection().execute(change, []), Ok(1));
+    }
+    let store = SqliteStore::open(folder.path()).unwrap();
+    let known = fit();
+    submit(&store, &known);
+    assert_eq!(
+        store.claim().unwrap().map(|lease| lease.job),
+        Some(known.id)
+    );
+    assert_eq!(store.claim().unwrap(), None);
+    let status: String = store
+        .connection()
+        .query_row("SELECT status FROM jobs WHERE kind = 'repair'", [], |row| {
+            row.get(0)
+        })
+        .unwrap();
+    assert_eq!(status, "running");
+}
+
+#[test]
+fn the_log_tells_of_an_unreadable_record_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let log = folder.path().join("log");
+    let subscriber = tracing_subscriber::fmt()
+        .with_writer(Mutex::new(File::create(&log).unwrap()))
+        .finish();
+    let store = SqliteStore::open(folder.path()).unwrap();
+    submit(&store, &fit());
+    submit(&store, &fit());
+    let changed = store
+        .connection()
+        .execute("UPDATE jobs SET record = '{}'", []);
+    assert_eq!(changed, Ok(2));
+    let page = PageRequest {
+        limit: 9,
+        ..PageRequest::default()
+    };
+    tracing::subscriber::with_default(subscriber, || {
+        for _ in 0..5 {
+            assert_eq!(store.jobs(JobKind::Fit, &page).unwrap().items, []);
+        }
+    });
+    let log = std::fs::read_to_string(log).unwrap();
+    assert_eq!(log.matches("its record is left out").count(), 2, "{log}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::job::store::Lease;
 use crate::progress::CancelToken;
 use std::collections::HashMap;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 use uuid::Uuid;
 
@@ -24,20 +24,39 @@ pub(super) enum StopReason {
 #[derive(Clone, Debug, Default)]
 pub(super) struct StopFlag {
     pub(super) cancel: CancelToken,
-    reason: Arc<OnceLock<StopReason>>,
+    first: Arc<FirstReason>,
+}
+
+/// The first reason for stopping a run, and those who wait for it.
+#[derive(Debug, Default)]
+struct FirstReason {
+    reason: Mutex<Option<StopReason>>,
+    raised: Condvar,
 }
 
 impl StopFlag {
     /// Asks the run to stop.
     pub(super) fn raise(&self, reason: StopReason) {
-        // Only the first reason counts.
-        let _ = self.reason.set(reason);
+        self.lock().get_or_insert(reason);
+        self.first.raised.notify_all();
         self.cancel.cancel();
     }
 
     /// Returns the first reason, if the run was asked to stop.
     pub(super) fn reason(&self) -> Option<StopReason> {
-        self.reason.get().copied()
+        *self.lock()
+    }
+
+    /// Waits until the run is asked to stop, at most `timeout`, and returns the first reason.
+    pub(super) fn wait(&self, timeout: Duration) -> Option<StopReason> {
+        let raised = &self.first.raised;
+        let waited = raised.wait_timeout_while(self.lock(), timeout, |reason| reason.is_none());
+        *waited.unwrap_or_else(PoisonError::into_inner).0
+    }
+
+    fn lock(&self) -> MutexGuard<'_, Option<StopReason>> {
+        let reason = self.first.reason.lock();
+        reason.unwrap_or_else(PoisonError::into_inner)
     }
 }
 

@@ -4,7 +4,6 @@ use super::active_runs::{StopFlag, StopReason};
 use super::context::{RETRY_DELAY, WorkerContext};
 use super::run_result::{RunFailure, RunResult};
 use super::runner::RunError;
-use super::turn::Turn;
 use crate::job::failure::JobFailure;
 use crate::job::kind::JobKind;
 use crate::job::queue::{RecordUpdate, update_record};
@@ -16,6 +15,7 @@ use crate::job::store::{JobNotice, Lease, StoreError};
 use crate::progress::Progress;
 use jiff::Timestamp;
 use std::any::Any;
+use std::fmt::Display;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 use uuid::Uuid;
@@ -71,12 +71,20 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
     let Some(record) = context.queue.store.job(lease.job)? else {
         return Ok(());
     };
-    // Before the record says that it runs: if the service dies, a job that only waits for another
-    // to end is not suspect.
-    let turn = Turn::wait(&context.isolation, record.isolated);
-    if let Some(StopReason::LeaseLost | StopReason::Shutdown) = flag.reason() {
+    if record.status.is_final() {
         return Ok(());
     }
+    let key = request_key(record.kind, record.id);
+    // Before there is a permit: a job that the store keeps waiting holds nobody up.
+    let read = || context.queue.blobs.get(&key);
+    let Ok(request) = patiently(context, flag, record.id, read)? else {
+        return end_waiting(context, lease, flag);
+    };
+    // Before the record says that it runs: if the service dies, a job that only waits for another
+    // to end is not suspect.
+    let Some(permit) = context.run_permits.acquire(record.isolated, flag) else {
+        return end_waiting(context, lease, flag);
+    };
     let Some(record) = begin(context, lease)? else {
         return Ok(());
     };
@@ -84,9 +92,9 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
         return Ok(());
     }
     let mut progress = Progress::default();
-    let request = patiently(context, flag, record.id, || read_request(context, &record))?;
-    let mut result = match request {
-        Ok(Ok(request)) => {
+    // After it: what brings the service down when it is parsed is suspect.
+    let mut result = match parse_request(&record, request) {
+        Ok(request) => {
             let ran = run_request(context, &record, flag, request, &mut progress);
             RunResult::of(
                 record.kind,
@@ -94,10 +102,9 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
                 (flag.reason(), context.queue.limits.crashes),
             )
         }
-        Ok(Err(failure)) => RunResult::failed(failure),
-        Err(stop) => RunResult::stopped(stop),
+        Err(failure) => RunResult::failed(failure),
     };
-    drop(turn);
+    drop(permit);
     if let Some(files) = &result.files {
         let store = || store_files(context, &record, files);
         if let Err(stop) = patiently(context, flag, record.id, store)? {
@@ -107,6 +114,15 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
     let write = || end(context, &record, &result, &progress);
     // If it was asked to stop, the record stays as it is: the next start finds that it ran.
     let _ = patiently(context, flag, record.id, write)?;
+    Ok(())
+}
+
+/// Ends the attempt of a job that was asked to stop before it began.
+fn end_waiting(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(), StoreError> {
+    if flag.reason() == Some(StopReason::Canceled) {
+        // Its record asks for it and becomes that of a canceled job.
+        begin(context, lease)?;
+    }
     Ok(())
 }
 
@@ -232,11 +248,11 @@ fn run_isolated(
         let ran = catch_unwind(AssertUnwindSafe(run));
         tries += 1;
         match ran {
-            Ok(Err(RunError::NotStarted(cause)))
-                if tries < context.queue.limits.starts && flag.reason().is_none() =>
-            {
+            Ok(Err(RunError::NotStarted(cause))) if tries < context.queue.limits.starts => {
                 tracing::warn!(%cause, tries, "no process can be started");
-                std::thread::sleep(RETRY_DELAY);
+                if flag.wait(RETRY_DELAY).is_some() {
+                    return Ok(Err(RunError::NotStarted(cause)));
+                }
             }
             ran => return ran,
         }
@@ -266,18 +282,12 @@ fn cpu_limit_s(context: &WorkerContext, kind: JobKind) -> f64 {
     }
 }
 
-/// Reads the stored request of a job, or finds that it is lost.
-fn read_request(
-    context: &WorkerContext,
-    record: &JobRecord,
-) -> Result<Result<JobRequest, JobFailure>, StoreError> {
+/// Parses the stored request of a job, or finds that it is lost.
+fn parse_request(record: &JobRecord, stored: Option<Vec<u8>>) -> Result<JobRequest, JobFailure> {
     let key = request_key(record.kind, record.id);
-    let Some(bytes) = context.queue.blobs.get(&key)? else {
-        let failure = JobFailure::storage(record.kind, format_args!("{key} is gone"));
-        return Ok(Err(failure));
-    };
-    Ok(JobRequest::read(record.kind, &bytes)
-        .map_err(|error| JobFailure::storage(record.kind, format_args!("{key}: {error}"))))
+    let lost = |why: &dyn Display| JobFailure::storage(record.kind, format_args!("{key}: {why}"));
+    let bytes = stored.ok_or_else(|| lost(&"it is gone"))?;
+    JobRequest::read(record.kind, &bytes).map_err(|error| lost(&error))
 }
 
 fn store_files(

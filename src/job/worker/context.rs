@@ -1,10 +1,11 @@
 //! The state that the threads of a pool share.
 
 use super::active_runs::ActiveRuns;
+use super::run_permits::RunPermits;
 use super::runner::Runner;
 use super::wake_signal::WakeSignal;
 use crate::job::queue::Queue;
-use std::sync::{Arc, RwLock};
+use std::sync::Arc;
 use std::time::Duration;
 
 /// Wait of a worker after the store failed.
@@ -18,8 +19,8 @@ pub(super) struct WorkerContext {
     pub(super) runner: Box<dyn Runner>,
     /// The runs of this process.
     pub(super) active_runs: ActiveRuns,
-    /// Held exclusively by a job in a process of its own, and shared by the others.
-    pub(super) isolation: RwLock<()>,
+    /// A permit for each job that runs.
+    pub(super) run_permits: RunPermits,
     /// Wakes idle workers.
     pub(super) wake_signal: WakeSignal,
 }

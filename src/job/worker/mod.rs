@@ -5,9 +5,9 @@ mod attempt;
 mod child;
 mod context;
 mod pool;
+mod run_permits;
 mod run_result;
 mod runner;
-mod turn;
 mod wake_signal;
 
 pub use child::{follow_child, run_child};

@@ -3,12 +3,13 @@
 use super::active_runs::{ActiveRuns, StopReason};
 use super::attempt;
 use super::context::{RETRY_DELAY, WorkerContext};
+use super::run_permits::RunPermits;
 use super::runner::Runner;
 use super::wake_signal::WakeSignal;
 use crate::job::queue::Queue;
 use crate::job::store::{JobNotice, StoreError};
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
-use std::sync::{Arc, RwLock};
 use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
@@ -45,7 +46,7 @@ impl WorkerPool {
             queue: Arc::clone(queue),
             runner: Box::new(runner),
             active_runs: ActiveRuns::default(),
-            isolation: RwLock::default(),
+            run_permits: RunPermits::default(),
             wake_signal: WakeSignal::default(),
         });
         // Listens before any worker looks at the queue, so that no cancellation is missed.

@@ -2,6 +2,8 @@
 
 use seamster_fixtures::server::{Server, config};
 use serde_json::{Value, json};
+use std::io::{Read, Write};
+use std::net::TcpStream;
 
 const JSON: (&str, &str) = ("content-type", "application/json");
 
@@ -15,6 +17,23 @@ fn square(server: &Server) -> Value {
     let answer = server.send("POST", "/v1/patterns", &[JSON], spec);
     assert_eq!(answer.status, 201, "{}", answer.text());
     answer.json()["id"].clone()
+}
+
+#[test]
+fn a_head_above_64_kib_is_refused() {
+    let server = Server::with(config(), 0);
+    for (length, status) in [(60_000, 200), (70_000, 431)] {
+        let long = "x".repeat(length);
+        let head =
+            format!("GET /health/live HTTP/1.1\r\nHost: localhost\r\nX-Long: {long}\r\n\r\n");
+        let mut stream = TcpStream::connect(server.address).expect("it listens");
+        // The service may end the connection before it has all.
+        let _ = stream.write_all(head.as_bytes());
+        let mut answer = [0; 12];
+        stream.read_exact(&mut answer).expect("it answers");
+        let answer = String::from_utf8_lossy(&answer);
+        assert_eq!(answer, format!("HTTP/1.1 {status}"));
+    }
 }
 
 #[test]

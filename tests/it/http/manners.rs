@@ -100,6 +100,25 @@ fn a_preference_is_applied_only_where_there_was_a_wait() {
 }
 
 #[test]
+fn followers_are_bounded_and_who_would_wait_does_not() {
+    let mut config = config();
+    config.limits.followers = 1;
+    let server = Server::with(config, 0);
+    let id = small_fit(&server, None).json()["id"].clone();
+    let events = format!("/v1/fits/{}/events", id.as_str().unwrap());
+    let mut follower = TcpStream::connect(server.address).unwrap();
+    let request = format!("GET {events} HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    follower.write_all(request.as_bytes()).unwrap();
+    let mut begun = [0; 12];
+    follower.read_exact(&mut begun).unwrap();
+    assert_eq!(&begun, b"HTTP/1.1 200");
+    server.get(&events).problem(503);
+    let waits = small_fit(&server, Some("wait=60"));
+    assert_eq!(waits.status, 202, "{}", waits.text());
+    assert_eq!(waits.header("preference-applied"), "");
+}
+
+#[test]
 fn a_refused_submission_leaves_no_garment_behind() {
     let mut config = config();
     config.limits.queued_jobs = 0;

@@ -300,27 +300,58 @@ fn what_is_no_study_is_not_found() {
     );
 }
 
-/// Makes the first record of a store one that cannot be read, as soon as it is kept.
-fn spoil_first_record(server: &Server) -> std::thread::JoinHandle<()> {
-    let database = server.data().join("seamster.db");
-    std::thread::spawn(move || {
-        let database = rusqlite::Connection::open(database).unwrap();
-        while database.execute("UPDATE jobs SET record = '{}'", []) != Ok(1) {
-            std::thread::sleep(Duration::from_millis(5));
-        }
-    })
+/// A server with no workers, and its database.
+fn server_and_database() -> (Server, rusqlite::Connection) {
+    let server = Server::with(config(), 0);
+    // It has opened its store once it answers.
+    assert_eq!(server.get("/v1/studies").status, 200);
+    let database = rusqlite::Connection::open(server.data().join("seamster.db")).unwrap();
+    (server, database)
+}
+
+/// Submits a job whose record nobody can read, waits for its end as `prefer` says, and returns the
+/// time that this took.
+fn submit_unreadable(server: &Server, path: &str, prefer: &str) -> Duration {
+    let body = if path == "/v1/fits" { cloth() } else { small() };
+    let headers = [JSON, ("prefer", prefer)];
+    let start = Instant::now();
+    let answer = server.send("POST", path, &headers, body.to_string().as_bytes());
+    assert_eq!(answer.status, 202, "{path}: {}", answer.text());
+    assert_eq!(answer.json()["status"], "queued");
+    assert_eq!(answer.header("preference-applied"), "");
+    start.elapsed()
 }
 
 #[test]
-fn what_was_kept_is_never_answered_by_an_error() {
-    for (path, body) in [("/v1/studies", small()), ("/v1/fits", cloth())] {
-        let server = Server::with(config(), 0);
-        let spoiled = spoil_first_record(&server);
-        let headers = [JSON, ("prefer", "wait=3")];
-        let answer = server.send("POST", path, &headers, body.to_string().as_bytes());
+fn what_was_kept_and_cannot_be_followed_is_never_answered_by_an_error() {
+    for path in ["/v1/studies", "/v1/fits"] {
+        let (server, database) = server_and_database();
+        let spoil = "CREATE TRIGGER spoil AFTER INSERT ON jobs
+            BEGIN UPDATE jobs SET record = '{}' WHERE id = NEW.id; END";
+        database.execute_batch(spoil).unwrap();
+        assert!(submit_unreadable(&server, path, "wait=60") < Duration::from_secs(30));
+    }
+}
+
+/// Makes the one record of a store one that cannot be read, once its client waits.
+fn spoil_while_waiting(database: &rusqlite::Connection) {
+    let deadline = Instant::now() + PATIENCE;
+    let count = "SELECT count(*) FROM jobs";
+    while database.query_row(count, [], |row| row.get(0)) != Ok(1) {
+        assert!(Instant::now() < deadline, "nothing was kept");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    std::thread::sleep(Duration::from_millis(500));
+    assert_eq!(database.execute("UPDATE jobs SET record = '{}'", []), Ok(1));
+}
+
+#[test]
+fn what_was_kept_and_is_lost_meanwhile_is_never_answered_by_an_error() {
+    for path in ["/v1/studies", "/v1/fits"] {
+        let (server, database) = server_and_database();
+        let spoiled = std::thread::spawn(move || spoil_while_waiting(&database));
+        let waited = submit_unreadable(&server, path, "wait=3");
         spoiled.join().unwrap();
-        assert_eq!(answer.status, 202, "{path}: {}", answer.text());
-        assert_eq!(answer.json()["status"], "queued");
-        assert_eq!(answer.header("preference-applied"), "");
+        assert!(waited >= Duration::from_secs(3), "{waited:?}");
     }
 }

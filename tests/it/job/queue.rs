@@ -7,13 +7,14 @@
 )]
 
 use super::counted_renewals::CountedRenewals;
+use jiff::Timestamp;
 use seamster::config::Limits;
 use seamster::fault::{Fault, Faults, SeamCode};
 use seamster::fit::{FitOutcome, Garment};
 use seamster::job::{
     FileBlobs, IdempotencyKey, JobEvent, JobEventKind, JobEvents, JobKind, JobOutcome, JobRecord,
-    JobRequest, JobStatus, JobStore, ManualClock, PageRequest, ProcessDeath, Queue, QueueError,
-    ResultFile, RunError, Runner, SqliteStore, WorkerPool,
+    JobRequest, JobStatus, JobStore, ManualClock, NewJob, PageRequest, ProcessDeath, Queue,
+    QueueError, ResultFile, RunError, Runner, SqliteStore, WorkerPool,
 };
 use seamster::progress::{CancelToken, Progress};
 use seamster::solver::{DrapeReport, Shortcoming, Verdict};
@@ -659,6 +660,27 @@ fn a_process_that_cannot_be_started_is_tried_again_and_then_told() {
 }
 
 #[test]
+fn no_process_is_started_for_a_job_that_was_canceled_after_one_could_not_be() {
+    let folder = tempfile::tempdir().unwrap();
+    let id = die_while_running(JobKind::Fit, folder.path(), "sew");
+    let queue = open(folder.path());
+    let script = Script::default();
+    let runner = Dying {
+        script: script.clone(),
+        failures: 1.into(),
+        error: RunError::NotStarted("no more processes".to_owned()),
+    };
+    let pool = WorkerPool::start(&queue, runner, 1).unwrap();
+    wait_for(&queue, id, |record| record.status == JobStatus::Running);
+    // The first start has failed by then, and the next one is due after a second.
+    sleep(Duration::from_millis(200));
+    queue.cancel(JobKind::Fit, id).unwrap();
+    assert_eq!(finished(&queue, id).status, JobStatus::Canceled);
+    assert_eq!(script.begun.load(Ordering::SeqCst), 0);
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
 fn a_process_that_tells_nonsense_has_found_a_defect() {
     let record = ended_after(
         1,
@@ -703,6 +725,58 @@ fn a_job_that_waits_for_one_in_its_own_process_is_not_suspect() {
     }
     queue.cancel(JobKind::Fit, first).unwrap();
     assert_eq!(finished(&queue, next).status, JobStatus::Succeeded);
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
+fn a_canceled_job_that_waits_to_run_alone_holds_nobody_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Arc::new(open_store(folder.path(), LEASE, &ManualClock::default()));
+    let blobs = Arc::new(FileBlobs::open(&folder.path().join("blobs")).unwrap());
+    let queue = Queue::new(store.clone(), store.clone(), blobs, Limits::default()).unwrap();
+    let pool = start(&queue, 3);
+    let runs = submit(&queue, "wait");
+    running(&queue, runs);
+    let waits = JobRecord {
+        isolated: true,
+        ..JobRecord::queued(JobKind::Fit, Uuid::now_v7(), Timestamp::now())
+    };
+    let job = NewJob {
+        record: &waits,
+        key: None,
+        queue_limit: 9,
+    };
+    store.submit(&job).unwrap();
+    // A worker has it by then.
+    sleep(Duration::from_millis(200));
+    queue.cancel(JobKind::Fit, waits.id).unwrap();
+    let canceled = Instant::now();
+    let next = submit(&queue, "sew");
+    assert_eq!(finished(&queue, next).status, JobStatus::Succeeded);
+    // Long before the first one ends.
+    assert!(canceled.elapsed() < Duration::from_secs(10));
+    assert_eq!(get(&queue, runs).status, JobStatus::Running);
+    pool.shutdown(TIMEOUT);
+}
+
+#[test]
+fn a_job_whose_request_cannot_be_read_yet_holds_nobody_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let first = die_while_running(JobKind::Fit, folder.path(), "sew");
+    let request = folder
+        .path()
+        .join(format!("blobs/garments/{first}/garment.json"));
+    let kept = std::fs::read(&request).unwrap();
+    std::fs::remove_file(&request).unwrap();
+    std::fs::create_dir(&request).unwrap();
+    let queue = open(folder.path());
+    let pool = start(&queue, 2);
+    let next = submit(&queue, "sew");
+    assert_eq!(finished(&queue, next).status, JobStatus::Succeeded);
+    assert_eq!(get(&queue, first).status, JobStatus::Queued);
+    std::fs::remove_dir(&request).unwrap();
+    std::fs::write(&request, kept).unwrap();
+    assert_eq!(finished(&queue, first).status, JobStatus::Succeeded);
     pool.shutdown(TIMEOUT);
 }
 
