@@ -32,6 +32,7 @@ pub(super) fn starts(
     let mut warnings: Vec<_> = each
         .filter_map(|(panel, change)| change.warning(&panel.panel.id))
         .collect();
+    warnings.extend(rolled(&panels, &changes));
     warnings.extend(lifted(&panels, &changes));
     (outside(garment, placed, avatar), warnings)
 }
@@ -39,8 +40,10 @@ pub(super) fn starts(
 /// A change of a panel's start from what the garment, its file or its name states.
 enum Change {
     None,
-    /// Rolled about a limb, its middle so far from where it was \[m\].
-    Rolled(f64),
+    /// Rolled about a limb, its middle so far from where its file puts it \[m\].
+    MovedFromFile(f64),
+    /// Rolled about a leg, not flat before or behind it.
+    Rolled,
     /// With this direction of the drawing up \[degrees\].
     Turned(f64),
     /// So much higher \[m\].
@@ -52,7 +55,11 @@ impl Change {
         let stated = panel.placement.place(panel.panel, panel.face, avatar);
         let moved = placed.middle() - stated.middle();
         if placed.is_about_limb() && !stated.is_about_limb() {
-            Self::Rolled(moved.norm())
+            if panel.placement.is_about_other_body() {
+                Self::MovedFromFile(moved.norm())
+            } else {
+                Self::Rolled
+            }
         } else if placed.up_deg() != stated.up_deg() {
             Self::Turned(placed.up_deg())
         } else if moved.y > 0.0 && moved.xz().norm() == 0.0 {
@@ -66,7 +73,7 @@ impl Change {
     fn warning(&self, id: &str) -> Option<Warning> {
         let pointer = format!("/panels/{}/placement", pointer_token(id));
         match self {
-            Self::Rolled(moved) => {
+            Self::MovedFromFile(moved) => {
                 let detail = format!(
                     "panel `{id}` starts rolled about an arm or a leg of this body, {:.0} mm from where its file puts it",
                     moved * 1e3
@@ -79,9 +86,21 @@ impl Change {
                 );
                 Some(Warning::new(PlacementCode::Turned, pointer, detail))
             }
-            Self::None | Self::Lifted(_) => None,
+            Self::None | Self::Rolled | Self::Lifted(_) => None,
         }
     }
+}
+
+/// Returns which panels start rolled about the legs.
+fn rolled(panels: &[PanelPlacement<'_>], changes: &[Change]) -> Option<Warning> {
+    let is_rolled = |(_, change): &(_, &Change)| matches!(change, Change::Rolled);
+    let ids = panels.iter().zip(changes).filter(is_rolled);
+    let ids: Vec<_> = ids.map(|(panel, _)| &panel.panel.id).collect();
+    let detail = || {
+        let ids = quoted_list(ids.iter().copied());
+        format!("{ids} start rolled about the legs, not flat before and behind them")
+    };
+    (!ids.is_empty()).then(|| Warning::new(PlacementCode::Moved, "/panels", detail()))
 }
 
 /// Returns which panels start higher than they are put.

@@ -188,32 +188,44 @@ impl Panel {
     /// A rectangle of this width and height \[m\], its lower left corner at the origin.
     pub(crate) fn rectangle(id: &str, [width, height]: [f64; 2]) -> Self {
         let corners = [[0.0, 0.0], [0.0, height], [width, height], [width, 0.0]];
-        let corner = |index: usize| Corner {
-            index,
-            x: corners[index][0],
-            y: corners[index][1],
+        Self::polygon(id, &corners)
+    }
+
+    /// A panel with these corners \[m\], clockwise, and straight edges.
+    pub(crate) fn polygon(id: &str, points: &[Point2]) -> Self {
+        let count = points.len();
+        let next = |index: usize| (index + 1) % count;
+        let edge = |index: usize| {
+            let [p, q] = [points[index], points[next(index)]];
+            Edge {
+                index,
+                from: index,
+                to: next(index),
+                length_m: (q[0] - p[0]).hypot(q[1] - p[1]),
+                points: vec![p, q],
+                label: None,
+            }
         };
-        let edge = |index: usize| Edge {
-            index,
-            from: index,
-            to: (index + 1) % 4,
-            length_m: [height, width][index % 2],
-            points: vec![corners[index], corners[(index + 1) % 4]],
-            label: None,
+        let edges: Vec<_> = (0..count).map(edge).collect();
+        let corner = |(index, &[x, y]): (usize, &Point2)| Corner { index, x, y };
+        let twice = |edge: &Edge| {
+            let [p, q] = [edge.points[0], edge.points[1]];
+            q[0] * p[1] - p[0] * q[1]
         };
+        let area = 0.5 * edges.iter().map(twice).sum::<f64>();
         Self {
             id: id.to_owned(),
             name: id.to_owned(),
             label: None,
             face: None,
-            area_m2: width * height,
-            perimeter_m: 2.0 * (width + height),
-            drawn_area_m2: width * height,
+            area_m2: area,
+            perimeter_m: edges.iter().map(|edge| edge.length_m).sum(),
+            drawn_area_m2: area,
             unfolded: false,
             copy_of: None,
             quantity: None,
-            corners: (0..4).map(corner).collect(),
-            edges: (0..4).map(edge).collect(),
+            corners: points.iter().enumerate().map(corner).collect(),
+            edges,
             holes: vec![],
             cut_line: vec![],
             drill_holes: vec![],

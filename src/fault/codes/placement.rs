@@ -9,8 +9,8 @@ fault_codes! {
             "Panels start higher than they are put, so that their seams do not close through shoulders or feet.",
             "Put them at `origin` in the garment to have them start where they are put.";
         Moved = "moved":
-            "A file puts a panel about a limb of its own body; it starts about that of the body at hand.",
-            "Give the panel a placement in the garment to choose its start.";
+            "Panels that would stand flat beside an arm or a leg start rolled about that of the body at hand.",
+            "Give the panels a placement in the garment, with `\"wrap\": \"flat\"` for legs, to choose their start.";
         SewnFirst = "sewn_first":
             "Panels at the top of a garment are sewn to each other first and held while the rest is sewn to them.",
             "Give seams a `stage` of their own to sew them in another order; with 1 for all, at once.";

@@ -1,6 +1,7 @@
 //! A panel put at a key point of the body.
 
 use super::cone::Cone;
+use super::limb_pose::LimbPose;
 use super::name_hint::guess;
 use super::on_leg;
 use super::placed::Placed;
@@ -18,6 +19,10 @@ pub(super) const CLEARANCE: f64 = 0.03;
 /// Way down that a band is moved by at least and at most to start beside what it is sewn to \[m\].
 const LEAST_DOWN: f64 = 0.03;
 const MOST_DOWN: f64 = 0.4;
+/// Share of a turn that is covered by what starts nearly closed, and how much wider than drawn it
+/// starts for that at most.
+const NEARLY_CLOSED: f64 = 0.97;
+const MOST_SPREAD: f64 = 1.6;
 /// Steps in height at which the width of the body is sampled \[m\].
 const HEIGHT_STEP: f64 = 0.02;
 
@@ -58,8 +63,13 @@ impl AnchoredPlacement {
     }
 
     /// Returns true if a file puts the panel somewhere in space, about a body of its own.
-    pub(super) fn is_about_other_body(&self) -> bool {
+    pub fn is_about_other_body(&self) -> bool {
         self.is_of_file && self.anchor == PlacementAnchor::Origin
+    }
+
+    /// Returns true if the garment says that the panel starts flat.
+    pub(super) fn is_to_stay_flat(&self) -> bool {
+        !self.is_of_file && self.placement.wrap == Some(Wrap::Flat)
     }
 
     /// Returns true if the garment puts the panel somewhere in space: there it starts.
@@ -124,6 +134,7 @@ impl AnchoredPlacement {
             axis: spot.axis,
             radius: 0.0,
             wrap,
+            spread: 1.0,
             cone: None,
             taper: None,
             tilt: spot.tilt,
@@ -185,9 +196,54 @@ impl AnchoredPlacement {
         let [_, [bottom, top]] = bounds(panel, &placed.up);
         let span = [bottom, top].map(|y| axis.y + y - placed.key[1]);
         let reach = radius(avatar, axis.z, span, Wrap::Cylinder) + CLEARANCE;
+        let radius = placed.radius.max(reach);
         Placed {
-            radius: placed.radius.max(reach),
+            radius,
             axis,
+            ..placed
+        }
+    }
+
+    /// Returns the same start further down an arm by as much as `ways` \[m\] lead on the whole, and
+    /// about the arm as it is there.
+    pub(super) fn moved_down_the_arm(
+        &self,
+        placed: Placed,
+        panel: &Panel,
+        ways: &[Vector3<f64>],
+        avatar: Option<&Avatar>,
+    ) -> Placed {
+        let moved = placed.moved_down_the_limb(ways);
+        let limb = match self.anchor {
+            PlacementAnchor::ArmLeft => Limb::ArmLeft,
+            PlacementAnchor::ArmRight => Limb::ArmRight,
+            _ => return moved,
+        };
+        let [[left, right], [bottom, top]] = bounds(panel, &moved.up);
+        let point = moved.axis + moved.offset;
+        let pose = avatar.and_then(|body| LimbPose::beside(body, limb, &point, top - bottom));
+        let Some(pose) = pose else { return moved };
+        let radius = pose.radius.max((right - left) / TAU);
+        let outline: Vec<_> = outline(panel)
+            .map(|uv| moved.up * Vector2::from(uv))
+            .collect();
+        Placed {
+            axis: pose.top,
+            tilt: Some(pose.tilt()),
+            radius,
+            taper: Taper::of(&outline, radius, pose.line),
+            offset: Vector3::zeros(),
+            ..moved
+        }
+    }
+
+    /// Returns the same start of a panel that is closed on itself, so much wider that it is nearly
+    /// closed: a tight one that starts open would be drawn together through what it goes round.
+    pub(super) fn closed(&self, placed: Placed, panel: &Panel) -> Placed {
+        let [[left, right], _] = bounds(panel, &placed.up);
+        let round = TAU * placed.radius * NEARLY_CLOSED;
+        Placed {
+            spread: (round / (right - left)).clamp(1.0, MOST_SPREAD),
             ..placed
         }
     }

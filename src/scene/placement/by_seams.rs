@@ -3,6 +3,7 @@
 //! shoulder is dropped, a collar its ends where the neck opens.
 
 use super::Placed;
+use super::half_legs;
 use super::lifted;
 use super::on_limb;
 use super::panel_placement::{OwnStitch, PanelPlacement, SeamPoint, own_stitches, thinned};
@@ -38,7 +39,8 @@ pub fn place_panels(
     let mut placed: Vec<Placed> = panels.iter().zip(&of_panel).map(place).collect();
     if let Some(avatar) = avatar {
         on_limb::roll(&mut placed, panels, &of_panel, avatar);
-        lifted::lift(&mut placed, panels, &of_panel, avatar);
+        let legs = lifted::lift(&mut placed, panels, &of_panel, avatar);
+        half_legs::roll(&mut placed, panels, &legs, avatar);
     }
     let mut is_settled: Vec<bool> = panels
         .iter()
@@ -70,18 +72,23 @@ fn turned(
         placed,
         index,
     };
+    let is_closed = stitches.iter().any(|[_, other]| other.panel == index);
     let moved = |pose: Placed| {
         let ways = seams.ways(&pose);
-        if pose.is_about_limb() {
-            pose.moved_down_the_limb(&ways)
+        let placement = panel.placement;
+        let moved = if pose.is_about_limb() {
+            placement.moved_down_the_arm(pose, panel.panel, &ways, avatar)
         } else {
-            panel
-                .placement
-                .moved_down_the_trunk(pose, panel.panel, &ways, avatar)
+            placement.moved_down_the_trunk(pose, panel.panel, &ways, avatar)
+        };
+        if is_closed {
+            placement.closed(moved, panel.panel)
+        } else {
+            moved
         }
     };
     let cost = |pose: &Placed, from: &Placed| {
-        if pose.is_below(from) && seams.lie_below_the_middle(pose) {
+        if pose.is_below(from) && seams.lies_over_the_others(pose) {
             f64::INFINITY
         } else {
             seams.cost(pose)
@@ -92,14 +99,17 @@ fn turned(
     let mut least = (1.0 - SAVED) * cost(&best, drawn);
     for placement in panel.placement.quarter_turns() {
         let upright = placement.place(panel.panel, panel.face, avatar);
-        let turned = |angle: f64| Placed {
-            outward: upright.outward + angle,
-            ..upright.clone()
+        let turned = |pose: &Placed, angle: f64| Placed {
+            outward: pose.outward + angle,
+            ..pose.clone()
         };
-        // Points run on circles: the sum of squares is a constant and one wave of the angle.
-        let [ahead, aside, behind] = [0.0, FRAC_PI_2, PI].map(|angle| seams.cost(&turned(angle)));
+        // Points run on circles: the sum of squares is a constant and one wave of the angle. Beside
+        // what it is sewn to, as a bent arm leads there.
+        let beside = moved(upright.clone());
+        let [ahead, aside, behind] =
+            [0.0, FRAC_PI_2, PI].map(|angle| seams.cost(&turned(&beside, angle)));
         let mean = 0.5 * (ahead + behind);
-        let pose = moved(turned((mean - aside).atan2(mean - ahead)));
+        let pose = moved(turned(&upright, (mean - aside).atan2(mean - ahead)));
         let cost = cost(&pose, &upright);
         if cost < least {
             (best, least) = (pose, cost);
@@ -142,153 +152,14 @@ impl Seams<'_> {
         self.to_others().map(way).collect()
     }
 
-    /// Returns true if what the panel is sewn by is below its middle: at a hem, it would lie over
-    /// what it hangs from.
-    fn lie_below_the_middle(&self, pose: &Placed) -> bool {
-        let middle = pose.middle().y;
-        let above = |[own, _]: &OwnStitch| pose.position(own.uv).y - middle;
-        self.to_others().map(above).sum::<f64>() < 0.0
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::pattern::{Panel, Placement, PlacementAnchor, Wrap};
-    use crate::scene::DressForm;
-    use crate::scene::placement::AnchoredPlacement;
-    use crate::seam::Face;
-
-    fn anchored(panel: &Panel, at: PlacementAnchor) -> AnchoredPlacement {
-        let placement = Placement {
-            at: Some(at),
-            ..Placement::default()
+    /// Returns true if the panel lies over what it is sewn to: at a hem it hangs down from its
+    /// seams, at the top of trousers it stands up.
+    fn lies_over_the_others(&self, pose: &Placed) -> bool {
+        let over = |[own, other]: &OwnStitch| {
+            let own = pose.middle().y - pose.position(own.uv).y;
+            let at = &self.placed[other.panel];
+            own * (at.middle().y - at.position(other.uv).y)
         };
-        AnchoredPlacement::new(panel, Some(&placement)).expect("a place")
-    }
-
-    /// A band drawn upright, 0.8 m long, is sewn with one long edge to the tops of two skirts.
-    #[test]
-    fn a_band_drawn_upright_is_laid_round_the_waist() {
-        let skirts = [
-            ("front", PlacementAnchor::SkirtFront),
-            ("back", PlacementAnchor::SkirtBack),
-        ];
-        let mut panels = skirts
-            .map(|(id, _)| Panel::rectangle(id, [0.4, 0.6]))
-            .to_vec();
-        panels.push(Panel::rectangle("band", [0.05, 0.8]));
-        let mut placements: Vec<_> = skirts.map(|(_, at)| at).to_vec();
-        placements.push(PlacementAnchor::Waist);
-        let placements: Vec<_> = panels
-            .iter()
-            .zip(placements)
-            .map(|(p, at)| anchored(p, at))
-            .collect();
-        let placed: Vec<_> = panels
-            .iter()
-            .zip(&placements)
-            .map(|(panel, placement)| PanelPlacement {
-                panel,
-                placement,
-                face: Face::Up,
-            })
-            .collect();
-        // Up the band is once round: the front from left to right, then the back.
-        let mut stitches = vec![];
-        for k in 0..=20 {
-            let along = 0.02 * f64::from(k);
-            for (panel, start) in [(0, 0.0), (1, 0.4)] {
-                let skirt = SeamPoint {
-                    panel,
-                    uv: [along, 0.6],
-                };
-                let band = SeamPoint {
-                    panel: 2,
-                    uv: [0.05, start + along],
-                };
-                stitches.push([skirt, band]);
-            }
-        }
-        let start = place_panels(&placed, &stitches, None);
-        let band = &start[2];
-        assert_eq!(band.wrap, Wrap::Cylinder);
-        // Level, with the sewn edge below the other one, and its ends where the back begins: at
-        // the wearer's left, which is where the drawn front ends.
-        let [low, high] = [[0.05, 0.3], [0.0, 0.3]].map(|uv| band.position(uv).y);
-        assert!((high - low - 0.05).abs() < 1e-12, "{low} {high}");
-        let middle_of_front = band.position([0.05, 0.2]);
-        assert!(
-            middle_of_front.z > 0.0 && middle_of_front.x.abs() < 1e-9,
-            "{middle_of_front}"
-        );
-    }
-
-    /// Front and back 65 cm long, with a band at their hems that is tighter than the hip, sewn by
-    /// the upper or the lower edge of its drawing: it hangs below them either way.
-    #[test]
-    fn a_band_at_the_hem_of_a_bodice_starts_there_and_clear_of_the_body() {
-        let avatar = DressForm::default().build().expect("a body");
-        let panels = [
-            Panel::rectangle("front", [0.5, 0.65]),
-            Panel::rectangle("back", [0.5, 0.65]),
-            Panel::rectangle("band", [0.8, 0.06]),
-        ];
-        let at = [
-            PlacementAnchor::TorsoFront,
-            PlacementAnchor::TorsoBack,
-            PlacementAnchor::Waist,
-        ];
-        let placements: Vec<_> = panels
-            .iter()
-            .zip(at)
-            .map(|(p, at)| anchored(p, at))
-            .collect();
-        let placed = panels.iter().zip(&placements);
-        let placed = placed.map(|(panel, placement)| PanelPlacement {
-            panel,
-            placement,
-            face: Face::Up,
-        });
-        let placed: Vec<_> = placed.collect();
-        let point = |panel, uv| SeamPoint { panel, uv };
-        for sewn in [0.06, 0.0] {
-            let along = (0..=20).map(|k| f64::from(k) / 20.0);
-            let stitches: Vec<_> = along
-                .flat_map(|along| {
-                    [(0, 0.0), (1, 0.4)].map(|(panel, start)| {
-                        let hem = point(panel, [0.5 * along, 0.0]);
-                        [hem, point(2, [start + 0.4 * along, sewn])]
-                    })
-                })
-                .collect();
-            let start = place_panels(&placed, &stitches, Some(&avatar));
-            let hem = start[0].position([0.25, 0.0]).y;
-            assert!(hem < avatar.landmarks["waist_front"].y - 0.1, "{hem}");
-            for k in 0..=40 {
-                let at = |y| start[2].position([0.02 * f64::from(k), y]);
-                let [upper, lower] = [sewn, 0.06 - sewn].map(at);
-                assert!((upper.y - hem).abs() < 1e-9, "{upper} beside {hem}");
-                assert!(
-                    (upper.y - lower.y - 0.06).abs() < 1e-9,
-                    "{sewn}: {upper} {lower}"
-                );
-                assert!(avatar.exact_distance(&lower) > 0.01, "{lower}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_panel_without_stitches_stays_as_it_was_placed() {
-        let panel = Panel::rectangle("band", [0.8, 0.05]);
-        let placement = anchored(&panel, PlacementAnchor::Waist);
-        let alone = PanelPlacement {
-            panel: &panel,
-            placement: &placement,
-            face: Face::Up,
-        };
-        let uv = [0.1, 0.02];
-        let before = placement.place(&panel, Face::Up, None).position(uv);
-        assert_eq!(place_panels(&[alone], &[], None)[0].position(uv), before);
+        self.to_others().map(over).sum::<f64>() > 0.0
     }
 }

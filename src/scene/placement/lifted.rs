@@ -29,16 +29,16 @@ const STITCHES: usize = 500;
 /// Lifts the panels of the upper trunk until their stitches from front to back over the shoulders
 /// are clear of the body, and those that hang from them as far as their seams are lower; legs of
 /// trousers above the ankles, as far as the crotch has room. What the garment puts somewhere in
-/// space stays there.
+/// space stays there. Returns the panels of such legs.
 pub(super) fn lift(
     placed: &mut [Placed],
     panels: &[PanelPlacement<'_>],
     of_panel: &[Vec<OwnStitch>],
     avatar: &Avatar,
-) {
+) -> BTreeSet<usize> {
     let landmark = |name| avatar.landmarks.get(name).copied();
     let (Some(tip), Some(waist)) = (landmark("shoulder_tip_l"), landmark("waist_front")) else {
-        return;
+        return BTreeSet::new();
     };
     let is_hung = |(panel, at): (&PanelPlacement<'_>, &Placed)| {
         !panel.placement.is_fixed() && !at.is_about_limb() && at.wrap == Wrap::Flat
@@ -56,6 +56,7 @@ pub(super) fn lift(
     let legs = trunk.legs(avatar);
     trunk.follow(&legs);
     trunk.clear_ankles(&legs);
+    legs.panels
 }
 
 /// The panels about the trunk.
@@ -287,7 +288,7 @@ mod tests {
         }
     }
 
-    /// Half a trouser leg before the left one and half behind it, 20 cm higher than the crotch,
+    /// Trousers of two panels before the left leg and one behind it, 20 cm higher than the crotch,
     /// sewn between the legs as far as some way below it, whose hem starts 3 cm below the ankle.
     #[test]
     fn trousers_start_above_the_ankles_and_below_the_crotch() {
@@ -298,8 +299,9 @@ mod tests {
             let size = [0.3, crotch + 0.2 - hem];
             let at = |z: f64| (size, [0.17, hem + 0.5 * size[1], z]);
             let inner = [[0.0, 0.0], [0.0, crotch - below - hem]];
-            let stitches = row([0, 1], inner, inner);
-            let placed = place(&[at(0.25), at(-0.25)], &stitches, &avatar);
+            let mut stitches = row([0, 2], inner, inner);
+            stitches.extend(row([1, 2], inner, inner));
+            let placed = place(&[at(0.25), at(0.25), at(-0.25)], &stitches, &avatar);
             for at in placed {
                 let rise = at.position([0.0, 0.0]).y - hem;
                 assert!((rise - rises).abs() < 1e-9, "{rise}");

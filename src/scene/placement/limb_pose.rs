@@ -61,6 +61,30 @@ impl LimbPose {
         }
     }
 
+    /// The pose of the stretch of an arm of this length \[m\] from beside `point` on, for what is
+    /// further down than it is long: a cuff, which is narrower than a sleeve.
+    pub(super) fn beside(
+        avatar: &Avatar,
+        limb: Limb,
+        point: &Vector3<f64>,
+        length: f64,
+    ) -> Option<Self> {
+        let axis = avatar.limb(limb)?;
+        let start = nearest(axis, point);
+        if start < length {
+            return None;
+        }
+        let end = (start + length).min(axis.length());
+        let pose = Self::between(axis, point, [start.min(end - 2.0 * STEP), end]);
+        let is_over_hand = start + length > axis.length() + CLEARANCE;
+        let least = if is_over_hand { HAND } else { 0.0 };
+        Some(Self {
+            radius: pose.radius.max(least),
+            line: [pose.line[0], pose.line[1].max(least)],
+            ..pose
+        })
+    }
+
     fn along(axis: &LimbAxis, tip: &Vector3<f64>, length: f64) -> Self {
         let (joint, upper) = axis.at(0.0);
         let first = upper.dot(&(tip - joint));
@@ -114,6 +138,20 @@ impl LimbPose {
     pub(super) fn tilt(&self) -> Rotation3<f64> {
         tilt(&self.direction)
     }
+}
+
+/// Returns how far along an axis its point is that is nearest to another one \[m\], within a step.
+fn nearest(axis: &LimbAxis, point: &Vector3<f64>) -> f64 {
+    let distance = |along: f64| (axis.at(along).0 - point).norm();
+    let mut nearest = 0.0;
+    let mut along = STEP;
+    while along <= axis.length() {
+        if distance(along) < distance(nearest) {
+            nearest = along;
+        }
+        along += STEP;
+    }
+    nearest
 }
 
 /// Returns the turn that takes the upright axis onto one that leads down along `direction`.

@@ -4,8 +4,12 @@
 
 mod anchored;
 mod by_seams;
+#[cfg(test)]
+mod by_seams_tests;
 mod cone;
+mod half_legs;
 mod layered;
+mod leg_line;
 mod lifted;
 mod limb_pose;
 mod name_hint;

@@ -238,6 +238,7 @@ fn rolled(flat: &Placed, panel: &Panel, up: Rotation2<f64>, place: &LimbPlace) -
         axis: place.axis,
         radius,
         wrap: Wrap::Cylinder,
+        spread: 1.0,
         cone: None,
         taper: Taper::of(&turned, radius, place.line),
         tilt: Some(place.tilt),

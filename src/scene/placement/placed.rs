@@ -25,6 +25,8 @@ pub struct Placed {
     /// Distance from the axis \[m\].
     pub(super) radius: f64,
     pub(super) wrap: Wrap,
+    /// Width that it starts with, over that on the drawing.
+    pub(super) spread: f64,
     /// The cone that it is rolled to in place of the cylinder.
     pub(super) cone: Option<Cone>,
     /// Radii of a tube that narrows along a limb.
@@ -44,7 +46,7 @@ impl Placed {
         }
         let middle = self.rolled(0.0, self.center_y - self.key[1]);
         let p = self.rolled(
-            self.sense * (upright.x - self.key[0]),
+            self.sense * self.spread * (upright.x - self.key[0]),
             upright.y - self.key[1],
         );
         middle + self.rotation * (p - middle) + self.offset
@@ -95,9 +97,10 @@ impl Placed {
     fn rolled(&self, along: f64, up: f64) -> Vector3<f64> {
         // Outward is (sin, 0, cos); (cos, 0, -sin) runs along increasing angle.
         let height = self.key[1] + up;
-        let (radius, along) = self.taper.map_or((self.radius, along), |taper| {
+        let (radius, along, up) = self.taper.map_or((self.radius, along, up), |taper| {
             let aside = self.sense * taper.aside(height);
-            (taper.radius(self.radius, height), along - aside)
+            let up = taper.start_height(height) - self.key[1];
+            (taper.radius(self.radius, height), along - aside, up)
         });
         let round = |angle: f64, flat: f64| {
             let (sin, cos) = angle.sin_cos();

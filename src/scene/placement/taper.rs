@@ -24,6 +24,8 @@ pub(super) struct Taper {
     /// \[m\].
     ends: [f64; 2],
     least: [f64; 2],
+    /// Length of what is below the widest line as it starts, over that on the drawing.
+    shortened: f64,
 }
 
 impl Taper {
@@ -31,20 +33,57 @@ impl Taper {
     /// line, for a limb that reaches `least` from the axis at its upper and lower end \[m\]; none
     /// where it does not narrow downward.
     pub(super) fn of(outline: &[Vector2<f64>], radius: f64, least: [f64; 2]) -> Option<Self> {
-        let [bottom, top] = heights(outline);
-        let hem = bottom + (top - bottom) * NEAR_HEM;
-        let width = |[left, right]: [f64; 2]| right - left;
-        let (widest, most) = widest_line(outline);
-        let least_wide = sides(outline, hem);
-        let slope = radius * (1.0 - width(least_wide) / width(most)) / (widest - hem);
+        let lines = Lines::of(outline);
+        let at_hem = radius * width(lines.hem.1) / width(lines.widest.1);
         let middle = |[left, right]: [f64; 2]| 0.5 * (left + right);
-        (widest > hem && slope > 0.0).then(|| Self {
-            widest,
-            slope,
-            aside: (middle(least_wide) - middle(most)) / (widest - hem),
-            ends: [top, bottom],
+        let taper = Self::between(&lines, [radius, at_hem], least, middle);
+        taper.filter(|taper| taper.slope > 0.0)
+    }
+
+    /// The taper of a part of a tube with such radii at the widest line and at the hem: beside the
+    /// axis is the edge that is picked from how far the part reaches to its two sides.
+    pub(super) fn of_part(
+        outline: &[Vector2<f64>],
+        [radius, at_hem]: [f64; 2],
+        least: [f64; 2],
+        edge: impl Fn([f64; 2]) -> f64,
+    ) -> Option<Self> {
+        Self::between(
+            &Lines::of(outline),
+            [radius, at_hem.min(radius)],
             least,
+            edge,
+        )
+    }
+
+    fn between(
+        lines: &Lines,
+        [radius, at_hem]: [f64; 2],
+        least: [f64; 2],
+        place: impl Fn([f64; 2]) -> f64,
+    ) -> Option<Self> {
+        let (widest, most) = lines.widest;
+        let (hem, least_wide) = lines.hem;
+        (widest > hem).then(|| Self {
+            widest,
+            slope: (radius - at_hem) / (widest - hem),
+            aside: (place(least_wide) - place(most)) / (widest - hem),
+            ends: lines.ends,
+            least,
+            shortened: 1.0,
         })
+    }
+
+    /// The same taper of a panel that starts shorter than it is drawn by this factor, below its
+    /// widest line.
+    pub(super) fn shortened(self, shortened: f64) -> Self {
+        Self { shortened, ..self }
+    }
+
+    /// Height on the turned drawing at which one would start if nothing were shortened \[m\].
+    pub(super) fn start_height(&self, height: f64) -> f64 {
+        let below = (self.widest - height).max(0.0);
+        height + below * (1.0 - self.shortened)
     }
 
     /// Radius at a height on the turned drawing, of a tube of this radius at its widest line \[m\].
@@ -62,27 +101,46 @@ impl Taper {
     }
 }
 
-/// Returns the height of the widest line of a closed outline, and how far it reaches to its two
-/// sides \[m\].
-pub(super) fn widest_line(outline: &[Vector2<f64>]) -> (f64, [f64; 2]) {
-    let [bottom, top] = heights(outline);
-    let shares = (1..STEPS).map(|k| f64::from(k) / f64::from(STEPS));
-    let measured = shares.map(|share| {
-        let height = bottom + (top - bottom) * share;
-        (height, sides(outline, height))
-    });
-    let width = |[left, right]: [f64; 2]| right - left;
-    measured.fold((top, [0.0; 2]), |widest, line| {
-        if width(line.1) > width(widest.1) {
-            line
-        } else {
-            widest
+/// The lines across a closed outline that its taper is told by: a height, and how far the outline
+/// reaches to its two sides there \[m\].
+pub(super) struct Lines {
+    pub(super) widest: (f64, [f64; 2]),
+    /// Near the lower end.
+    pub(super) hem: (f64, [f64; 2]),
+    /// Heights of the upper and the lower end \[m\].
+    pub(super) ends: [f64; 2],
+}
+
+impl Lines {
+    pub(super) fn of(outline: &[Vector2<f64>]) -> Self {
+        let [bottom, top] = heights(outline);
+        let line = |share: f64| {
+            let height = bottom + (top - bottom) * share;
+            (height, sides(outline, height))
+        };
+        let shares = (1..STEPS).map(|k| f64::from(k) / f64::from(STEPS));
+        let widest = shares.map(line).fold((top, [0.0; 2]), |widest, line| {
+            if width(line.1) > width(widest.1) {
+                line
+            } else {
+                widest
+            }
+        });
+        Self {
+            widest,
+            hem: line(NEAR_HEM),
+            ends: [top, bottom],
         }
-    })
+    }
+}
+
+/// Width of a line that reaches so far to its two sides \[m\].
+pub(super) fn width([left, right]: [f64; 2]) -> f64 {
+    right - left
 }
 
 /// Returns the heights of the lowest and the highest point \[m\].
-pub(super) fn heights(outline: &[Vector2<f64>]) -> [f64; 2] {
+fn heights(outline: &[Vector2<f64>]) -> [f64; 2] {
     let heights = outline.iter().map(|p| p.y);
     heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], y| {
         [low.min(y), high.max(y)]
