@@ -37,6 +37,16 @@ struct WornOpening {
     end: Vec<Vector3<f64>>,
     before: Encircled,
     after: Encircled,
+    /// True if some of it starts higher than all of the body: the edge of a hood, which a head
+    /// would hold.
+    is_above_body: bool,
+}
+
+impl WornOpening {
+    /// Returns true if it is the edge of a hood that has fallen off a neck without a head.
+    fn is_fallen_hood(&self) -> bool {
+        self.is_above_body && self.before == Encircled::Neck && self.after == Encircled::Nothing
+    }
 }
 
 /// Returns how the body of `scene` carries the garment of panels `panels` at `positions` \[m\],
@@ -56,7 +66,7 @@ pub(super) fn support(
     let Some(ends) = BodyEnds::new(avatar) else {
         return not_judged("the body has no landmarks");
     };
-    let openings = worn_openings(scene, positions, &ends);
+    let openings = worn_openings(scene, avatar, positions, &ends);
     let mut faults: Vec<String> = openings
         .iter()
         .filter_map(|opening| misplaced(opening, panels, &ends))
@@ -83,6 +93,11 @@ pub(super) fn support(
         ),
         (true, None) => found.because.clone(),
     };
+    let because = if faults.is_empty() && openings.iter().any(WornOpening::is_fallen_hood) {
+        format!("{because}; how its hood lies is not judged: the body has no head")
+    } else {
+        because
+    };
     Support {
         ok: Some(faults.is_empty()),
         because,
@@ -95,7 +110,13 @@ pub(super) fn support(
 }
 
 /// Returns the openings of a garment that are more than holes.
-fn worn_openings(scene: &Scene, positions: &[Vector3<f64>], ends: &BodyEnds) -> Vec<WornOpening> {
+fn worn_openings(
+    scene: &Scene,
+    avatar: &Avatar,
+    positions: &[Vector3<f64>],
+    ends: &BodyEnds,
+) -> Vec<WornOpening> {
+    let [_, top] = avatar.heights();
     let is_face_down: Vec<bool> = scene.cut.iter().map(|cut| cut.face_down).collect();
     let worn = |opening: Opening| {
         let at = |x: &[Vector3<f64>]| opening.vertices.iter().map(|&v| x[v]).collect::<Vec<_>>();
@@ -103,6 +124,7 @@ fn worn_openings(scene: &Scene, positions: &[Vector3<f64>], ends: &BodyEnds) -> 
         WornOpening {
             before: ends.encircled(&start),
             after: ends.encircled(&end),
+            is_above_body: start.iter().any(|p| p.y > top),
             opening,
             start,
             end,
@@ -169,14 +191,15 @@ fn flat_panels(scene: &Scene) -> Vec<usize> {
 }
 
 /// Returns the fault of an opening that is not round what it was placed round, in words. An opening
-/// that was placed round nothing, or round a limb that the body lacks, may go round nothing.
+/// that was placed round nothing, or round a limb or a head that the body lacks, may go round
+/// nothing.
 fn misplaced(opening: &WornOpening, panels: &[&str], ends: &BodyEnds) -> Option<String> {
     let (before, after) = (opening.before, opening.after);
     let names = names(opening, panels).join(", ");
     if after == Encircled::Other {
         return Some(format!("the opening along {names} goes round {after}"));
     }
-    let is_lost = after == Encircled::Nothing && !ends.has(before);
+    let is_lost = after == Encircled::Nothing && !ends.has(before) || opening.is_fallen_hood();
     let is_known = !matches!(before, Encircled::Nothing | Encircled::Other);
     (before != after && is_known && !is_lost).then(|| {
         format!("the opening along {names} was placed round {before} and goes round {after}")
@@ -189,8 +212,8 @@ fn names(opening: &WornOpening, panels: &[&str]) -> Vec<String> {
     along.map(|&panel| panels[panel].to_owned()).collect()
 }
 
-/// Returns the fault of the opening that is to carry the garment, in words: the neck, or else the
-/// highest one round the trunk.
+/// Returns the fault of the opening that is to carry the garment, in words: the neck, which a hood
+/// may hang from, or else the highest one round the trunk.
 fn hanging(avatar: &Avatar, openings: &[WornOpening], cloth: &[Vector3<f64>]) -> Option<String> {
     let highest = |around: &[Encircled]| {
         let of_kind = openings
@@ -198,7 +221,7 @@ fn hanging(avatar: &Avatar, openings: &[WornOpening], cloth: &[Vector3<f64>]) ->
             .filter(|opening| around.contains(&opening.after));
         of_kind.max_by(|a, b| mean_height(&a.end).total_cmp(&mean_height(&b.end)))
     };
-    if highest(&[Encircled::Neck]).is_some() {
+    if highest(&[Encircled::Neck]).is_some() || openings.iter().any(WornOpening::is_fallen_hood) {
         return carried::off_the_shoulders(avatar, cloth);
     }
     if highest(&[
@@ -291,6 +314,36 @@ mod tests {
         let off = judged_as(|p| *p, &sunk);
         assert_eq!(off.ok, Some(false));
         assert!(off.because.contains("it sank"), "{}", off.because);
+    }
+
+    /// The top with the back of its neck drawn up like a hood, which falls over the front.
+    #[test]
+    fn a_hood_without_a_head_is_not_judged() {
+        let mut scene = top();
+        let avatar = scene.body.as_ref().and_then(Body::avatar).expect("a body");
+        let ends = BodyEnds::new(avatar).expect("landmarks");
+        let openings = worn_openings(&scene, avatar, &scene.start, &ends);
+        let neck = openings.iter().find(|o| o.before == Encircled::Neck);
+        let neck = neck.expect("a neck").opening.vertices.clone();
+        let mut shape: Vec<_> = scene.start.iter().map(dressed).collect();
+        let at_rest = Support {
+            ok: Some(true),
+            ..Support::default()
+        };
+        for &v in &neck {
+            shape[v].z = 0.3;
+        }
+        let names = ["front", "back"];
+        let fallen = support(&scene, &names, &shape, &at_rest);
+        assert_eq!(fallen.ok, Some(false), "{}", fallen.because);
+        for v in neck {
+            if scene.start[v].z < 0.0 {
+                scene.start[v].y += 0.3;
+            }
+        }
+        let hood = support(&scene, &names, &shape, &at_rest);
+        assert_eq!(hood.ok, Some(true), "{}", hood.because);
+        assert!(hood.because.contains("no head"), "{}", hood.because);
     }
 
     /// Front and back, 10 cm before and behind the shoulders, drawn together onto them.
