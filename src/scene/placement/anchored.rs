@@ -67,9 +67,11 @@ impl AnchoredPlacement {
         self.is_of_file && self.anchor == PlacementAnchor::Origin
     }
 
-    /// Returns true if the garment says that the panel starts flat.
-    pub(super) fn is_to_stay_flat(&self) -> bool {
-        !self.is_of_file && self.placement.wrap == Some(Wrap::Flat)
+    /// Returns true if a panel that would start flat may start rolled about a leg: the garment puts
+    /// it nowhere in space, and does not say that it starts flat.
+    pub(super) fn may_be_rolled(&self) -> bool {
+        let is_to_stay_flat = !self.is_of_file && self.placement.wrap == Some(Wrap::Flat);
+        !self.is_fixed() && !is_to_stay_flat
     }
 
     /// Returns true if the garment puts the panel somewhere in space: there it starts.
@@ -241,11 +243,8 @@ impl AnchoredPlacement {
     /// closed: a tight one that starts open would be drawn together through what it goes round.
     pub(super) fn closed(&self, placed: Placed, panel: &Panel) -> Placed {
         let [[left, right], _] = bounds(panel, &placed.up);
-        let round = TAU * placed.radius * NEARLY_CLOSED;
-        Placed {
-            spread: (round / (right - left)).clamp(1.0, MOST_SPREAD),
-            ..placed
-        }
+        let (_, spread) = nearly_closed(right - left, placed.radius);
+        Placed { spread, ..placed }
     }
 
     /// Returns the same start rolled to a cone about the trunk, where the panel's stitches to
@@ -277,6 +276,14 @@ impl AnchoredPlacement {
             ..placed
         }
     }
+}
+
+/// Returns the radius \[m\] at which what is so wide \[m\] starts about a body that reaches so far,
+/// and how much wider than drawn it starts there to be nearly closed.
+pub(super) fn nearly_closed(width: f64, reach: f64) -> (f64, f64) {
+    let radius = reach.max(width / TAU);
+    let spread = TAU * radius * NEARLY_CLOSED / width;
+    (radius, spread.clamp(1.0, MOST_SPREAD))
 }
 
 /// Returns the leg that a key point is about.

@@ -40,7 +40,7 @@ pub fn place_panels(
     if let Some(avatar) = avatar {
         on_limb::roll(&mut placed, panels, &of_panel, avatar);
         let legs = lifted::lift(&mut placed, panels, &of_panel, avatar);
-        half_legs::roll(&mut placed, panels, &legs, avatar);
+        half_legs::roll(&mut placed, panels, &of_panel, &legs, avatar);
     }
     let mut is_settled: Vec<bool> = panels
         .iter()

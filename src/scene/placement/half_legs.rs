@@ -4,8 +4,9 @@
 //! halves meet at the outside of the leg, round it and that half of the hips, and only their inner
 //! edges, below the crotch and before and behind the trunk, have a way to go.
 
+use super::leg_cuffs::LegCuff;
 use super::leg_line::{BESIDE_MIDDLE, LegLine, along, is_free, least_radius};
-use super::panel_placement::PanelPlacement;
+use super::panel_placement::{OwnStitch, PanelPlacement};
 use super::placed::Placed;
 use super::taper::{Lines, Taper, width};
 use super::{anchored::outline, limb_pose::tilt};
@@ -29,13 +30,15 @@ const MOST_OUT: f64 = 0.1;
 const BEYOND_MIDDLE: f64 = 0.15;
 
 /// Rolls the legs among `panels`, which are sewn between the legs: those of which one is before and
-/// one behind.
+/// one behind, and the cuffs at their ends.
 pub(super) fn roll(
     placed: &mut [Placed],
     panels: &[PanelPlacement<'_>],
+    of_panel: &[Vec<OwnStitch>],
     legs: &BTreeSet<usize>,
     avatar: &Avatar,
 ) {
+    let cuffs = LegCuff::all(placed, panels, of_panel, legs);
     for limb in [Limb::LegLeft, Limb::LegRight] {
         let half = |&panel: &usize| {
             let PanelPlacement {
@@ -43,15 +46,21 @@ pub(super) fn roll(
                 placement,
                 ..
             } = panels[panel];
-            let flat = (!placement.is_to_stay_flat()).then_some(&placed[panel])?;
+            let flat = placement.may_be_rolled().then_some(&placed[panel])?;
             Half::of(panel, drawn, flat, limb)
         };
         let (fronts, backs): (Vec<_>, Vec<_>) =
             legs.iter().filter_map(half).partition(|half| half.is_front);
         if let ([front], [back]) = (&fronts[..], &backs[..]) {
-            let starts = starts([front, back], placed, limb, avatar);
-            for (half, start) in [front, back].into_iter().zip(starts) {
-                placed[half.panel] = start;
+            let both = [front.panel, back.panel];
+            let own = cuffs.iter().filter(|cuff| cuff.is_sewn_to(both));
+            let cuff_m = own.clone().map(LegCuff::height).fold(0.0, f64::max);
+            let starts = starts([front, back], placed, limb, (avatar, cuff_m));
+            for (panel, start) in both.into_iter().zip(starts) {
+                placed[panel] = start;
+            }
+            for cuff in own {
+                cuff.roll(placed, avatar);
             }
         }
     }
@@ -127,11 +136,18 @@ struct Pair<'a> {
     /// Height of the upper end of the higher half \[m\], and its length.
     top: f64,
     length: f64,
+    /// Height of the cuff below it \[m\].
+    cuff: f64,
 }
 
 /// Returns the starts of the two halves about a leg, as high as they stand or so much lower that
 /// the crotch has room.
-fn starts(halves: [&Half; 2], placed: &[Placed], limb: Limb, avatar: &Avatar) -> [Placed; 2] {
+fn starts(
+    halves: [&Half; 2],
+    placed: &[Placed],
+    limb: Limb,
+    (avatar, cuff): (&Avatar, f64),
+) -> [Placed; 2] {
     let side = side_of(limb);
     let top = halves[0].top.max(halves[1].top);
     let bottom = halves.map(|half| half.top - half.height());
@@ -145,6 +161,7 @@ fn starts(halves: [&Half; 2], placed: &[Placed], limb: Limb, avatar: &Avatar) ->
         line: LegLine::of(limb, side, &waist, length, Some(avatar)),
         top,
         length,
+        cuff,
     };
     let first = pair.line.hips.max(pair.around(|lines| lines.widest.1));
     let radius = least_radius(first, |radius, has_room| {
@@ -182,8 +199,8 @@ impl Pair<'_> {
             .halves
             .map(|half| half.top - half.lines.ends[0] + half.lines.widest.0);
         let crotch = self.top - crotch[0].max(crotch[1]);
-        let down = line.way_down([crotch, self.length], avatar);
-        let room = line.lowest_hem(avatar) - down - crotch;
+        let down = line.way_down([crotch, self.length + self.cuff], avatar);
+        let room = line.lowest_hem(avatar) - self.cuff - down - crotch;
         let shortened = (room / (self.length - crotch)).clamp(LEAST_SHORTENED, 1.0);
         self.halves.map(|half| {
             let axis = line.at(down + self.top - half.top);

@@ -9,6 +9,7 @@ mod by_seams_tests;
 mod cone;
 mod half_legs;
 mod layered;
+mod leg_cuffs;
 mod leg_line;
 mod lifted;
 mod limb_pose;
