@@ -3,11 +3,11 @@
 //! A cuff that is closed on itself has a place before a leg, flat. There it closes beside the ankle
 //! or through it; rolled, and nearly closed however tight, it is round the leg from the start.
 
-use super::anchored::{nearly_closed, outline};
+use super::anchored::{bounds, nearly_closed, outline};
 use super::limb_pose::LimbPose;
 use super::panel_placement::{OwnStitch, PanelPlacement, thinned};
 use super::placed::Placed;
-use crate::pattern::Wrap;
+use crate::pattern::{Panel, Wrap};
 use crate::scene::{Avatar, Limb};
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use std::collections::BTreeSet;
@@ -51,16 +51,12 @@ impl LegCuff {
                 .iter()
                 .filter(|[_, other]| other.panel != panel);
             let stitches = thinned(to_leg.copied().collect()).collect();
-            Self::of(
-                panel,
-                &outline(panels[panel].panel).collect::<Vec<_>>(),
-                stitches,
-            )
+            Self::of(panel, panels[panel].panel, stitches)
         });
         panels.collect()
     }
 
-    fn of(panel: usize, outline: &[[f64; 2]], stitches: Vec<OwnStitch>) -> Self {
+    fn of(panel: usize, drawn: &Panel, stitches: Vec<OwnStitch>) -> Self {
         let mean = |points: &mut dyn Iterator<Item = [f64; 2]>| {
             let (sum, count) = points.fold((Vector2::zeros(), 0.0), |(sum, count), p| {
                 (sum + Vector2::from(p), count + 1.0)
@@ -68,17 +64,10 @@ impl LegCuff {
             sum / count
         };
         let sewn = mean(&mut stitches.iter().map(|[own, _]| own.uv));
-        let middle = mean(&mut outline.iter().copied());
+        let middle = mean(&mut outline(drawn));
         let quarters = ((sewn - middle).y.atan2((sewn - middle).x) / FRAC_PI_2).round();
         let up = Rotation2::new((1.0 - quarters) * FRAC_PI_2);
-        let mut bounds = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-        for point in outline {
-            let turned = up * Vector2::from(*point);
-            for (bound, value) in bounds.iter_mut().zip(turned.iter()) {
-                *bound = [bound[0].min(*value), bound[1].max(*value)];
-            }
-        }
-        let [sides, ends] = bounds;
+        let [sides, ends] = bounds(drawn, &up);
         Self {
             panel,
             up,
@@ -148,7 +137,7 @@ impl LegCuff {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::pattern::{Panel, Placement, PlacementAnchor};
+    use crate::pattern::{Placement, PlacementAnchor};
     use crate::scene::placement::test_body::body;
     use crate::scene::placement::{AnchoredPlacement, SeamPoint, place_panels};
     use crate::seam::Face;
