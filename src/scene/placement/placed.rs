@@ -5,8 +5,8 @@ use super::taper::Taper;
 use crate::pattern::Wrap;
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 
-/// Furthest that a sleeve starts below the shoulder \[m\].
-const MOST_DOWN: f64 = 0.4;
+/// Furthest that a cuff starts below the shoulder \[m\]: the length of a long arm.
+const MOST_DOWN: f64 = 0.8;
 
 /// The way from pattern coordinates to the start position in space.
 #[derive(Clone, Debug)]
