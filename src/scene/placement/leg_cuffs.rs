@@ -186,13 +186,15 @@ mod tests {
         });
         let point = |panel, uv| SeamPoint { panel, uv };
         for sewn in [0.06, 0.0] {
+            // Upside down it runs the other way round.
+            let along = |x: f64| if sewn > 0.0 { x } else { 0.2 - x };
             let shares = (0..=10).map(|k| 0.1 * f64::from(k));
             let stitches = shares.flat_map(|share| {
                 let inseam = [0, 1].map(|half| point(half, [0.19 + 0.11 * share, CROTCH * share]));
                 let [front, back] = [0, 1].map(|half| point(half, [0.19 - 0.16 * share, 0.0]));
                 // From the inside over the front and back again behind.
-                let to_front = [front, point(2, [0.1 * share, sewn])];
-                let to_back = [back, point(2, [0.2 - 0.1 * share, sewn])];
+                let to_front = [front, point(2, [along(0.1 * share), sewn])];
+                let to_back = [back, point(2, [along(0.2 - 0.1 * share), sewn])];
                 let ends = [0.0, 0.2].map(|x| point(2, [x, 0.06 * share]));
                 [inseam, to_front, to_back, ends]
             });
@@ -208,7 +210,10 @@ mod tests {
             }
             let ends = [0.0, 0.2].map(|x| cuff.position([x, 0.03]));
             assert!((ends[0] - ends[1]).norm() < 0.02, "{ends:?}");
-            let [hem, upper] = [front.position([0.11, 0.0]), cuff.position([0.05, sewn])];
+            let [hem, upper] = [
+                front.position([0.11, 0.0]),
+                cuff.position([along(0.05), sewn]),
+            ];
             // Nearer than to the other side of the leg.
             assert!((hem - upper).norm() < 0.32 / PI, "{sewn} {hem} {upper}");
             assert!(cuff.position([0.1, sewn]).y > cuff.position([0.1, 0.06 - sewn]).y);
