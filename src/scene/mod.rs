@@ -18,7 +18,7 @@ mod wind;
 pub use avatar::{
     Avatar, AvatarCache, BodyFormat, BodyImport, BodyImportOptions, BodySample, BodySource,
     BodyUnits, DressForm, FileAxis, LANDMARKS, Limb, LimbAxis, Limbs, OwnBody, Pose, Sex, Tips,
-    TriangleMesh, import_body,
+    TriangleMesh, import_body, is_head,
 };
 pub use body::{Analytic, Body};
 pub use coarser::{CoarserScene, coarser};

@@ -2,7 +2,7 @@
 //! that it parts from the others.
 
 use super::linking::passes;
-use crate::scene::Avatar;
+use crate::scene::{Avatar, is_head};
 use nalgebra::Vector3;
 use std::fmt;
 
@@ -68,6 +68,8 @@ pub(super) struct BodyEnds {
     paths: [Vec<Vector3<f64>>; ENDS],
     has_arms: bool,
     has_legs: bool,
+    /// Height of the top of a body without a head \[m\].
+    headless_top: Option<f64>,
 }
 
 impl BodyEnds {
@@ -101,6 +103,8 @@ impl BodyEnds {
             let joints = ["knee", "ankle"].map(|name| at(&format!("{name}_{side}")));
             Some(path(&[hub, joint], &joints, -Vector3::y()))
         };
+        let [foot, top] = avatar.heights();
+        let above_neck = top - at("neck_side_l").map_or(neck.y, |side| side.y);
         Some(Self {
             paths: [
                 path(&[hub, neck], &[], Vector3::y()),
@@ -111,6 +115,7 @@ impl BodyEnds {
             ],
             has_arms: at("elbow_l").is_some(),
             has_legs: at("knee_l").is_some(),
+            headless_top: (!is_head(above_neck, top - foot)).then_some(top),
         })
     }
 
@@ -126,6 +131,12 @@ impl BodyEnds {
             | Encircled::NeckAndRightArm => self.has_arms,
             Encircled::LeftLeg | Encircled::RightLeg => self.has_legs,
         }
+    }
+
+    /// Returns true if some of `curve` is where a body without a head would have one.
+    pub(super) fn reaches_a_missing_head(&self, curve: &[Vector3<f64>]) -> bool {
+        let top = self.headless_top;
+        top.is_some_and(|top| curve.iter().any(|p| p.y > top))
     }
 
     /// Returns what the closed polygon `curve` goes round.

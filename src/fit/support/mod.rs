@@ -37,15 +37,14 @@ struct WornOpening {
     end: Vec<Vector3<f64>>,
     before: Encircled,
     after: Encircled,
-    /// True if some of it starts higher than all of the body: the edge of a hood, which a head
-    /// would hold.
-    is_above_body: bool,
+    /// True if some of it starts where the body lacks a head: the edge of a hood.
+    is_of_hood: bool,
 }
 
 impl WornOpening {
     /// Returns true if it is the edge of a hood that has fallen off a neck without a head.
     fn is_fallen_hood(&self) -> bool {
-        self.is_above_body && self.before == Encircled::Neck && self.after == Encircled::Nothing
+        self.is_of_hood && self.before == Encircled::Neck && self.after == Encircled::Nothing
     }
 }
 
@@ -66,7 +65,7 @@ pub(super) fn support(
     let Some(ends) = BodyEnds::new(avatar) else {
         return not_judged("the body has no landmarks");
     };
-    let openings = worn_openings(scene, avatar, positions, &ends);
+    let openings = worn_openings(scene, positions, &ends);
     let mut faults: Vec<String> = openings
         .iter()
         .filter_map(|opening| misplaced(opening, panels, &ends))
@@ -93,14 +92,14 @@ pub(super) fn support(
         ),
         (true, None) => found.because.clone(),
     };
-    let because = if faults.is_empty() && openings.iter().any(WornOpening::is_fallen_hood) {
-        format!("{because}; how its hood lies is not judged: the body has no head")
+    let hood = if openings.iter().any(WornOpening::is_fallen_hood) {
+        "; how its hood lies is not judged: the body has no head"
     } else {
-        because
+        ""
     };
     Support {
         ok: Some(faults.is_empty()),
-        because,
+        because: because + hood,
         openings: openings
             .iter()
             .map(|opening| told(opening, panels))
@@ -110,13 +109,7 @@ pub(super) fn support(
 }
 
 /// Returns the openings of a garment that are more than holes.
-fn worn_openings(
-    scene: &Scene,
-    avatar: &Avatar,
-    positions: &[Vector3<f64>],
-    ends: &BodyEnds,
-) -> Vec<WornOpening> {
-    let [_, top] = avatar.heights();
+fn worn_openings(scene: &Scene, positions: &[Vector3<f64>], ends: &BodyEnds) -> Vec<WornOpening> {
     let is_face_down: Vec<bool> = scene.cut.iter().map(|cut| cut.face_down).collect();
     let worn = |opening: Opening| {
         let at = |x: &[Vector3<f64>]| opening.vertices.iter().map(|&v| x[v]).collect::<Vec<_>>();
@@ -124,7 +117,7 @@ fn worn_openings(
         WornOpening {
             before: ends.encircled(&start),
             after: ends.encircled(&end),
-            is_above_body: start.iter().any(|p| p.y > top),
+            is_of_hood: ends.reaches_a_missing_head(&start),
             opening,
             start,
             end,
@@ -322,7 +315,7 @@ mod tests {
         let mut scene = top();
         let avatar = scene.body.as_ref().and_then(Body::avatar).expect("a body");
         let ends = BodyEnds::new(avatar).expect("landmarks");
-        let openings = worn_openings(&scene, avatar, &scene.start, &ends);
+        let openings = worn_openings(&scene, &scene.start, &ends);
         let neck = openings.iter().find(|o| o.before == Encircled::Neck);
         let neck = neck.expect("a neck").opening.vertices.clone();
         let mut shape: Vec<_> = scene.start.iter().map(dressed).collect();

@@ -15,6 +15,16 @@ pub enum Limb {
     LegRight,
 }
 
+impl Limb {
+    /// Returns +1 for a limb at +x and -1 for one at -x.
+    pub fn side(self) -> f64 {
+        match self {
+            Self::ArmLeft | Self::LegLeft => 1.0,
+            Self::ArmRight | Self::LegRight => -1.0,
+        }
+    }
+}
+
 /// The axis of a limb, from the shoulder joint to the wrist, or from the hip joint to the ankle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimbAxis {

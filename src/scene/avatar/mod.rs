@@ -8,6 +8,7 @@ mod field;
 mod figure;
 mod form;
 mod half_mesh;
+mod head;
 mod hull;
 mod lattice;
 mod leg;
@@ -33,6 +34,7 @@ mod winding;
 pub use cache::AvatarCache;
 pub use field::BodySample;
 pub use form::{DressForm, Limbs, Pose, Sex};
+pub use head::is_head;
 pub use limb::{Limb, LimbAxis};
 pub use own::{
     BodyFormat, BodyImport, BodyImportOptions, BodyUnits, FileAxis, OwnBody, import_body,

@@ -3,6 +3,7 @@
 use super::found::{Found, Missing};
 use super::level::trunk_at;
 use crate::scene::avatar::TriangleMesh;
+use crate::scene::avatar::head::is_head;
 use crate::scene::avatar::slice::Plane;
 use nalgebra::Vector3;
 use std::f64::consts::FRAC_PI_2;
@@ -16,8 +17,7 @@ const SPAN: f64 = 0.004;
 const PIT: f64 = 0.0455;
 /// Height above the armpits over which the neck is looked for, as a share of the same.
 const REACH: f64 = 0.16;
-/// Length of a head with the neck, at least, and the height of the sides of the neck, likewise.
-const HEAD: f64 = 0.09;
+/// Height of the sides of the neck, likewise.
 const NECK_SIDE: f64 = 0.856;
 /// Depth of the joint of the shoulder below its tip, and its distance out of the armpit, likewise:
 /// under a level arm, and what is added with the square of the angle to a hanging one.
@@ -67,10 +67,10 @@ pub(super) fn neck(
     found.insert("neck_side_l".to_owned(), left);
     found.insert("neck_side_r".to_owned(), right);
     let side = (left + right) * 0.5;
-    let height = if height - side.y < HEAD * height {
-        side.y / NECK_SIDE
-    } else {
+    let height = if is_head(height - side.y, height) {
         height
+    } else {
+        side.y / NECK_SIDE
     };
     front_and_back(surface, &side, (height, narrowest.1), found)?;
     Ok(height)
