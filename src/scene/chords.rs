@@ -185,6 +185,7 @@ mod tests {
             "{curvature} {exact}"
         );
     }
+
     /// A tube that narrows from a radius of 10 cm to one of 3: on the whole, edges of 35 mm turn by
     /// 0.6 rad, at its lower end by more than one.
     #[test]
@@ -197,11 +198,12 @@ mod tests {
         };
         tube.start = tube.mesh.uv.iter().map(rolled).collect();
         assert_eq!(chords(&tube), [true]);
-        // In the middle of the lowest of eight strips; turns at the sides are missing.
+        // In the middle of the lowest of eight strips. Turns at the sides are missing, a tenth;
+        // over the strip the radius changes by an eighth each way, a hundredth of the mean.
         let curvature = start_curvature(&tube, &tube.mesh.panels[0]);
         let expected = 1.0 / radius(1.2 / 16.0);
         assert!(
-            (curvature / expected - 1.0).abs() < 0.15,
+            (curvature / expected - 1.0).abs() < 0.1 + 0.02,
             "{curvature} {expected}"
         );
         let edge = COARSER_EDGE * mean_edge(&tube.mesh, &tube.mesh.panels[0]);

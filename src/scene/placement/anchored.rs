@@ -6,7 +6,7 @@ use super::name_hint::guess;
 use super::on_leg;
 use super::placed::Placed;
 use super::spot::Spot;
-use super::taper::Taper;
+use super::taper::{Lines, Taper};
 use crate::fault::{Fault, Faults, PlacementCode, pointer_token};
 use crate::pattern::{Hole, Panel, Placement, PlacementAnchor, Wrap, polyline};
 use crate::scene::{Avatar, Limb};
@@ -175,7 +175,7 @@ impl AnchoredPlacement {
         };
         if spot.tilt.is_some() && spot.turn == Some(1.0) && wrap == Wrap::Cylinder {
             let outline: Vec<_> = outline(panel).map(|uv| up * Vector2::from(uv)).collect();
-            placed.taper = Taper::of(&outline, placed.radius, spot.line);
+            placed.taper = Taper::of(&Lines::of(&outline), placed.radius, spot.line);
         }
         placed
     }
@@ -198,9 +198,8 @@ impl AnchoredPlacement {
         let [_, [bottom, top]] = bounds(panel, &placed.up);
         let span = [bottom, top].map(|y| axis.y + y - placed.key[1]);
         let reach = radius(avatar, axis.z, span, Wrap::Cylinder) + CLEARANCE;
-        let radius = placed.radius.max(reach);
         Placed {
-            radius,
+            radius: placed.radius.max(reach),
             axis,
             ..placed
         }
@@ -233,18 +232,10 @@ impl AnchoredPlacement {
             axis: pose.top,
             tilt: Some(pose.tilt()),
             radius,
-            taper: Taper::of(&outline, radius, pose.line),
+            taper: Taper::of(&Lines::of(&outline), radius, pose.line),
             offset: Vector3::zeros(),
             ..moved
         }
-    }
-
-    /// Returns the same start of a panel that is closed on itself, so much wider that it is nearly
-    /// closed: a tight one that starts open would be drawn together through what it goes round.
-    pub(super) fn closed(&self, placed: Placed, panel: &Panel) -> Placed {
-        let [[left, right], _] = bounds(panel, &placed.up);
-        let (_, spread) = nearly_closed(right - left, placed.radius);
-        Placed { spread, ..placed }
     }
 
     /// Returns the same start rolled to a cone about the trunk, where the panel's stitches to
@@ -278,12 +269,10 @@ impl AnchoredPlacement {
     }
 }
 
-/// Returns the radius \[m\] at which what is so wide \[m\] starts about a body that reaches so far,
-/// and how much wider than drawn it starts there to be nearly closed.
-pub(super) fn nearly_closed(width: f64, reach: f64) -> (f64, f64) {
-    let radius = reach.max(width / TAU);
-    let spread = TAU * radius * NEARLY_CLOSED / width;
-    (radius, spread.clamp(1.0, MOST_SPREAD))
+/// Returns how much wider than drawn \[m\] what goes round starts at a radius \[m\] to be nearly
+/// closed.
+pub(super) fn nearly_closed(width: f64, radius: f64) -> f64 {
+    (TAU * radius * NEARLY_CLOSED / width).clamp(1.0, MOST_SPREAD)
 }
 
 /// Returns the leg that a key point is about.

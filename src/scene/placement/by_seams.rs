@@ -3,40 +3,49 @@
 //! shoulder is dropped, a collar its ends where the neck opens.
 
 use super::Placed;
+use super::anchored::{bounds, nearly_closed};
 use super::half_legs;
 use super::lifted;
 use super::on_limb;
-use super::panel_placement::{OwnStitch, PanelPlacement, SeamPoint, own_stitches, thinned};
+use super::panel_placement::{
+    OwnStitch, PanelPlacement, SeamPoint, own_stitches, shortest_turn, thinned,
+};
+use crate::pattern::Panel;
 use crate::scene::Avatar;
-use nalgebra::Vector3;
-use std::f64::consts::{FRAC_PI_2, PI};
+use nalgebra::{Vector2, Vector3};
 
 /// Share of the sum of squares that another pose must save to be taken: where a panel fits alike
 /// in several, it stays as it was placed.
 const SAVED: f64 = 0.1;
 
+/// Share of a panel's width that two sides of it are apart by which close it: more than those of a
+/// dart.
+const ACROSS: f64 = 0.5;
+
 /// Places `panels` on `avatar`, or in free space without one.
 ///
 /// Flat panels are put where they are anchored, those that a file puts about a limb are rolled
-/// about it, and those of the trunk are lifted above what their seams would close through. Those
-/// that are rolled all round follow, each turned about its axis, and by quarters on the drawing
-/// where the placement does not say which way is up, so that its `stitches` to the panels before it
-/// and to itself are short.
+/// about it, those of the trunk are lifted above what their seams would close through, and halves
+/// of legs are rolled about the legs. Those that are rolled all round follow, each turned about its
+/// axis, and by quarters on the drawing where the placement does not say which way is up, so that
+/// its `stitches` to the panels before it and to itself are short.
 pub fn place_panels(
     panels: &[PanelPlacement<'_>],
     stitches: &[[SeamPoint; 2]],
     avatar: Option<&Avatar>,
 ) -> Vec<Placed> {
     let of_panel = own_stitches(panels.len(), stitches);
-    let place = |(panel, stitches): (&PanelPlacement<'_>, &Vec<OwnStitch>)| {
+    let place = |index: usize| {
+        let panel = &panels[index];
         let placed = panel.placement.place(panel.panel, panel.face, avatar);
-        let to_itself = stitches.iter().filter(|[a, b]| a.panel == b.panel);
-        let to_itself: Vec<_> = to_itself.map(|pair| pair.map(|p| p.uv)).collect();
-        panel
-            .placement
-            .coned(placed, panel.panel, &to_itself, avatar)
+        panel.placement.coned(
+            placed,
+            panel.panel,
+            &to_itself(index, &of_panel[index]),
+            avatar,
+        )
     };
-    let mut placed: Vec<Placed> = panels.iter().zip(&of_panel).map(place).collect();
+    let mut placed: Vec<Placed> = (0..panels.len()).map(place).collect();
     if let Some(avatar) = avatar {
         on_limb::roll(&mut placed, panels, &of_panel, avatar);
         let legs = lifted::lift(&mut placed, panels, &of_panel, avatar);
@@ -53,26 +62,26 @@ pub fn place_panels(
     while let Some(panel) = (0..panels.len()).find(|&panel| joins_settled(&is_settled, panel)) {
         let is_known = |[_, other]: &&OwnStitch| other.panel == panel || is_settled[other.panel];
         let known = of_panel[panel].iter().filter(is_known).copied().collect();
-        let known: Vec<_> = thinned(known).collect();
-        placed[panel] = turned(&panels[panel], &known, (&placed, panel), avatar);
+        let seams = Seams {
+            stitches: thinned(known).collect(),
+            to_itself: to_itself(panel, &of_panel[panel]),
+            placed: &placed,
+            index: panel,
+        };
+        placed[panel] = turned(&panels[panel], &seams, avatar);
         is_settled[panel] = true;
     }
     placed
 }
 
+/// Returns the stitches of a panel to itself, as pairs of points of its drawing \[m\].
+fn to_itself(panel: usize, stitches: &[OwnStitch]) -> Vec<[[f64; 2]; 2]> {
+    let own = stitches.iter().filter(|[_, other]| other.panel == panel);
+    own.map(|pair| pair.map(|p| p.uv)).collect()
+}
+
 /// Returns the pose of `panel` in which its stitches are shortest, moved to what it is sewn to.
-fn turned(
-    panel: &PanelPlacement<'_>,
-    stitches: &[OwnStitch],
-    (placed, index): (&[Placed], usize),
-    avatar: Option<&Avatar>,
-) -> Placed {
-    let seams = Seams {
-        stitches,
-        placed,
-        index,
-    };
-    let is_closed = stitches.iter().any(|[_, other]| other.panel == index);
+fn turned(panel: &PanelPlacement<'_>, seams: &Seams<'_>, avatar: Option<&Avatar>) -> Placed {
     let moved = |pose: Placed| {
         let ways = seams.ways(&pose);
         let placement = panel.placement;
@@ -81,11 +90,7 @@ fn turned(
         } else {
             placement.moved_down_the_trunk(pose, panel.panel, &ways, avatar)
         };
-        if is_closed {
-            placement.closed(moved, panel.panel)
-        } else {
-            moved
-        }
+        seams.closed(moved, panel.panel)
     };
     let cost = |pose: &Placed, from: &Placed| {
         if pose.is_below(from) && seams.lies_over_the_others(pose) {
@@ -94,7 +99,7 @@ fn turned(
             seams.cost(pose)
         }
     };
-    let drawn = &placed[index];
+    let drawn = &seams.placed[seams.index];
     let mut best = moved(drawn.clone());
     let mut least = (1.0 - SAVED) * cost(&best, drawn);
     for placement in panel.placement.quarter_turns() {
@@ -103,13 +108,10 @@ fn turned(
             outward: pose.outward + angle,
             ..pose.clone()
         };
-        // Points run on circles: the sum of squares is a constant and one wave of the angle. Beside
-        // what it is sewn to, as a bent arm leads there.
+        // Beside what it is sewn to, as a bent arm leads there.
         let beside = moved(upright.clone());
-        let [ahead, aside, behind] =
-            [0.0, FRAC_PI_2, PI].map(|angle| seams.cost(&turned(&beside, angle)));
-        let mean = 0.5 * (ahead + behind);
-        let pose = moved(turned(&upright, (mean - aside).atan2(mean - ahead)));
+        let turn = shortest_turn(|angle| seams.cost(&turned(&beside, angle)));
+        let pose = moved(turned(&upright, turn));
         let cost = cost(&pose, &upright);
         if cost < least {
             (best, least) = (pose, cost);
@@ -120,7 +122,10 @@ fn turned(
 
 /// The stitches of a panel to others that are placed, and to itself.
 struct Seams<'a> {
-    stitches: &'a [OwnStitch],
+    /// Some of those to panels that are settled and to itself.
+    stitches: Vec<OwnStitch>,
+    /// All of those to itself, as pairs of points of the drawing \[m\].
+    to_itself: Vec<[[f64; 2]; 2]>,
     placed: &'a [Placed],
     index: usize,
 }
@@ -150,6 +155,23 @@ impl Seams<'_> {
             self.placed[other.panel].position(other.uv) - pose.position(own.uv)
         };
         self.to_others().map(way).collect()
+    }
+
+    /// Returns the same pose so much wider that it is nearly closed, if the panel is sewn to itself
+    /// across, round what it is rolled about: a tight one that starts open would be drawn together
+    /// through that.
+    fn closed(&self, pose: Placed, panel: &Panel) -> Placed {
+        let [[left, right], _] = bounds(panel, &pose.up);
+        let width = right - left;
+        let is_across = |[a, b]: &[[f64; 2]; 2]| {
+            let way = pose.up * (Vector2::from(*b) - Vector2::from(*a));
+            way.x.abs() > ACROSS * width
+        };
+        if !self.to_itself.iter().any(is_across) {
+            return pose;
+        }
+        let spread = nearly_closed(width, pose.radius);
+        Placed { spread, ..pose }
     }
 
     /// Returns true if the panel lies over what it is sewn to: at a hem it hangs down from its

@@ -60,7 +60,7 @@ pub(super) fn roll(
                 placed[panel] = start;
             }
             for cuff in own {
-                cuff.roll(placed, avatar);
+                cuff.roll(placed, limb, avatar);
             }
         }
     }
@@ -85,7 +85,7 @@ struct Half {
 
 impl Half {
     fn of(panel: usize, drawn: &Panel, flat: &Placed, limb: Limb) -> Option<Self> {
-        let side = side_of(limb);
+        let side = limb.side();
         let points: Vec<_> = outline(drawn).map(|uv| flat.position(uv)).collect();
         let middle = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
         let inmost = points
@@ -123,6 +123,41 @@ impl Half {
     fn outer(&self, [left, right]: [f64; 2]) -> f64 {
         if self.outside > 0.0 { right } else { left }
     }
+
+    fn height(&self) -> f64 {
+        self.lines.ends[0] - self.lines.ends[1]
+    }
+
+    /// The half rolled about a leg with radii at its widest line and its hem, the upper end beside
+    /// `axis`.
+    fn rolled(&self, radii: [f64; 2], axis: Vector3<f64>, side: f64, line: &LegLine) -> Placed {
+        let taper = Taper::between(&self.lines, radii, line.ends, |sides| self.outer(sides));
+        // All of it is on its own side of the seam at the outside.
+        let beyond =
+            |p: &Vector2<f64>| self.outside * (p.x - taper.map_or(0.0, |taper| taper.aside(p.y)));
+        let outmost = self
+            .outline
+            .iter()
+            .map(beyond)
+            .fold(f64::NEG_INFINITY, f64::max);
+        let [top, bottom] = self.lines.ends;
+        Placed {
+            up: self.up,
+            key: [self.outside * (outmost + APART), top],
+            center_y: 0.5 * (bottom + top),
+            sense: self.sense,
+            outward: side * FRAC_PI_2,
+            axis,
+            radius: radii[0],
+            wrap: Wrap::Cylinder,
+            spread: 1.0,
+            cone: None,
+            taper,
+            tilt: Some(tilt(&line.direction)),
+            rotation: Rotation3::identity(),
+            offset: Vector3::zeros(),
+        }
+    }
 }
 
 /// The two halves of a leg, and the leg.
@@ -148,7 +183,7 @@ fn starts(
     limb: Limb,
     (avatar, cuff): (&Avatar, f64),
 ) -> [Placed; 2] {
-    let side = side_of(limb);
+    let side = limb.side();
     let top = halves[0].top.max(halves[1].top);
     let bottom = halves.map(|half| half.top - half.height());
     let length = top - bottom[0].min(bottom[1]);
@@ -158,14 +193,14 @@ fn starts(
         halves,
         points: halves.map(|half| along(&half.outline)),
         side,
-        line: LegLine::of(limb, side, &waist, length, Some(avatar)),
+        line: LegLine::of(limb, &waist, length, Some(avatar)),
         top,
         length,
         cuff,
     };
     let first = pair.line.hips.max(pair.around(|lines| lines.widest.1));
     let radius = least_radius(first, |radius, has_room| {
-        pair.is_free(&pair.rolled(radius, avatar), has_room.then_some(avatar))
+        pair.is_free(&pair.rolled(radius, avatar), has_room, avatar)
     });
     pair.rolled(radius, avatar)
 }
@@ -224,53 +259,12 @@ impl Pair<'_> {
             .map(move |p| starts[k].position((back * p).into()))
     }
 
-    fn is_free(&self, starts: &[Placed; 2], avatar: Option<&Avatar>) -> bool {
+    fn is_free(&self, starts: &[Placed; 2], has_room: bool, avatar: &Avatar) -> bool {
         (0..2).all(|k| {
-            let hips = Some((self.halves[k].lines.widest.0, avatar));
+            let hips = has_room.then_some((self.halves[k].lines.widest.0, avatar));
             is_free(&starts[k], &self.points[k], self.side, hips)
         })
     }
-}
-
-impl Half {
-    fn height(&self) -> f64 {
-        self.lines.ends[0] - self.lines.ends[1]
-    }
-
-    /// The half rolled about a leg with radii at its widest line and its hem, the upper end beside
-    /// `axis`.
-    fn rolled(&self, radii: [f64; 2], axis: Vector3<f64>, side: f64, line: &LegLine) -> Placed {
-        let taper = Taper::of_part(&self.outline, radii, line.ends, |sides| self.outer(sides));
-        // All of it is on its own side of the seam at the outside.
-        let beyond =
-            |p: &Vector2<f64>| self.outside * (p.x - taper.map_or(0.0, |taper| taper.aside(p.y)));
-        let outmost = self
-            .outline
-            .iter()
-            .map(beyond)
-            .fold(f64::NEG_INFINITY, f64::max);
-        let [top, bottom] = self.lines.ends;
-        Placed {
-            up: self.up,
-            key: [self.outside * (outmost + APART), top],
-            center_y: 0.5 * (bottom + top),
-            sense: self.sense,
-            outward: side * FRAC_PI_2,
-            axis,
-            radius: radii[0],
-            wrap: Wrap::Cylinder,
-            spread: 1.0,
-            cone: None,
-            taper,
-            tilt: Some(tilt(&line.direction)),
-            rotation: Rotation3::identity(),
-            offset: Vector3::zeros(),
-        }
-    }
-}
-
-fn side_of(limb: Limb) -> f64 {
-    if limb == Limb::LegRight { -1.0 } else { 1.0 }
 }
 
 #[cfg(test)]

@@ -5,13 +5,13 @@
 
 use super::anchored::{bounds, nearly_closed, outline};
 use super::limb_pose::LimbPose;
-use super::panel_placement::{OwnStitch, PanelPlacement, thinned};
+use super::panel_placement::{OwnStitch, PanelPlacement, shortest_turn, thinned};
 use super::placed::Placed;
 use crate::pattern::{Panel, Wrap};
 use crate::scene::{Avatar, Limb};
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use std::collections::BTreeSet;
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// A cuff of a leg.
 pub(super) struct LegCuff {
@@ -89,23 +89,18 @@ impl LegCuff {
         self.ends[1] - self.ends[0]
     }
 
-    /// Rolls the cuff about the leg whose panels have their starts.
-    pub(super) fn roll(&self, placed: &mut [Placed], avatar: &Avatar) {
+    /// Rolls the cuff about the leg, whose panels have their starts.
+    pub(super) fn roll(&self, placed: &mut [Placed], limb: Limb, avatar: &Avatar) {
         let hem = self
             .stitches
             .iter()
             .map(|[_, leg]| placed[leg.panel].position(leg.uv));
         let center = hem.sum::<Vector3<f64>>() / self.stitches.len() as f64;
-        let limb = if center.x < 0.0 {
-            Limb::LegRight
-        } else {
-            Limb::LegLeft
-        };
         let Some(pose) = LimbPose::beside(avatar, limb, &center, self.height()) else {
             return;
         };
         let width = self.sides[1] - self.sides[0];
-        let (radius, spread) = nearly_closed(width, pose.radius);
+        let radius = pose.radius.max(width / TAU);
         let flat = &placed[self.panel];
         let rolled = |outward: f64| Placed {
             up: self.up,
@@ -115,7 +110,7 @@ impl LegCuff {
             axis: pose.top,
             radius,
             wrap: Wrap::Cylinder,
-            spread,
+            spread: nearly_closed(width, radius),
             tilt: Some(pose.tilt()),
             offset: Vector3::zeros(),
             ..flat.clone()
@@ -127,10 +122,7 @@ impl LegCuff {
             };
             self.stitches.iter().map(length).sum()
         };
-        // Points run on circles: the sum of squares is a constant and one wave of the angle.
-        let [ahead, aside, behind] = [0.0, FRAC_PI_2, PI].map(cost);
-        let mean = 0.5 * (ahead + behind);
-        placed[self.panel] = rolled((mean - aside).atan2(mean - ahead));
+        placed[self.panel] = rolled(shortest_turn(cost));
     }
 }
 
@@ -141,6 +133,7 @@ mod tests {
     use crate::scene::placement::test_body::body;
     use crate::scene::placement::{AnchoredPlacement, SeamPoint, place_panels};
     use crate::seam::Face;
+    use std::f64::consts::PI;
 
     const LENGTH: f64 = 0.9;
     const CROTCH: f64 = 0.62;

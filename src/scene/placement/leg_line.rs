@@ -1,7 +1,7 @@
 //! A leg and half of the hips as what is rolled about them sees them: a straight line, and a radius
 //! that is clear of the body.
 
-use super::limb_pose::{ABOVE_ANKLE, LimbPose};
+use super::limb_pose::LimbPose;
 use super::placed::Placed;
 use crate::scene::{Avatar, Limb};
 use nalgebra::{Vector2, Vector3};
@@ -10,6 +10,8 @@ use nalgebra::{Vector2, Vector3};
 const CLEARANCE: f64 = 0.01;
 /// Room between the body's crotch and the widest line of the panel, below it \[m\].
 pub(super) const BELOW_CROTCH: f64 = 0.02;
+/// Height of the hem of trousers above the ankles \[m\]: below, it would close through a foot.
+pub(super) const ABOVE_ANKLE: f64 = 0.02;
 /// Distance from the body's middle that the panel has at least \[m\].
 pub(super) const BESIDE_MIDDLE: f64 = 0.005;
 /// Distance below the joint of the hip from which on a leg is apart from the trunk \[m\].
@@ -40,11 +42,11 @@ impl LegLine {
     /// The line along a leg for a panel of this length from the waist down \[m\].
     pub(super) fn of(
         limb: Limb,
-        side: f64,
         waist: &Vector3<f64>,
         length: f64,
         avatar: Option<&Avatar>,
     ) -> Self {
+        let side = limb.side();
         let straight = |x: f64| Self {
             top: Vector3::new(side * x, waist.y, waist.z),
             direction: -Vector3::y(),
@@ -139,20 +141,22 @@ impl LegLine {
 }
 
 /// Returns true if a start puts all of these points of its turned drawing on their side of the
-/// body's middle, and those above a crotch at this height of it clear of a body, if there is room
-/// for that.
+/// body's middle, and, if they are to clear the hips, those above a crotch at this height of it off
+/// the body.
 pub(super) fn is_free(
     start: &Placed,
     points: &[Vector2<f64>],
     side: f64,
-    hips: Option<(f64, Option<&Avatar>)>,
+    hips: Option<(f64, &Avatar)>,
 ) -> bool {
+    let touches = |p: &Vector2<f64>, place: &Vector3<f64>| {
+        hips.is_some_and(|(crotch, avatar)| {
+            p.y >= crotch && avatar.distance(place) < 0.5 * CLEARANCE
+        })
+    };
     points.iter().all(|p| {
         let place = start.position((start.up.inverse() * p).into());
-        let touches = |(crotch, avatar): (f64, Option<&Avatar>)| {
-            p.y >= crotch && avatar.is_some_and(|a| a.distance(&place) < 0.5 * CLEARANCE)
-        };
-        side * place.x >= BESIDE_MIDDLE && !hips.is_some_and(touches)
+        side * place.x >= BESIDE_MIDDLE && !touches(p, &place)
     })
 }
 

@@ -5,7 +5,7 @@
 //! far down, is drawn through it or off it to the side, and the garment ends round the waist.
 
 use super::anchored::outline;
-use super::limb_pose::ABOVE_ANKLE;
+use super::leg_line::ABOVE_ANKLE;
 use super::panel_placement::{OwnStitch, PanelPlacement, thinned};
 use super::placed::Placed;
 use crate::pattern::Wrap;

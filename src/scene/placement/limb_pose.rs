@@ -8,8 +8,6 @@ use nalgebra::{Rotation3, Vector3};
 const CLEARANCE: f64 = 0.01;
 /// Distance from the axis of an arm at which cloth clears a hand \[m\].
 const HAND: f64 = 0.046;
-/// Height of the hem of trousers above the ankles \[m\]: below, it would close through a foot.
-pub(super) const ABOVE_ANKLE: f64 = 0.02;
 /// A sleeve starts at this angle from the body where that has no arms \[rad\]: so that it clears
 /// the sides.
 const SPREAD: f64 = 0.7;
@@ -61,8 +59,8 @@ impl LimbPose {
         }
     }
 
-    /// The pose of the stretch of an arm of this length \[m\] from beside `point` on, for what is
-    /// further down than it is long: a cuff, which is narrower than a sleeve.
+    /// The pose of the stretch of a limb of this length \[m\] from beside `point` on, for what is
+    /// further down than it is long: a cuff, which is narrower than a sleeve or a leg.
     pub(super) fn beside(
         avatar: &Avatar,
         limb: Limb,

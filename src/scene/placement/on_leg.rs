@@ -19,11 +19,11 @@ pub(super) fn place(
     limb: Limb,
     avatar: Option<&Avatar>,
 ) -> Placed {
-    let side = if limb == Limb::LegRight { -1.0 } else { 1.0 };
+    let side = limb.side();
     let lines = Lines::of(outline);
     let [top, bottom] = lines.ends;
     let (crotch, [left, right]) = lines.widest;
-    let line = LegLine::of(limb, side, &upright.axis, top - bottom, avatar);
+    let line = LegLine::of(limb, &upright.axis, top - bottom, avatar);
     let down = avatar.map_or(0.0, |avatar| {
         line.way_down([top - crotch, top - bottom], avatar)
     });
@@ -33,14 +33,14 @@ pub(super) fn place(
         outward: side * 0.25 * TAU,
         key: [0.5 * (left + right), top],
         radius,
-        taper: Taper::of(outline, radius, line.ends),
+        taper: Taper::of(&lines, radius, line.ends),
         offset: Vector3::zeros(),
         ..upright.clone()
     };
     let points = along(outline);
     let first = line.hips.max((right - left) / TAU);
     let radius = least_radius(first, |radius, has_room| {
-        let hips = has_room.then_some((crotch, avatar));
+        let hips = avatar.filter(|_| has_room).map(|avatar| (crotch, avatar));
         is_free(&rolled(radius), &points, side, hips)
     });
     let placed = rolled(radius);

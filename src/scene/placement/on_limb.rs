@@ -8,7 +8,7 @@ use super::Placed;
 use super::anchored::{bounds, outline};
 use super::limb_pose::LimbPose;
 use super::panel_placement::{OwnStitch, PanelPlacement};
-use super::taper::Taper;
+use super::taper::{Lines, Taper};
 use crate::pattern::{Panel, Wrap};
 use crate::scene::{Avatar, Limb};
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
@@ -240,7 +240,7 @@ fn rolled(flat: &Placed, panel: &Panel, up: Rotation2<f64>, place: &LimbPlace) -
         wrap: Wrap::Cylinder,
         spread: 1.0,
         cone: None,
-        taper: Taper::of(&turned, radius, place.line),
+        taper: Taper::of(&Lines::of(&turned), radius, place.line),
         tilt: Some(place.tilt),
         rotation: Rotation3::identity(),
         offset: Vector3::zeros(),

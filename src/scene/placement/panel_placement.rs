@@ -3,6 +3,7 @@
 use super::AnchoredPlacement;
 use crate::pattern::Panel;
 use crate::seam::Face;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Stitches of a panel that are looked at at most.
 const STITCHES: usize = 100;
@@ -46,4 +47,12 @@ pub(super) fn own_stitches(count: usize, stitches: &[[SeamPoint; 2]]) -> Vec<Vec
 pub(super) fn thinned(stitches: Vec<OwnStitch>) -> impl Iterator<Item = OwnStitch> {
     let step = stitches.len().div_ceil(STITCHES).max(1);
     stitches.into_iter().step_by(step)
+}
+
+/// Returns the turn about its axis \[rad\] in which the sum of the squares of a panel's stitches is
+/// least: points run on circles, so that it is a constant and one wave of the angle.
+pub(super) fn shortest_turn(sum_of_squares: impl Fn(f64) -> f64) -> f64 {
+    let [ahead, aside, behind] = [0.0, FRAC_PI_2, PI].map(sum_of_squares);
+    let mean = 0.5 * (ahead + behind);
+    (mean - aside).atan2(mean - ahead)
 }

@@ -29,34 +29,20 @@ pub(super) struct Taper {
 }
 
 impl Taper {
-    /// The taper of a panel with this outline on the turned drawing, with `radius` at its widest
-    /// line, for a limb that reaches `least` from the axis at its upper and lower end \[m\]; none
-    /// where it does not narrow downward.
-    pub(super) fn of(outline: &[Vector2<f64>], radius: f64, least: [f64; 2]) -> Option<Self> {
-        let lines = Lines::of(outline);
+    /// The taper of a panel with these lines, with `radius` at its widest one, for a limb that
+    /// reaches `least` from the axis at its upper and lower end \[m\]; none where it does not
+    /// narrow downward.
+    pub(super) fn of(lines: &Lines, radius: f64, least: [f64; 2]) -> Option<Self> {
         let at_hem = radius * width(lines.hem.1) / width(lines.widest.1);
         let middle = |[left, right]: [f64; 2]| 0.5 * (left + right);
-        let taper = Self::between(&lines, [radius, at_hem], least, middle);
+        let taper = Self::between(lines, [radius, at_hem], least, middle);
         taper.filter(|taper| taper.slope > 0.0)
     }
 
-    /// The taper of a part of a tube with such radii at the widest line and at the hem: beside the
-    /// axis is the edge that is picked from how far the part reaches to its two sides.
-    pub(super) fn of_part(
-        outline: &[Vector2<f64>],
-        [radius, at_hem]: [f64; 2],
-        least: [f64; 2],
-        edge: impl Fn([f64; 2]) -> f64,
-    ) -> Option<Self> {
-        Self::between(
-            &Lines::of(outline),
-            [radius, at_hem.min(radius)],
-            least,
-            edge,
-        )
-    }
-
-    fn between(
+    /// The taper of a part of a tube with such radii at the widest line and at the hem, the second
+    /// no larger: beside the axis is the place that is picked from how far a line reaches to its
+    /// two sides.
+    pub(super) fn between(
         lines: &Lines,
         [radius, at_hem]: [f64; 2],
         least: [f64; 2],
@@ -80,7 +66,8 @@ impl Taper {
         Self { shortened, ..self }
     }
 
-    /// Height on the turned drawing at which one would start if nothing were shortened \[m\].
+    /// Height on the turned drawing that starts, where nothing is shortened, at the height at which
+    /// this one does \[m\].
     pub(super) fn start_height(&self, height: f64) -> f64 {
         let below = (self.widest - height).max(0.0);
         height + below * (1.0 - self.shortened)
@@ -181,7 +168,7 @@ mod tests {
     fn a_sleeve_is_round_the_arm_alike_from_the_biceps_to_the_wrist() {
         let outline = sleeve();
         let radius = 0.4 / TAU;
-        let taper = Taper::of(&outline, radius, [0.0; 2]).expect("it narrows");
+        let taper = Taper::of(&Lines::of(&outline), radius, [0.0; 2]).expect("it narrows");
         for height in [0.05, 0.15, 0.3, 0.44] {
             let [left, right] = sides(&outline, height);
             let turn = (right - left) / taper.radius(radius, height);
@@ -196,7 +183,7 @@ mod tests {
     #[test]
     fn the_middle_of_half_a_sleeve_leads_aside() {
         let half = [[0.0, 0.0], [0.0, 0.45], [0.2, 0.45], [0.11, 0.0]].map(Vector2::from);
-        let taper = Taper::of(&half, 0.2 / PI, [0.0; 2]).expect("it narrows");
+        let taper = Taper::of(&Lines::of(&half), 0.2 / PI, [0.0; 2]).expect("it narrows");
         let way = taper.aside(0.1) - taper.aside(0.4);
         let [high, low] = [0.4, 0.1].map(|height| {
             let [left, right] = sides(&half, height);
@@ -208,7 +195,7 @@ mod tests {
     #[test]
     fn no_tube_is_narrower_than_the_limb() {
         let radius = 0.4 / TAU;
-        let taper = Taper::of(&sleeve(), radius, [0.055, 0.046]).expect("it narrows");
+        let taper = Taper::of(&Lines::of(&sleeve()), radius, [0.055, 0.046]).expect("it narrows");
         assert!((taper.radius(radius, 0.0) - 0.046).abs() < 1e-12);
         // A tenth up the sleeve, where its width alone would make 39 mm.
         assert!((taper.radius(radius, 0.06) - 0.0469).abs() < 1e-12);
@@ -217,8 +204,8 @@ mod tests {
     #[test]
     fn a_strip_and_a_flared_sleeve_have_none() {
         let strip = [[0.0, 0.0], [0.0, 0.3], [0.2, 0.3], [0.2, 0.0]].map(Vector2::from);
-        assert_eq!(Taper::of(&strip, 0.04, [0.0; 2]), None);
+        assert_eq!(Taper::of(&Lines::of(&strip), 0.04, [0.0; 2]), None);
         let flared = [[-0.3, 0.0], [-0.2, 0.3], [0.2, 0.3], [0.3, 0.0]].map(Vector2::from);
-        assert_eq!(Taper::of(&flared, 0.07, [0.0; 2]), None);
+        assert_eq!(Taper::of(&Lines::of(&flared), 0.07, [0.0; 2]), None);
     }
 }
