@@ -91,7 +91,7 @@ pub struct Limits {
     /// Longest wait of one request that asks to wait \[s\].
     pub wait_s: f64,
     /// Requests that follow a fit or a study, or wait for its end, at the same time.
-    pub followers: usize,
+    pub streams: usize,
     /// Connections open at the same time; further ones wait to be taken.
     pub connections: usize,
     /// Requests worked on at the same time, those whose body still comes not counted.
@@ -151,7 +151,7 @@ impl Default for Limits {
             starts: 10,
             process_memory_bytes: 8 << 30,
             wait_s: 60.0,
-            followers: 256,
+            streams: 256,
             connections: 4_096,
             requests: 512,
             head_timeout_s: 15.0,

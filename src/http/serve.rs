@@ -20,8 +20,8 @@ use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 const ACCEPT_DELAY: Duration = Duration::from_millis(100);
 
 /// Size of the buffer of a connection, and the longest head of a request \[bytes\]; one that is
-/// longer is answered by 431. None of [`Limits`], since nobody needs another: heads of browsers and
-/// proxies are far shorter, and [`Limits::connections`] of these buffers take 256 MiB by default.
+/// longer is answered by 431. Not configurable: heads of browsers and proxies are far shorter, and
+/// [`Limits::connections`] of these buffers take 256 MiB by default.
 const BUFFER_BYTES: usize = 64 << 10;
 
 /// Listens where the settings say.

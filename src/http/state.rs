@@ -44,6 +44,7 @@ pub(super) struct App {
     pub(super) uploads: ByteBudget,
     /// Bytes of answers in flight.
     pub(super) answers: ByteBudget,
+    /// A permit for each request that follows a job or waits for its end.
     stream_permits: Arc<Semaphore>,
     /// A permit for every [`MEMORY_UNIT`] that JSON may take while it is read.
     json_memory: Arc<Semaphore>,
@@ -83,7 +84,7 @@ impl AppState {
             request_permits: Arc::new(Semaphore::new(limits.requests)),
             uploads: ByteBudget::new(limits.upload_bytes_in_flight),
             answers: ByteBudget::new(limits.answer_bytes_in_flight),
-            stream_permits: Arc::new(Semaphore::new(limits.followers)),
+            stream_permits: Arc::new(Semaphore::new(limits.streams)),
             json_memory: Arc::new(Semaphore::new(memory_units(limits.json_memory_bytes))),
             queue,
         }))

@@ -31,7 +31,7 @@ pub struct JobRecord {
     pub released: u32,
     /// True if the service died while it ran: from then on it runs in a process of its own, since
     /// it may be the cause.
-    #[serde(default, alias = "runs_apart")]
+    #[serde(default)]
     pub isolated: bool,
     /// Number of times that the service died while it ran in a process of its own.
     #[serde(default)]

@@ -79,7 +79,7 @@ impl JobStore for SqliteStore {
         let found = into_page(found, page, |(id, _)| *id);
         let items = found.items.into_iter();
         Ok(Page {
-            items: items.filter_map(|job| self.readable(job)).collect(),
+            items: items.filter_map(|job| self.listed_record(job)).collect(),
             next: found.next,
         })
     }

@@ -34,7 +34,7 @@ pub struct SqliteStore {
     place: (u64, u64),
     pub(super) leases: Leases,
     pub(super) listeners: Mutex<Vec<Sender<JobNotice>>>,
-    /// Jobs whose records cannot be read, as the log has told.
+    /// Jobs whose unreadable records have been logged.
     unreadable: Mutex<HashSet<Uuid>>,
     _lock: File,
 }
@@ -144,7 +144,7 @@ impl SqliteStore {
 
     /// Returns the record of a listed job, unless it cannot be read: the log tells of that once,
     /// since lists are read every few seconds.
-    pub(super) fn readable(&self, (id, record): ListedJob) -> Option<JobRecord> {
+    pub(super) fn listed_record(&self, (id, record): ListedJob) -> Option<JobRecord> {
         let tell = |cause: &rusqlite::Error| {
             let unreadable = self.unreadable.lock();
             let mut unreadable = unreadable.unwrap_or_else(PoisonError::into_inner);
@@ -159,7 +159,8 @@ impl SqliteStore {
     fn requeue_running(&self) -> Result<(), StoreError> {
         self.write("requeueing jobs", |transaction| {
             let running = rows::jobs_of_status(transaction, JobStatus::Running)?;
-            for mut record in running.into_iter().filter_map(|job| self.readable(job)) {
+            // One that cannot be read is told of by the attempt to run it.
+            for mut record in running.into_iter().filter_map(|(_, record)| record.ok()) {
                 record.status = JobStatus::Queued;
                 record.started_at = None;
                 record.service_deaths += u32::from(record.isolated);

@@ -75,14 +75,14 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
         return Ok(());
     }
     let key = request_key(record.kind, record.id);
-    // Before there is a permit: a job that the store keeps waiting holds nobody up.
-    let read = || context.queue.blobs.get(&key);
-    let Ok(request) = patiently(context, flag, record.id, read)? else {
-        return end_waiting(context, lease, flag);
-    };
     // Before the record says that it runs: if the service dies, a job that only waits for another
-    // to end is not suspect.
-    let Some(permit) = context.run_permits.acquire(record.isolated, flag) else {
+    // to end is not suspect. While the store keeps it waiting it has no permit and holds nobody up.
+    let ready = || {
+        let permit = context.run_permits.acquire(record.isolated, flag);
+        let read = |permit| Ok((permit, context.queue.blobs.get(&key)?));
+        permit.map(read).transpose()
+    };
+    let Ok(Some((permit, request))) = patiently(context, flag, record.id, ready)? else {
         return end_waiting(context, lease, flag);
     };
     let Some(record) = begin(context, lease)? else {
@@ -92,7 +92,8 @@ fn attempt(context: &WorkerContext, lease: Lease, flag: &StopFlag) -> Result<(),
         return Ok(());
     }
     let mut progress = Progress::default();
-    // After it: what brings the service down when it is parsed is suspect.
+    // Parsed only after the record says that it runs, so that a request that crashes the service is
+    // suspect.
     let mut result = match parse_request(&record, request) {
         Ok(request) => {
             let ran = run_request(context, &record, flag, request, &mut progress);

@@ -18,7 +18,7 @@ pub(super) struct RunPermits {
 #[derive(Default)]
 struct PermitUsage {
     shared: usize,
-    is_isolated: bool,
+    isolated_running: bool,
     isolated_waiting: usize,
 }
 
@@ -27,9 +27,9 @@ impl PermitUsage {
     /// others that come and go would keep it waiting for ever.
     fn is_free(&self, is_isolated: bool) -> bool {
         if is_isolated {
-            !self.is_isolated && self.shared == 0
+            !self.isolated_running && self.shared == 0
         } else {
-            !self.is_isolated && self.isolated_waiting == 0
+            !self.isolated_running && self.isolated_waiting == 0
         }
     }
 }
@@ -44,13 +44,13 @@ impl RunPermits {
             usage = waited.unwrap_or_else(PoisonError::into_inner).0;
         }
         usage.isolated_waiting -= usize::from(is_isolated);
-        // Those that wait for this one to run need not any more.
-        self.changed.notify_all();
         if flag.reason().is_some() {
+            // Others that would have waited for it to run.
+            self.changed.notify_all();
             return None;
         }
         if is_isolated {
-            usage.is_isolated = true;
+            usage.isolated_running = true;
         } else {
             usage.shared += 1;
         }
@@ -75,7 +75,7 @@ impl Drop for RunPermit<'_> {
     fn drop(&mut self) {
         let mut usage = self.permits.lock();
         if self.is_isolated {
-            usage.is_isolated = false;
+            usage.isolated_running = false;
         } else {
             usage.shared -= 1;
         }
@@ -127,8 +127,9 @@ mod tests {
         assert!(permits.lock().is_free(true) && permits.lock().is_free(false));
     }
 
-    /// Waits for a permit that another job has until the job is asked to stop by `stop`.
-    fn waits_until(is_isolated: bool, stop: impl FnOnce(&ActiveRuns, Uuid)) {
+    /// Asserts that a job that waits for the permit of another one waits no more once `stop` asks
+    /// it to stop.
+    fn assert_stops_waiting(is_isolated: bool, stop: impl FnOnce(&ActiveRuns, Uuid)) {
         let (permits, runs) = (RunPermits::default(), ActiveRuns::default());
         let other = acquire(&permits, true);
         let lease = Lease {
@@ -142,7 +143,7 @@ mod tests {
             scope.spawn(move || sender.send(permits.acquire(is_isolated, &flag).is_some()));
             let waited = receiver.recv_timeout(Duration::from_millis(200));
             stop(&runs, lease.job);
-            let ended = receiver.recv_timeout(Duration::from_secs(1));
+            let ended = receiver.recv_timeout(TIMEOUT);
             // Before any assertion: the thread must end for the test to fail.
             drop(other);
             assert!(waited.is_err(), "it waits");
@@ -156,18 +157,18 @@ mod tests {
     }
 
     #[test]
-    fn a_canceled_job_waits_no_longer_than_a_second() {
+    fn a_canceled_job_waits_no_longer() {
         for is_isolated in [false, true] {
-            waits_until(is_isolated, |runs, job| {
+            assert_stops_waiting(is_isolated, |runs, job| {
                 runs.stop(job, StopReason::Canceled);
             });
         }
     }
 
     #[test]
-    fn at_shutdown_no_job_waits_longer_than_a_second() {
+    fn at_shutdown_no_job_waits_any_longer() {
         for is_isolated in [false, true] {
-            waits_until(is_isolated, |runs, _| runs.close());
+            assert_stops_waiting(is_isolated, |runs, _| runs.close());
         }
     }
 }

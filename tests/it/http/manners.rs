@@ -102,7 +102,7 @@ fn a_preference_is_applied_only_where_there_was_a_wait() {
 #[test]
 fn followers_are_bounded_and_who_would_wait_does_not() {
     let mut config = config();
-    config.limits.followers = 1;
+    config.limits.streams = 1;
     let server = Server::with(config, 0);
     let id = small_fit(&server, None).json()["id"].clone();
     let events = format!("/v1/fits/{}/events", id.as_str().unwrap());

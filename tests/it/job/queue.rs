@@ -750,11 +750,9 @@ fn a_canceled_job_that_waits_to_run_alone_holds_nobody_up() {
     // A worker has it by then.
     sleep(Duration::from_millis(200));
     queue.cancel(JobKind::Fit, waits.id).unwrap();
-    let canceled = Instant::now();
     let next = submit(&queue, "sew");
     assert_eq!(finished(&queue, next).status, JobStatus::Succeeded);
-    // Long before the first one ends.
-    assert!(canceled.elapsed() < Duration::from_secs(10));
+    // The first one has not ended.
     assert_eq!(get(&queue, runs).status, JobStatus::Running);
     pool.shutdown(TIMEOUT);
 }
