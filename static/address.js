@@ -25,5 +25,5 @@ function isShown() {
 /** Keeps the address up to date; `onOther()` is called when a person enters another one. */
 export function startAddress(onOther) {
   addEventListener("hashchange", () => { if (!isShown()) onOther(); });
-  watch(["pattern", "fit", "awaited"], () => state.pattern && keep());
+  watch(["pattern", "fit", "pendingFitId"], () => state.pattern && keep());
 }

@@ -37,6 +37,12 @@ export class Problem extends Error {
   }
 }
 
+/** True if the same request may succeed later: the connection failed or the service is busy. */
+export const isTransient = ({ status }) => !status || status === 408 || status === 429 || status >= 500;
+
+/** True if there is nothing at the address, and will not be. */
+export const isGone = ({ status }) => status === 404 || status === 410;
+
 function withToken(options) {
   const headers = new Headers(options.headers);
   const token = sessionStorage.getItem(TOKEN);

@@ -3,7 +3,7 @@
  * again.
  */
 
-import { postJson } from "./api.js";
+import { isTransient, postJson } from "./api.js";
 import { sayVerdict } from "./say.js";
 import { state, update, watch } from "./state.js";
 import { plural, sentence } from "./words.js";
@@ -28,8 +28,6 @@ function verdict(check) {
   return { text: (check.seams.length === 1 ? "The seam can be sewn." : `All ${check.seams.length} seams can be sewn.`) + doubt, tone: doubt ? "warn" : false };
 }
 
-const isPassing = (problem) => problem.status === 0 || problem.status >= 500;
-
 async function check(pause = RETRY_MS) {
   checking?.abort();
   clearTimeout(retry);
@@ -43,12 +41,13 @@ async function check(pause = RETRY_MS) {
     const body = { seams: garment.seams, ...(Object.keys(garment.panels).length && { panels: garment.panels }), simulate: garment.simulate };
     const answer = await postJson(`/v1/patterns/${pattern.id}/seams/check`, body, { signal });
     update({ check: answer, checkProblem: null });
-    const { text, tone } = verdict(answer);
-    if (!state.picked) sayVerdict(text, tone);
+    // While a side is picked no verdict is said, but that the check failed is no longer true.
+    const { text, tone } = state.picked ? { text: "" } : verdict(answer);
+    sayVerdict(text, tone);
   } catch (problem) {
     if (problem.name === "AbortError") return;
     update({ check: null, checkProblem: problem });
-    const again = isPassing(problem) ? " It is tried again." : "";
+    const again = isTransient(problem) ? " It is tried again." : "";
     sayVerdict(`The seams could not be checked. ${sentence(problem.message)}${again}`, true);
     if (again) retry = setTimeout(check, pause, Math.min(2 * pause, LONGEST_RETRY_MS));
   }
@@ -62,7 +61,6 @@ export function startCheck() {
     const { pattern } = state;
     const text = JSON.stringify([seams, panels, simulate]);
     if (pattern === asked.pattern && text === asked.text) return;
-    if (pattern !== asked.pattern) update({ checkProblem: null });
     asked = { pattern, text };
     check();
   });

@@ -58,43 +58,54 @@ export function replaceChildren(parent, ...children) {
 }
 
 let edited = null; // the field whose text is typed and not yet taken
+let pressed = null; // the element that a pointer or the space bar is held down on
 const waiting = new Map(); // host -> what paints it
 
 const isTextField = (target) => target.matches?.("textarea, input:not([type=checkbox], [type=file])");
 
-/** Paints all that waits, once the focus has arrived at the field that it is on its way to. */
+const isBusy = (host) => [edited, pressed].some((one) => one?.isConnected && host.contains(one));
+
+/** Calls `paint`, which replaces what is in `host`, once nothing is typed or held down there. */
+export function paintWhenFree(host, paint) {
+  waiting.delete(host);
+  if (isBusy(host)) waiting.set(host, paint);
+  else paint();
+}
+
+/** Takes the text that is being typed, before something else takes the place of what it is for. */
+export const commitEdit = () => edited?.blur();
+
+function paintWaiting() {
+  for (const [host, paint] of [...waiting]) paintWhenFree(host, paint);
+}
+
+/** Ends the edit once the focus has arrived at the field that it is on its way to. */
 function endEdit() {
   if (edited === null) return;
   setTimeout(() => {
     edited = null;
-    const paints = [...waiting.values()];
-    waiting.clear();
-    for (const paint of paints) paint();
+    paintWaiting();
   });
+}
+
+function press({ target }) {
+  pressed = target;
+}
+
+/** Ends the press; what waits is painted after the click that it makes. */
+function release() {
+  if (pressed === null) return;
+  pressed = null;
+  setTimeout(paintWaiting);
 }
 
 document.addEventListener("input", ({ target }) => { edited = isTextField(target) ? target : null; });
 document.addEventListener("change", endEdit);
 document.addEventListener("focusout", endEdit);
-
-/** Calls `paint`, which replaces what is in `host`, once no text is being typed there. */
-export function paintWhenFree(host, paint) {
-  if (edited?.isConnected && host.contains(edited)) waiting.set(host, paint);
-  else paint();
-}
-
-let pressed = null; // what the mouse went down on, among what is painted anew under its key
-
-const keyed = (target) => target.closest?.("[data-key]");
-
-document.addEventListener("mousedown", ({ target, button }) => { pressed = button === 0 ? keyed(target) : null; });
-
-// A browser clicks nothing where what was pressed is replaced before it is let go.
-document.addEventListener("mouseup", ({ target, button }) => {
-  if (button !== 0 || !pressed || pressed.isConnected) return;
-  const successor = keyed(target);
-  if (successor instanceof HTMLElement && successor.dataset.key === pressed.dataset.key) successor.click();
-});
+document.addEventListener("pointerdown", press);
+// Other keys act at once when they go down.
+document.addEventListener("keydown", (event) => event.key === " " && press(event));
+for (const type of ["pointerup", "pointercancel", "keyup", "blur"]) addEventListener(type, release);
 
 /** True if a key that is pressed there writes or chooses. */
 export const isTyping = (target) => Boolean(target.matches?.("input, select, textarea"));

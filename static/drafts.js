@@ -87,13 +87,15 @@ export async function allDrafts() {
   return found.sort((a, b) => b.at - a.at);
 }
 
-/** Lets drafts go that are too many, the oldest first and those of open tabs never. */
-async function prune() {
+/** Deletes drafts that are too many, the oldest first; `name` and those open elsewhere stay. */
+async function prune(name) {
   // Where there are no locks, as without HTTPS, open tabs cannot be told from closed ones.
   const { held: locks } = await navigator.locks?.query() ?? { held: [] };
   const open = new Set(locks.map((lock) => lock.name));
   for (const { tab } of (await allDrafts()).slice(MOST)) {
-    if (!open.has(lockOf(tab))) await inStore("readwrite", (store) => store.delete(tab)).catch(() => {});
+    // This tab keeps the locks of drafts that it left, because undo may return to them.
+    const isOpen = held.has(tab) ? tab === name : open.has(lockOf(tab));
+    if (!isOpen) await inStore("readwrite", (store) => store.delete(tab)).catch(() => {});
   }
 }
 
@@ -102,7 +104,7 @@ export async function keepDraft(name, work) {
   if (sessionStorage.getItem(TAB) !== name) {
     sessionStorage.setItem(TAB, name);
     claim(name, { ifAvailable: true });
-    prune();
+    prune(name).catch(() => {});
   }
   await inStore("readwrite", (store) => store.put({ ...work, tab: name, at: Date.now() }));
 }

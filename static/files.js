@@ -5,7 +5,7 @@
 
 import { call, getJson } from "./api.js";
 import { fromAddress } from "./address.js";
-import { byId, el, replaceChildren } from "./dom.js";
+import { byId, commitEdit, el, replaceChildren } from "./dom.js";
 import { freshName, takeOver } from "./drafts.js";
 import { change } from "./history.js";
 import { keepSeams } from "./kept_seams.js";
@@ -14,7 +14,7 @@ import { runsOf } from "./outline.js";
 import { plainPattern } from "./panels.js";
 import { say } from "./say.js";
 import { uploadBody } from "./settings.js";
-import { emptyGarment, hasWork, state, update } from "./state.js";
+import { emptyGarment, hasWork, NO_RESULT, NO_SELECTION, state, update } from "./state.js";
 import { suggest } from "./suggest.js";
 import { plural, problemItems, sentence } from "./words.js";
 
@@ -35,20 +35,19 @@ function greeting({ pattern, garment }) {
 
 /**
  * Shows a pattern with a garment; the shown fit goes. What was there can be brought back, and stays
- * as a draft of its own; `said` tells of a pattern that is the same work still.
+ * as a draft of its own, unless this is the same work still; `said` replaces the greeting.
  */
 function show(found) {
-  const { pattern, garment, reading = { file: null, options: {} }, suggested = {}, offers = [], leftOut = [], numbers = {}, said } = found;
-  const isLeft = state.pattern !== null && hasWork(state) && !said;
+  const { pattern, garment, reading = { file: null, options: {} }, suggested = {}, offers = [], leftOut = [], numbers = {} } = found;
+  const { said = greeting(found), isSameWork = false } = found;
+  commitEdit();
+  const isLeft = state.pattern !== null && hasWork(state) && !isSameWork;
   const replaced = isLeft ? ` Undo brings back ${state.pattern.name}.` : "";
   const draft = found.draft ?? (isLeft ? null : state.draft) ?? freshName();
-  const patch = {
-    pattern, garment, reading, suggested, offers, leftOut, numbers, draft,
-    picked: null, pickedAt: null, growing: null, tape: null, selected: null, check: null, fit: null, awaited: null, report: null, ran: null,
-  };
+  const patch = { pattern, garment, reading, suggested, offers, leftOut, numbers, draft, ...NO_SELECTION, ...NO_RESULT };
   if (state.pattern) change(patch, `opening ${pattern.name}`);
   else update(patch);
-  say((said ?? greeting(found)) + replaced);
+  say(said + replaced);
 }
 
 /** Sends a pattern file; answers the stored pattern. */
@@ -96,14 +95,19 @@ export async function readAgain(options) {
       say(`${before.name} was not read again, because another pattern is shown now.`);
       return null;
     }
+    commitEdit();
+    const { leftOut, suggested, numbers, offers } = state;
     const { garment, lost } = keepSeams(state.garment, before, pattern);
-    const found = { pattern, garment, reading: { file, options }, leftOut: state.leftOut, suggested: state.suggested, numbers: state.numbers };
-    if (garment.seams.length === 0 && lost.length === 0) {
-      const own = { ...garment, seams: pattern.seams ?? [] };
-      return { ...found, garment: own, said: greeting({ pattern, garment: own }) };
-    }
-    const gone = lost.length ? ` ${plural(lost.length, "seam")} went, because the edges are others: ${lost.join(", ")}. Undo brings all back.` : "";
-    return { ...found, said: `${plural(garment.seams.length, "seam")} kept.${gone}` };
+    const isBare = garment.seams.length === 0 && lost.length === 0;
+    if (isBare) garment.seams = pattern.seams ?? [];
+    const found = { pattern, garment, reading: { file, options }, leftOut, suggested, numbers, isSameWork: true };
+    const said = [
+      isBare ? greeting(found) : `${plural(garment.seams.length, "seam")} kept.`,
+      lost.length > 0 && `${plural(lost.length, "seam")} went, because the edges are others: ${lost.join(", ")}.`,
+      offers.length > 0 && `${plural(offers.length, "offer")} went: ${offers.map(({ id }) => id).join(", ")}.`,
+      lost.length + offers.length > 0 && "Undo brings all back.",
+    ];
+    return { ...found, said: said.filter(Boolean).join(" ") };
   });
 }
 
@@ -132,7 +136,7 @@ async function patternOf(saved) {
     }
   }
   if (named?.panels) return { pattern: { ...named, stored: false } };
-  // A copy: another garment of the same pattern is another work, with fits of its own.
+  // A copy: works are told apart by the identity of their pattern.
   if (state.pattern) return { pattern: { ...state.pattern } };
   throw new Error("This garment file names no pattern. Open its DXF first, then the garment file.");
 }
@@ -204,7 +208,7 @@ export async function openDraft(draft, showFit) {
     const { reading, suggested, offers, leftOut, numbers } = draft;
     return { pattern, reading, garment: garmentFrom(draft.garment), suggested, offers, leftOut, numbers, draft: name };
   });
-  if (shown && draft.fit) await showFit(draft.fit, draft.ran);
+  if (shown && draft.fit) showFit(draft.fit, draft.ran);
 }
 
 /** Opens a fit with the garment that it sewed. */
@@ -213,7 +217,7 @@ export async function openFit(id, showFit) {
     const saved = await getJson(`/v1/fits/${encodeURIComponent(id)}/garment`);
     return { ...(await patternOf(saved)), garment: garmentFrom(saved) };
   });
-  if (shown) await showFit(id);
+  if (shown) showFit(id);
 }
 
 /** Opens what the address names, as this tab left it where it has a draft of that. */

@@ -1,7 +1,7 @@
 /** A fit: start, watch, cancel, show, download. */
 
 import { linkTo } from "./address.js";
-import { call, events, getJson, postJson, Problem } from "./api.js";
+import { call, events, getJson, isGone, isTransient, postJson, Problem } from "./api.js";
 import { byId, replaceChildren } from "./dom.js";
 import { fileStem, save } from "./files.js";
 import { say } from "./say.js";
@@ -23,9 +23,6 @@ let watching = null; // {controller, pattern} of the fit that is shown, with the
 let submitting = false;
 
 const fitPath = (id) => `/v1/fits/${encodeURIComponent(id)}`;
-
-/** True if asking again brings the same answer. */
-const isRefusal = (problem) => problem.status >= 400 && problem.status < 500;
 
 const pause = (ms) => new Promise((done) => { setTimeout(done, ms); });
 
@@ -63,7 +60,7 @@ async function followOnce(id, lastId, signal, onEvent) {
       if (isRunningNow && state.fit?.id === id) update({ fit: { ...state.fit, status: "running" } });
     }
   } catch (error) {
-    if (error.name === "AbortError" || isRefusal(error)) throw error;
+    if (error.name === "AbortError" || !isTransient(error)) throw error;
   }
   return last;
 }
@@ -82,7 +79,7 @@ async function follow(id, signal) {
   for (;;) {
     lastId = await followOnce(id, lastId, signal, isBack);
     const fit = await getJson(fitPath(id), { signal }).catch((error) => {
-      if (error.name === "AbortError" || isRefusal(error)) throw error;
+      if (error.name === "AbortError" || !isTransient(error)) throw error;
       return null;
     });
     if (fit) isBack();
@@ -133,7 +130,7 @@ async function showResult(fit, signal) {
 }
 
 async function watchFit(fit, signal) {
-  update({ fit, awaited: null, report: null });
+  update({ fit, pendingFitId: null, report: null });
   byId("progress-bar").removeAttribute("value");
   byId("progress-stage").textContent = "Waiting for a worker";
   byId("progress-figures").textContent = "";
@@ -144,8 +141,8 @@ async function watchFit(fit, signal) {
     await showResult(done, signal);
   } catch (problem) {
     if (signal.aborted) return;
-    // The address keeps the fit: a reload looks again.
-    update({ fit: isRunning() && problem.status >= 400 ? null : state.fit });
+    // The address keeps a fit that is not gone: a reload asks again.
+    if (isRunning()) update({ fit: null, pendingFitId: isGone(problem) ? null : fit.id });
     showFaults(problem);
   }
 }
@@ -239,15 +236,15 @@ async function download(what) {
  */
 export async function showFit(id, ran) {
   const signal = begin();
-  update({ awaited: id, ran: ran ?? asText() });
+  update({ pendingFitId: id, ran: ran ?? asText() });
   try {
     const fit = await getJson(fitPath(id), { signal });
     signal.throwIfAborted();
     await watchFit(fit, signal);
   } catch (problem) {
     if (signal.aborted) return;
-    // Where the service could not say, the address keeps the fit: a reload asks again.
-    if (isRefusal(problem)) update({ awaited: null });
+    // The address keeps a fit that is not gone: a reload asks again.
+    if (isGone(problem)) update({ pendingFitId: null });
     showFaults(problem);
   }
 }

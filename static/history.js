@@ -5,7 +5,7 @@
 
 import { byId } from "./dom.js";
 import { forgetSaid } from "./say.js";
-import { fitId, state, update, watch } from "./state.js";
+import { fitId, NO_RESULT, NO_SELECTION, state, update, watch } from "./state.js";
 
 const DEPTH = 200;
 /** Parts of the state that are brought back. */
@@ -52,7 +52,8 @@ function step(from, to) {
   to.push(snapshot(target.words));
   const { words, fit, ...kept } = target;
   const isOther = kept.pattern !== state.pattern;
-  update({ ...kept, picked: null, selected: null, ...(isOther && { check: null, fit: null, awaited: null, report: null, ran: null }) });
+  // In the same pattern, a seam that grew takes more edges still, and the tape stays in use.
+  update({ ...kept, ...(isOther ? { ...NO_SELECTION, ...NO_RESULT } : { picked: null, selected: null }) });
   tell();
   if (isOther && fit) reopen(fit.id, fit.ran);
   return words;

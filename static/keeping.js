@@ -40,7 +40,7 @@ export async function startKeeping() {
   const { pattern } = fromAddress();
   const isOther = pattern && draft?.patternId !== pattern;
   const others = isOther ? (await allDrafts()).filter((one) => one.patternId === pattern && hasWork(one)) : [];
-  watch(["pattern", "garment", "suggested", "offers", "leftOut", "ran", "fit", "awaited"], keep);
+  watch(["pattern", "garment", "suggested", "offers", "leftOut", "ran", "fit", "pendingFitId"], keep);
   let isElsewhere = false;
   const tell = announce(() => {
     isElsewhere = true;

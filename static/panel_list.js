@@ -3,7 +3,7 @@
  * hovered here and on the sheet.
  */
 
-import { byId, el, replaceChildren, svg } from "./dom.js";
+import { byId, el, paintWhenFree, replaceChildren, svg } from "./dom.js";
 import { change, changeGarment } from "./history.js";
 import { isMirrorId, mirrorOf } from "./mirrored.js";
 import { runsOf } from "./outline.js";
@@ -131,6 +131,6 @@ function drawPointed() {
 /** Puts the list to work; `onFit(id)` shows a panel on the sheet. */
 export function startPanelList(onFit) {
   fit = onFit;
-  watch(["fabrics", "garment", "pattern", "check", "leftOut"], draw);
+  watch(["fabrics", "garment", "pattern", "check", "leftOut"], () => paintWhenFree(byId("panel-rows"), draw));
   watch(["pointed"], drawPointed);
 }

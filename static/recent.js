@@ -4,7 +4,7 @@
  */
 
 import { getJson } from "./api.js";
-import { byId, el, isDialogOpen, replaceChildren } from "./dom.js";
+import { byId, el, isDialogOpen } from "./dom.js";
 import { allDrafts } from "./drafts.js";
 import { openDraft, openFit, openSample } from "./files.js";
 import { plural } from "./words.js";
@@ -16,37 +16,38 @@ const when = (at) => new Date(at).toLocaleString("en", { day: "numeric", month: 
 
 let showFit = async () => {};
 
-function entry(key, name, note, act) {
+function entry(name, note, act) {
   const open = () => {
     byId("open-dialog").close();
     act();
   };
-  return el("li", {}, el("button", { type: "button", class: "entry", "data-key": key, onclick: open }, el("span", {}, name), el("small", {}, note)));
+  return el("li", {}, el("button", { type: "button", class: "entry", onclick: open }, el("span", {}, name), el("small", {}, note)));
 }
 
-const list = (title, entries) => entries.length > 0 && [el("h3", {}, title), el("ul", { class: "entries" }, entries)];
+const list = (title, entries) => (entries.length > 0 ? [el("h3", {}, title), el("ul", { class: "entries" }, entries)] : []);
 
 const draftEntry = (draft) =>
-  entry(`draft ${draft.tab}`, draft.name, `${plural(draft.garment.seams.length, "seam")}, ${when(draft.at)}`, () => openDraft(draft, showFit));
+  entry(draft.name, `${plural(draft.garment.seams.length, "seam")}, ${when(draft.at)}`, () => openDraft(draft, showFit));
 
 function fitEntry(fit, names) {
   const name = names.get(fit.id) ?? "A garment";
-  return entry(`fit ${fit.id}`, name, `${STATUS[fit.status] ?? fit.status}, ${when(fit.created_at)}`, () => openFit(fit.id, showFit));
+  return entry(name, `${STATUS[fit.status] ?? fit.status}, ${when(fit.created_at)}`, () => openFit(fit.id, showFit));
 }
 
-async function fill() {
+async function fill(host) {
   const drafts = await allDrafts();
-  const work = list("Recent work", drafts.map(draftEntry));
-  replaceChildren(byId("open-recent"), work);
+  host.append(...list("Recent work", drafts.map(draftEntry)));
   const { fits } = await getJson(`/v1/fits?limit=${FITS}`).catch(() => ({ fits: [] }));
   const names = new Map(drafts.filter((draft) => draft.fit).map((draft) => [draft.fit, draft.name]));
-  replaceChildren(byId("open-recent"), work, list("Earlier fits", fits.map((fit) => fitEntry(fit, names))));
+  host.append(...list("Earlier fits", fits.map((fit) => fitEntry(fit, names))));
 }
 
 function show() {
-  byId("open-recent").replaceChildren();
+  // Answers that come after the dialog was opened anew go into a node that is shown no longer.
+  const host = el("div");
+  byId("open-recent").replaceChildren(host);
   byId("open-dialog").showModal();
-  fill();
+  fill(host);
 }
 
 /** Puts the button to work; `onFit(id, ran)` shows a fit. */

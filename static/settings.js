@@ -1,7 +1,7 @@
 /** Fabric of all panels, measurements of the dress form, fineness of the mesh. */
 
 import { call, getJson } from "./api.js";
-import { byId, el, paintWhenFree, replaceChildren, setOptions } from "./dom.js";
+import { byId, commitEdit, el, paintWhenFree, replaceChildren, setOptions } from "./dom.js";
 import { changeGarment } from "./history.js";
 import { say } from "./say.js";
 import { DEFAULT_FORM, state, update, watch } from "./state.js";
@@ -45,15 +45,12 @@ function drawFabric() {
   byId("fabric-note").textContent = fabric?.density_kg_m2 ? `${(fabric.density_kg_m2 * 1000).toFixed(0)} g/m²` : "";
 }
 
-/** The dress form of now: while a field is typed in, its painting may be older. */
 const formNow = () => ({ ...DEFAULT_FORM, ...state.garment.avatar?.form });
 
 const inCentimeters = (meters) => Number((meters * 100).toFixed(2));
 
 function measure([field, text, least, most]) {
   const change = ({ target }) => {
-    // Another body came while this was typed.
-    if (!state.garment.avatar?.form) return;
     if (!target.checkValidity() || target.value === "") {
       const value = inCentimeters(formNow()[field]);
       target.value = value;
@@ -93,6 +90,7 @@ export async function uploadBody(file) {
       note.textContent = `${file.name} was read, but another pattern was opened meanwhile. Choose the file again for this one.`;
       return;
     }
+    commitEdit();
     changeGarment({ avatar: avatar.id }, `the body ${file.name}`);
     const { bust_m: bust, waist_m: waist, hip_m: hip } = avatar.girths;
     const girths = [["bust", bust], ["waist", waist], ["hip", hip]].map(([name, girth]) => `${name} ${(girth * 100).toFixed(1)} cm`);

@@ -19,6 +19,12 @@ export const emptyGarment = () => ({
 export const hasWork = ({ garment, offers, leftOut }) =>
   JSON.stringify(garment) !== JSON.stringify(emptyGarment()) || offers?.length > 0 || leftOut?.length > 0;
 
+/** State in which nothing is picked, measured or selected. */
+export const NO_SELECTION = { picked: null, pickedAt: null, growing: null, tape: null, selected: null };
+
+/** State in which nothing is checked or sewn. */
+export const NO_RESULT = { check: null, checkProblem: null, fit: null, pendingFitId: null, report: null, ran: null };
+
 export const state = {
   pattern: null,
   reading: { file: null, options: {} }, // the file that the pattern came from, and how it was read
@@ -38,7 +44,7 @@ export const state = {
   check: null, // the answer of seams/check
   checkProblem: null, // the error by which the last check came to nothing
   fit: null,
-  awaited: null, // id of the fit that belongs to the pattern, until it has come or is known to be gone
+  pendingFitId: null, // id of the pattern's fit, until it is shown or known to be gone
   report: null,
   shape: null, // id of the fit whose shape is on the stage
   ran: null, // the garment of the shown fit as text, to tell when it is out of date
@@ -49,7 +55,7 @@ export const state = {
 };
 
 /** Id of the fit that belongs to the pattern, shown or still to come; null where there is none. */
-export const fitId = () => state.fit?.id ?? state.awaited;
+export const fitId = () => state.fit?.id ?? state.pendingFitId;
 
 const listeners = [];
 let changed = new Set();

@@ -4,7 +4,7 @@
  */
 
 import { postJson } from "./api.js";
-import { byId } from "./dom.js";
+import { byId, commitEdit } from "./dom.js";
 import { change } from "./history.js";
 import { sourceOf } from "./mirrored.js";
 import { panelOf, sewnIds } from "./panels.js";
@@ -14,7 +14,7 @@ import { overlap, stretchesOf } from "./sides.js";
 import { state, update, watch } from "./state.js";
 import { plural, sentence } from "./words.js";
 
-let asking = null; // the pattern whose answer is awaited
+const asking = new Set(); // patterns whose answer is awaited
 
 const sidesOf = (seam) => JSON.stringify([seam.a, seam.b]);
 
@@ -64,6 +64,7 @@ function summary(proposals, offers, kept) {
 }
 
 function add(found) {
+  commitEdit();
   const there = state.garment.seams;
   const taken = takenBy(there);
   const used = new Set(there.map((seam) => seam.id));
@@ -108,8 +109,8 @@ export function refuseOffer(offer) {
 /** Asks the service for seams and adds those whose edges are free. */
 export async function suggest() {
   const { pattern } = state;
-  if (asking === pattern || !pattern?.stored) return;
-  asking = pattern;
+  if (asking.has(pattern) || !pattern?.stored) return;
+  asking.add(pattern);
   update({ picked: null });
   say("Looking for seams…");
   try {
@@ -118,7 +119,7 @@ export async function suggest() {
   } catch (problem) {
     if (state.pattern === pattern) say(`No seams could be suggested: ${sentence(problem.message)}`, true);
   } finally {
-    if (asking === pattern) asking = null;
+    asking.delete(pattern);
   }
 }
 

@@ -34,7 +34,7 @@ const toggle = () => update({ tape: state.tape ? null : { from: null, to: null }
 function drawTool() {
   byId("tape").setAttribute("aria-pressed", String(state.tape !== null));
   host().classList.toggle("measuring", state.tape !== null);
-  // The tape and the run that a click would pick are painted in one place.
+  // The open tape is painted in the layer of the edge under the pointer.
   forgetHover();
 }
 

@@ -50,7 +50,7 @@ export function drawHover() {
     drawTag({ rows: edgeRows(panel, edge, firstLength), at, window: sheet.size }));
 }
 
-/** Points at nothing, as the sheet that is drawn next shows. */
+/** Forgets the edge under the pointer; the next drawing of the sheet does not mark it. */
 export function forgetHover() {
   hovered = null;
 }

@@ -1,6 +1,7 @@
 // Acts of a user on the page, and waits for what they bring, for all suites.
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
+import { setTimeout as pause } from "node:timers/promises";
 import { fileURLToPath } from "node:url";
 
 /** The file of a sample. */
@@ -89,26 +90,36 @@ export const seamRows = (page) => page.locator("#seam-list .seam");
 
 /** Deletes a seam, or refuses it where it is suggested, and waits for the check of the others. */
 export async function deleteSeam(page, id) {
-  const count = await seamRows(page).count();
+  const count = await page.locator("#seam-list .seam:not(.offer)").count();
   const body = await checkedAfter(page, () => page.locator(`button[aria-label="Delete ${id}"], button[aria-label="Refuse ${id}"]`).click());
   assert.equal(body.seams.length, count - 1);
   assert.ok(!body.seams.some((seam) => seam.id === id));
 }
 
-/** Holds the answers of a call back: `release()` lets them come, and what they bring is painted. */
-export async function holdBack(page, method, path) {
+/**
+ * Holds the answers of a call back: `release()` waits until at least `least` are held, lets them
+ * come or see that the page gave them up, and waits until what they bring is painted. It ends all
+ * other routes of the page too.
+ */
+export async function holdBack(page, method, path, { least = 1 } = {}) {
   let release;
   const gate = new Promise((done) => { release = done; });
-  const matches = (url) => path.test(url.pathname);
-  await page.route(matches, async (route) => {
+  const held = [];
+  await page.route((url) => path.test(url.pathname), async (route) => {
     if (route.request().method() !== method) return route.fallback();
     const response = await route.fetch();
+    held.push(route.request());
     await gate;
     return route.fulfill({ response }).catch(() => {});
   });
   return async () => {
+    for (let i = 0; held.length < least; i++) {
+      assert.ok(i < 600, `${held.length} of ${least} calls of ${path} were made`);
+      await pause(100);
+    }
     release();
-    await page.unroute(matches, { behavior: "wait" });
+    await Promise.all(held.map((request) => request.response()));
+    await page.unrouteAll({ behavior: "wait" });
     await twoFrames(page);
   };
 }
@@ -119,3 +130,20 @@ export const shownPattern = (page) => page.evaluate(() =>
 
 /** Id of the fit that the address names, or null. */
 export const fitOf = (page) => page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("fit"));
+
+/** Waits until the draft of a tab has what the tab shows. */
+export const untilKept = (page) => page.waitForFunction(async () => {
+  const [{ allDrafts }, { fitId, state }] = await Promise.all([import("/drafts.js"), import("/state.js")]);
+  const draft = (await allDrafts()).find(({ tab }) => tab === sessionStorage.getItem("seamster.tab"));
+  const parts = (patternId, garment, fit) => JSON.stringify([patternId, garment, fit]);
+  return draft && parts(draft.patternId, draft.garment, draft.fit) === parts(state.pattern.id, state.garment, fitId());
+});
+
+/** A fabric that is not the chosen one. */
+export const otherFabric = (page) => page.locator("#default-fabric").evaluate((select) => [...select.options].find((option) => !option.selected).value);
+
+/** A file of two pieces: an oblong and one with the given corners. */
+export function pieces(corners) {
+  const line = (points) => `0\nLWPOLYLINE\n8\n1\n90\n${points.length}\n70\n1\n${points.map(([x, y]) => `10\n${x}\n20\n${y}\n`).join("")}`;
+  return `0\nSECTION\n2\nENTITIES\n${line([[0, 0], [0, 300], [200, 300], [200, 0]])}${line(corners)}0\nENDSEC\n0\nEOF\n`;
+}

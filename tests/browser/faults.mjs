@@ -9,12 +9,34 @@ const { page, record, browser, close } = await startPage();
 after(close);
 
 test("a check that failed is tried again when the service is back", async () => {
+  const tooMany = { status: 429, contentType: "application/problem+json", body: "{}" };
+  for (const fail of [(route) => route.abort(), (route) => route.fulfill(tooMany)]) {
+    await page.route("**/seams/check", fail);
+    await openSkirt(page);
+    await untilStatus(page, "It is tried again");
+    assert.match(await page.locator("#run-note").textContent(), /^The seams could not be checked/);
+    await page.unroute("**/seams/check");
+    await untilStatus(page, "seams can be sewn");
+  }
+  expectErrors(record, /(ERR_FAILED| 429 ).*\/seams\/check/, { least: 2 });
+});
+
+test("that a check failed is said no longer once it passed, also while a side is picked", async () => {
   await page.route("**/seams/check", (route) => route.abort());
-  await openSkirt(page);
+  await press(page, "Top sample");
+  await untilPanels(page, 2);
+  await page.locator("path.edge").first().focus();
+  await page.keyboard.press("Enter");
+  await untilStatus(page, "First side");
   await untilStatus(page, "It is tried again");
-  assert.match(await page.locator("#run-note").textContent(), /^The seams could not be checked/);
+  assert.ok(await page.locator("#status.bad").count());
   await page.unroute("**/seams/check");
-  await untilStatus(page, "seams can be sewn");
+  await page.waitForFunction(() => !document.getElementById("status").textContent.includes("tried again"));
+  assert.match(await statusOf(page), /^First side/);
+  assert.equal(await page.locator("#status.bad").count(), 0);
+  await page.keyboard.press("Escape");
+  await undo(page);
+  await untilPanels(page, 3);
   expectErrors(record, /ERR_FAILED .*\/seams\/check/);
 });
 

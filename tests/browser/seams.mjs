@@ -111,23 +111,38 @@ test("a text that is being typed stays while the check answers", async () => {
   await undo(page);
 });
 
-test("a button is clicked that was painted anew while the mouse was down", async () => {
-  const before = await seams();
-  const release = await holdBack(page, "POST", /\/seams\/check$/);
+test("what is held down by mouse or space bar is not painted anew before it is let go", async () => {
+  const found = async () => (await seams()).map(({ gather = false, ...seam }) => ({ ...seam, gather }));
+  const before = await found();
   const reverse = page.locator("#seam-list button[aria-label^='Reverse']");
-  await reverse.click();
-  await twoFrames(page);
-  const pressed = await reverse.elementHandle();
-  const { x, y, width, height } = await pressed.boundingBox();
-  await page.mouse.move(x + width / 2, y + height / 2);
-  await page.mouse.down();
-  await release();
-  await page.waitForFunction((button) => !button.isConnected, pressed);
-  await page.mouse.up();
-  assert.deepEqual(await seams(), before, "it was clicked twice, so all is as it was");
-  await undo(page);
-  await undo(page);
-  assert.deepEqual(await seams(), before);
+  const gather = page.locator("#seam-list label", { hasText: "Gather" });
+  const byMouse = async (target) => {
+    const { x, y, width, height } = await target.boundingBox();
+    await page.mouse.move(x + width / 2, y + height / 2);
+    await page.mouse.down();
+    return () => page.mouse.up();
+  };
+  const bySpace = async (target) => {
+    await target.focus();
+    await page.keyboard.down("Space");
+    return () => page.keyboard.up("Space");
+  };
+  for (const [hold, target] of [[byMouse, reverse], [bySpace, reverse], [byMouse, gather]]) {
+    await page.locator("#seam-list .choose").click();
+    const release = await holdBack(page, "POST", /\/seams\/check$/);
+    await target.click();
+    await twoFrames(page);
+    const held = await target.elementHandle();
+    const letGo = await hold(target);
+    await release();
+    assert.ok(await held.evaluate((node) => node.isConnected));
+    await letGo();
+    assert.deepEqual(await found(), before, "it was clicked twice, so all is as it was");
+    await page.waitForFunction((node) => !node.isConnected, held);
+    await undo(page);
+    await undo(page);
+  }
+  assert.deepEqual(await found(), before);
 });
 
 test("a seam is selected by its number on the drawing, renamed and deleted by key", async () => {

@@ -131,15 +131,26 @@ test("a garment file that leaves its seams to the service has them suggested", a
 });
 
 test("seams are suggested for a pattern while the answer for the one before is awaited", async () => {
-  await page.setInputFiles("#open-file", samplePath("skirt.dxf"));
+  const open = async (name, panels) => {
+    await page.setInputFiles("#open-file", samplePath(name));
+    await untilStatus(page, "have the seams suggested");
+    await untilPanels(page, panels);
+  };
+  await open("skirt.dxf", 3);
+  const release = await holdBack(page, "POST", /\/seams\/suggest$/, { least: 2 });
+  let calls = 0;
+  page.on("request", (request) => { calls += request.url().endsWith("/seams/suggest"); });
+  await press(page, "Suggest seams");
+  await open("top.dxf", 2);
+  await press(page, "Suggest seams");
+  await undo(page);
   await untilPanels(page, 3);
-  const release = await holdBack(page, "POST", /\/seams\/suggest$/);
   await press(page, "Suggest seams");
-  await page.setInputFiles("#open-file", samplePath("top.dxf"));
+  await press(page, "Redo");
   await untilPanels(page, 2);
-  await press(page, "Suggest seams");
   await release();
   await untilStatus(page, "of 2 panels understood");
+  assert.equal(calls, 2, "one for each pattern");
 });
 
 test("nothing else failed", () => assertClean(record));

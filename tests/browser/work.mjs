@@ -1,28 +1,17 @@
 // Nothing that was done is lost: `node tests/browser/work.mjs`.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { chooseFile, fitOf, holdBack, openDrawer, press, savedGarment, statusOf, undo, untilPanels, untilSeams, untilStatus } from "./acts.mjs";
+import { chooseFile, fitOf, holdBack, openDrawer, otherFabric, pieces, press, savedGarment, statusOf, undo, untilKept, untilPanels, untilSeams, untilStatus } from "./acts.mjs";
 import { assertClean, axeFaults, expectErrors, startPage } from "./support.mjs";
 
-const { page, context, record, service, close } = await startPage();
+const { page, context, record, close } = await startPage();
 after(close);
-
-/** Waits until the draft of a tab has what the tab shows. */
-const untilKept = (where = page) => where.waitForFunction(async () => {
-  const [{ allDrafts }, { fitId, state }] = await Promise.all([import("/drafts.js"), import("/state.js")]);
-  const draft = (await allDrafts()).find(({ tab }) => tab === sessionStorage.getItem("seamster.tab"));
-  const parts = (patternId, garment, fit) => JSON.stringify([patternId, garment, fit]);
-  return draft && parts(draft.patternId, draft.garment, draft.fit) === parts(state.pattern.id, state.garment, fitId());
-});
 
 /** The garment as the page would save it, without its pattern. */
 async function garment(where = page) {
   const { pattern, ...rest } = await savedGarment(where);
   return rest;
 }
-
-/** A fabric that is not the chosen one. */
-const otherFabric = (where) => where.locator("#default-fabric").evaluate((select) => [...select.options].find((option) => !option.selected).value);
 
 /** Changes of every kind, one step each. */
 const CHANGES = {
@@ -49,7 +38,7 @@ test("every change is undone and made again, by button and by key", async () => 
   const steps = [await garment()];
   for (const [name, change] of Object.entries(CHANGES)) {
     await change();
-    await untilKept();
+    await untilKept(page);
     steps.push(await garment());
     assert.notDeepEqual(steps.at(-1), steps.at(-2), name);
   }
@@ -59,19 +48,19 @@ test("every change is undone and made again, by button and by key", async () => 
       await page.locator("#splitter").focus();
       await page.keyboard.press("Control+z");
     }
-    await untilKept();
+    await untilKept(page);
     assert.deepEqual(await garment(), step);
     assert.match(await statusOf(page), /^Undone: /);
   }
   assert.ok(await page.locator("#undo").isDisabled());
   for (const step of steps.slice(1)) {
     await press(page, "Redo");
-    await untilKept();
+    await untilKept(page);
     assert.deepEqual(await garment(), step);
   }
   assert.ok(await page.locator("#redo").isDisabled());
   for (const _ of steps.slice(1)) await undo(page);
-  await untilKept();
+  await untilKept(page);
 });
 
 test("seams, fabric and body stay when the pattern is read in other units", async () => {
@@ -100,12 +89,6 @@ test("seams go where their edges are others, and are named", async () => {
   });
   assert.deepEqual([kept, lost, fabric], [["side"], ["wrist"], { front: { fabric: "denim" } }]);
 });
-
-/** Two pieces in one file. */
-function pieces(corners) {
-  const line = (points) => `0\nLWPOLYLINE\n8\n1\n90\n${points.length}\n70\n1\n${points.map(([x, y]) => `10\n${x}\n20\n${y}\n`).join("")}`;
-  return `0\nSECTION\n2\nENTITIES\n${line([[0, 0], [0, 300], [200, 300], [200, 0]])}${line(corners)}0\nENDSEC\n0\nEOF\n`;
-}
 
 test("work that a sample takes the place of is named, and comes back with its fit", async () => {
   const before = await garment();
@@ -138,6 +121,12 @@ test("a reload keeps the work of this tab, and a second tab has its own", async 
   await untilPanels(second, 3);
   await untilStatus(second, "open in another tab");
   await untilStatus(page, "open in another tab");
+  const answered = page.evaluate(() => new Promise((done) => { new BroadcastChannel("seamster").onmessage = done; }).then(() => {}));
+  await second.reload();
+  await answered;
+  await untilStatus(second, "open in another tab");
+  assert.equal((await statusOf(page)).split("open in another tab").length, 2, "it is said once");
+  assert.ok(await page.locator("#status.warn").count());
   await second.locator("#default-fabric").selectOption(await otherFabric(second));
   await untilKept(second);
   await page.reload();
@@ -156,11 +145,11 @@ test("work that another pattern takes the place of is kept over a reload, and op
   await openDrawer(page, "seams");
   await press(page, "Delete side-right");
   await untilSeams(page, 4);
-  await untilKept();
+  await untilKept(page);
   const left = await garment();
   await press(page, "Top sample");
   await untilPanels(page, 2);
-  await untilKept();
+  await untilKept(page);
   await page.reload();
   await untilPanels(page, 2);
   const missing = (url) => /\/v1\/patterns\/[^/]+$/.test(url.pathname);
@@ -215,10 +204,12 @@ test("another garment of the same pattern does not take its fit", async () => {
   await chooseFile(page, "bare.json", JSON.stringify({ schema: "seamster/garment/1", seams: [] }));
   await untilSeams(page, 0);
   assert.equal(await fitOf(page), null);
+  const looked = page.waitForResponse((response) => response.url().endsWith(`${id}/report`));
   await undo(page);
   await untilSeams(page, count);
-  await page.waitForFunction((fit) => location.hash.includes(fit), id);
-  expectErrors(record, / 404 .*\/report$/, { least: 0 });
+  await looked;
+  assert.equal(await fitOf(page), id);
+  expectErrors(record, / 404 .*\/report$/);
 });
 
 test("a fit stays in the address and the draft until it came, or is known to be gone", async () => {
@@ -228,21 +219,21 @@ test("a fit stays in the address and the draft until it came, or is known to be 
     await page.reload();
     await untilPanels(page, 3);
     await page.locator("#default-fabric").selectOption(await otherFabric(page));
-    await untilKept();
+    await untilKept(page);
     assert.equal(await fitOf(page), id, "while it is fetched");
   }
   const looked = page.waitForResponse((response) => response.url().endsWith(`${id}/report`));
   await release();
   await looked;
   const isFit = (url) => url.pathname.endsWith(`/v1/fits/${id}`);
-  for (const status of [503, 404]) {
+  for (const status of [503, 429, 403, 404]) {
     await page.route(isFit, (route) => route.fulfill({ status, contentType: "application/problem+json", body: "{}" }));
     await page.reload();
     await untilStatus(page, `The service answered ${status}.`);
     assert.equal(await fitOf(page), status === 404 ? null : id);
     await page.unroute(isFit);
   }
-  expectErrors(record, / (404|503) .*\/v1\/fits\//, { least: 3 });
+  expectErrors(record, / (4\d\d|503) .*\/v1\/fits\//, { least: 5 });
 });
 
 test("the faults of a fit go with its pattern", async () => {
@@ -258,6 +249,19 @@ test("the faults of a fit go with its pattern", async () => {
   expectErrors(record, / 503 .*\/v1\/fits/);
 });
 
+test("a fit that may not be followed any longer stays in the address, and another can be sewn", async () => {
+  const isEvents = (url) => url.pathname.endsWith("/events");
+  await page.route(isEvents, (route) => route.fulfill({ status: 403, contentType: "application/problem+json", body: "{}" }));
+  await page.locator("#run:enabled").click();
+  await untilStatus(page, "The service answered 403.");
+  await page.locator("#run:enabled").waitFor();
+  const id = await fitOf(page);
+  assert.ok(id);
+  await page.unroute(isEvents);
+  await page.evaluate((fit) => fetch(`/v1/fits/${fit}`, { method: "DELETE" }), id);
+  expectErrors(record, / 403 .*\/events$/);
+});
+
 test("what was said last stays before a verdict that comes late", async () => {
   const release = await holdBack(page, "POST", /\/seams\/check$/);
   await press(page, "Skirt sample");
@@ -270,17 +274,29 @@ test("what was said last stays before a verdict that comes late", async () => {
   await page.waitForFunction(() => document.getElementById("status").textContent === "All 6 seams can be sewn.");
 });
 
-test("a measurement that is typed while a garment is opened goes into the body of that", async () => {
-  await page.getByLabel("Waist, cm").fill("80");
-  await page.getByLabel("Waist, cm").press("Tab");
+/** Types into a field of the shown garment while the skirt sample comes. */
+async function typeWhileOpened(field, text) {
   const release = await holdBack(page, "POST", /\/v1\/patterns$/);
   await press(page, "Skirt sample");
-  await page.getByLabel("Hip, cm").fill("101");
+  await field.fill(text);
   await release();
   await untilStatus(page, "Undo brings back");
-  await page.getByLabel("Hip, cm").press("Tab");
-  const { avatar: { form } } = await garment();
-  assert.deepEqual([form.waist_m, form.hip_m], [0.74, 1.01]);
+  await page.keyboard.press("Tab");
+}
+
+test("what is typed while a garment is opened goes into the garment that it was typed for", async () => {
+  await typeWhileOpened(page.getByLabel("Hip, cm"), "101");
+  assert.equal((await garment()).avatar.form.hip_m, 0.98);
+  await undo(page);
+  assert.equal((await garment()).avatar.form.hip_m, 1.01);
+  await openDrawer(page, "seams");
+  await page.locator("#seam-list .choose").first().click();
+  const { id } = (await garment()).seams[0];
+  await typeWhileOpened(page.getByLabel("Sewn in step"), "3");
+  const stageOf = async () => (await garment()).seams.find((seam) => seam.id === id).stage;
+  assert.notEqual(await stageOf(), 3);
+  await undo(page);
+  assert.equal(await stageOf(), 3);
 });
 
 test("a pattern that is opened again is checked again", async () => {
@@ -299,87 +315,6 @@ test("another address that is entered opens what it names", async () => {
   await untilPanels(page, 2);
   await page.evaluate((entered) => { location.href = entered; }, address);
   await untilPanels(page, 3);
-});
-
-test("a browser that cannot keep the work says so", async () => {
-  const other = await context.newPage();
-  await other.addInitScript(() => {
-    IDBObjectStore.prototype.put = () => { throw new Error("there is no room"); };
-  });
-  await other.goto(service.url);
-  await press(other, "Try the skirt");
-  await untilStatus(other, "All 6 seams");
-  await untilStatus(other, "This browser cannot keep the work of this tab: save the garment before you close it.");
-  assert.match(await statusOf(other), /All 6 seams/, "whichever came first");
-  await other.close();
-});
-
-test("work of a closed tab and earlier fits are listed and opened", async () => {
-  const id = await page.evaluate(async () => {
-    const pattern = new URLSearchParams(location.hash.slice(1)).get("pattern");
-    const garment = await (await fetch("/samples/skirt.garment.json")).json();
-    const fit = await (await fetch("/v1/fits", {
-      method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ ...garment, pattern }),
-    })).json();
-    const canceled = await fetch(`/v1/fits/${fit.id}`, { method: "DELETE" });
-    return canceled.ok ? fit.id : null;
-  });
-  assert.ok(id);
-  const third = await context.newPage();
-  await third.goto(service.url);
-  await third.locator("#open").click();
-  const fits = third.locator("#open-recent ul").nth(1).locator(".entry");
-  await fits.first().waitFor();
-  assert.match(await fits.first().textContent(), /waiting|being sewn|canceled/);
-  await fits.first().click();
-  await untilSeams(third, 6);
-  await third.waitForFunction((fit) => location.hash.includes(fit), id);
-  await third.close();
-});
-
-test("work without seams is kept too where another pattern takes its place", async () => {
-  await chooseFile(page, "bare.dxf", pieces([[300, 0], [300, 200], [500, 200], [500, 0]]));
-  await untilPanels(page, 2);
-  await page.locator("#default-fabric").selectOption(await otherFabric(page));
-  await page.locator("#import-units").selectOption("cm");
-  await page.waitForFunction(() => document.getElementById("pattern-facts").textContent.includes("cm"));
-  assert.doesNotMatch(await statusOf(page), /Undo brings back/, "it is the same work");
-  await untilKept();
-  await press(page, "Skirt sample");
-  await untilPanels(page, 3);
-  await untilStatus(page, "can be sewn");
-  assert.match(await statusOf(page), /Undo brings back bare/);
-  await untilKept();
-  await page.locator("#open").click();
-  await page.locator("#open-recent .entry", { hasText: /bare\s*0 seams/ }).waitFor();
-  await page.locator("#open-close").click();
-});
-
-test("the draft of an open tab stays, whatever others there are", async () => {
-  const mine = await page.evaluate(async () => {
-    const { allDrafts } = await import("/drafts.js");
-    const tab = sessionStorage.getItem("seamster.tab");
-    const draft = (await allDrafts()).find((one) => one.tab === tab);
-    const later = Array.from({ length: 20 }, (_, i) => ({ ...draft, tab: `closed ${i}`, at: Date.now() + 60_000 + i }));
-    await new Promise((done, failed) => {
-      const request = indexedDB.open("seamster", 1);
-      request.onerror = failed;
-      request.onsuccess = () => {
-        const transaction = request.result.transaction("drafts", "readwrite");
-        for (const one of [...later, { ...draft, tab: "oldest", at: 0 }]) transaction.objectStore("drafts").put(one);
-        transaction.oncomplete = done;
-        transaction.onabort = failed;
-      };
-    });
-    return tab;
-  });
-  const other = await context.newPage();
-  await other.goto(service.url);
-  await press(other, "Try the skirt");
-  await other.waitForFunction(async () => !(await (await import("/drafts.js")).allDrafts()).some(({ tab }) => tab === "oldest"));
-  const kept = await page.evaluate(async () => (await (await import("/drafts.js")).allDrafts()).map(({ tab }) => tab));
-  assert.ok(kept.includes(mine));
-  await other.close();
 });
 
 test("nothing else failed", () => assertClean(record));
