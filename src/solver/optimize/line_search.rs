@@ -65,6 +65,8 @@ pub(crate) struct AcceptedStep {
     pub(crate) share: f64,
     /// Decrease of the objective \[J\]; none where its differences are rounding.
     pub(crate) decrease: Option<f64>,
+    /// Slope at its end over that at its start, where the decrease is rounding; else 0.
+    pub(crate) steepness: f64,
 }
 
 impl LineSearch {
@@ -114,7 +116,11 @@ impl LineSearch {
                 } else if steepness >= -LESS_STEEP {
                     x.copy_from_slice(trial);
                     let decrease = is_measurable.then_some(decrease);
-                    return Some(AcceptedStep { share, decrease });
+                    return Some(AcceptedStep {
+                        share,
+                        decrease,
+                        steepness,
+                    });
                 }
             }
             share *= 0.5;
@@ -165,6 +171,7 @@ impl LineSearch {
         AcceptedStep {
             share,
             decrease: (decrease > 4.0 * rounding).then_some(decrease),
+            steepness: 1.0,
         }
     }
 }
@@ -218,6 +225,40 @@ mod tests {
             assert_eq!((found.share, found.decrease), (share, None));
             assert_eq!(x[0], step[0] + step[0] * share);
         }
+    }
+
+    /// A bowl whose depth is rounding beside what it is measured from.
+    struct ShallowBowl;
+
+    impl Objective for ShallowBowl {
+        fn value(&mut self, x: &[Vector3<f64>]) -> f64 {
+            Saddle::LEVEL + 0.5 * x[0].norm_squared()
+        }
+
+        fn steepness(&mut self, trial: &[Vector3<f64>]) -> f64 {
+            trial[0].x / Saddle::START
+        }
+    }
+
+    /// The step leads a quarter of the way to the minimum of x²/2, whose slope is x.
+    #[test]
+    fn a_step_that_ends_short_tells_how_steep_it_is_there() {
+        let square = Saddle::START.powi(2);
+        let search = LineSearch {
+            value: Saddle::LEVEL,
+            slope: 0.25 * square,
+            curvature: square / 16.0,
+            first_share: 1.0,
+            trials: 6,
+        };
+        let (mut x, mut trial) = ([Vector3::x() * Saddle::START], [Vector3::zeros()]);
+        let step = [x[0] * -0.25];
+        let found = search.run(&mut x, (&step, &mut trial), &mut ShallowBowl);
+        let found = found.expect("it descends");
+        assert_eq!(
+            (found.share, found.decrease, found.steepness),
+            (1.0, None, 0.75)
+        );
     }
 
     /// Of x²/2 the step from 1 to -3 overshoots: its half, to -1, brings nothing, its quarter leads

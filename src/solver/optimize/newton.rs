@@ -290,11 +290,13 @@ impl Newton {
         let Some(accepted) = search.run(x, along, &mut energy) else {
             return false;
         };
-        // Where the energy tells nothing, neither did the model fail nor is it to be trusted more.
         if let Some(decrease) = accepted.decrease {
             let predicted = search.predicted(accepted.share);
             self.pseudo_transient
                 .adapt(accepted.share, decrease, predicted);
+        } else if accepted.share >= 1.0 && accepted.steepness > 0.0 {
+            // The energy tells nothing any more, but the step was too short.
+            self.pseudo_transient.lengthen();
         }
         true
     }

@@ -61,6 +61,12 @@ impl PseudoTransient {
         }
     }
 
+    /// Adapts to a whole step that ended short of the minimum along it, where the objective is
+    /// rounding and only its slope tells.
+    pub(crate) fn lengthen(&mut self) {
+        self.gamma = (3.0 * self.gamma).min(LARGEST_GAMMA);
+    }
+
     /// Adapts to a step of which `share` could be taken, whose objective fell by `decrease` where
     /// `predicted` was predicted.
     ///
