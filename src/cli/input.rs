@@ -6,8 +6,8 @@ use seamster::config::Limits;
 use seamster::fault::{Fault, Faults, FileCode, FitCode};
 use seamster::fit::{self, AvatarRef, Garment, PatternRef};
 use seamster::pattern::{
-    self, DrawnNotches, GradeTable, ImportOptions, Outlines, Pattern, RotationOrder, TextEncoding,
-    Unfold, Units,
+    self, DrawnDarts, DrawnNotches, GradeTable, ImportOptions, Outlines, Pattern, RotationOrder,
+    TextEncoding, Unfold, Units,
 };
 use seamster::scene::{self, BodyImportOptions, BodySource, BodyUnits};
 use serde::de::DeserializeOwned;
@@ -56,6 +56,9 @@ pub(super) struct PatternOptions {
     /// Notches drawn into an outline, up to 12 mm deep: marks (if not given) or cloth
     #[arg(long, value_parser = parse_word::<DrawnNotches>)]
     notches: Option<DrawnNotches>,
+    /// Darts drawn as lines inside an outline: cut, to be sewn (if not given), or lines
+    #[arg(long, value_parser = parse_word::<DrawnDarts>)]
+    darts: Option<DrawnDarts>,
     /// Folds about which half pieces are unfolded: all (if not given) or none
     #[arg(long, value_parser = parse_word::<Unfold>)]
     unfold: Option<Unfold>,
@@ -88,6 +91,7 @@ impl PatternOptions {
             size: self.size.clone(),
             outlines: self.outlines.unwrap_or_default(),
             notches: self.notches.unwrap_or_default(),
+            darts: self.darts.unwrap_or_default(),
             unfold: self.unfold.unwrap_or_default(),
             strict: self.strict,
             grading: grading.transpose()?,

@@ -75,7 +75,7 @@ fn folded_back(a: Point2, b: Point2, c: Point2) -> Option<Point2> {
 }
 
 /// Returns a point that two closed segments share.
-fn meeting(a: Point2, b: Point2, c: Point2, d: Point2) -> Option<Point2> {
+pub(crate) fn meeting(a: Point2, b: Point2, c: Point2, d: Point2) -> Option<Point2> {
     let side = |p: Point2, q: Point2, r: Point2| cross(sub(q, p), sub(r, p));
     let (s1, s2) = (side(a, b, c), side(a, b, d));
     let (s3, s4) = (side(c, d, a), side(c, d, b));

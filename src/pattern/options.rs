@@ -23,6 +23,8 @@ pub struct ImportOptions {
     pub outlines: Outlines,
     /// Reading of notches that are drawn into an outline.
     pub notches: DrawnNotches,
+    /// Reading of darts that are drawn as lines.
+    pub darts: DrawnDarts,
     /// Folds about which half pieces are unfolded.
     pub unfold: Unfold,
     /// True to refuse a file with a piece that cannot be read or must be mended; else such a piece
@@ -60,6 +62,17 @@ pub enum DrawnNotches {
     Marks,
     /// They are the course of the cloth.
     Cloth,
+}
+
+/// Reading of darts that are drawn as lines inside an outline.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum DrawnDarts {
+    /// They are cut into the panel, to be sewn.
+    #[default]
+    Cut,
+    /// They are lines drawn on the cloth.
+    Lines,
 }
 
 /// Folds about which half pieces are unfolded.

@@ -31,6 +31,9 @@ fault_codes! {
         DanglingLine = "dangling_line":
             "A group code stands at the end of the file without its value.",
             "Export the file again if something is missing.";
+        DrawnDarts = "drawn_darts":
+            "Darts are drawn as lines inside an outline; they were cut into the panel, to be sewn.",
+            "State darts=lines where they are lines drawn on the cloth.";
         DrawnNotches = "drawn_notches":
             "Notches are drawn into an outline; they were taken out of it, as marks.",
             "State notches=cloth where they are the course of the cloth.";

@@ -6,8 +6,8 @@ use crate::http::respond::{Problem, respond_computed};
 use crate::http::state::{App, AppState};
 use crate::job::{DocumentKind, Stored};
 use crate::pattern::{
-    self, DrawnNotches, GradeTable, ImportOptions, Outlines, Pattern, PatternFormat, RotationOrder,
-    TextEncoding, Unfold, Units,
+    self, DrawnDarts, DrawnNotches, GradeTable, ImportOptions, Outlines, Pattern, PatternFormat,
+    RotationOrder, TextEncoding, Unfold, Units,
 };
 use axum::Json;
 use axum::extract::State;
@@ -39,6 +39,9 @@ pub(super) struct ImportQuery {
     /// Reading of notches drawn into an outline, up to 12 mm deep: `marks` if absent, or `cloth`.
     #[param(inline)]
     pub notches: Option<DrawnNotches>,
+    /// Reading of darts drawn as lines inside an outline: `cut`, to be sewn, if absent, or `lines`.
+    #[param(inline)]
+    pub darts: Option<DrawnDarts>,
     /// Folds about which half pieces are unfolded: `all` that the file states if absent, or `none`.
     #[param(inline)]
     pub unfold: Option<Unfold>,
@@ -61,6 +64,7 @@ impl ImportQuery {
             size: self.size,
             outlines: self.outlines.unwrap_or_default(),
             notches: self.notches.unwrap_or_default(),
+            darts: self.darts.unwrap_or_default(),
             unfold: self.unfold.unwrap_or_default(),
             strict: self.strict,
             grading: None,

@@ -1,4 +1,4 @@
-//! DXF bytes to a pattern, in eight calls; each takes what the one before it gave.
+//! DXF bytes to a pattern, in nine calls; each takes what the one before it gave.
 //!
 //! 1. [`read::text`] decodes the file, text or binary, to text.
 //! 2. [`DxfDrawing::parse`] splits the text into tags and records ([`read`]) and makes entities of
@@ -9,7 +9,8 @@
 //! 5. [`select::one_size`] keeps the pieces of one size of a graded file.
 //! 6. [`size_plan::SizePlan::grade`] makes another size of them, where a grade rule table is given.
 //! 7. [`drawn_notches::take_notches`] takes notches that are drawn into outlines out of them.
-//! 8. [`build_panels`] makes a panel of each piece.
+//! 8. [`drawn_darts::cut_darts`] cuts darts that are drawn as lines into them.
+//! 9. [`build_panels`] makes a panel of each piece.
 //!
 //! Source of the dialects: ANSI/AAMA-292 and ASTM D6673 (layers, labels), and the DXF reference of
 //! Autodesk (group codes). Assumption: the drawing is flat; what is not is seen from above.
@@ -24,7 +25,7 @@ use self::drawing::contents::DxfDrawing;
 use self::drawing::{blocks, dialect, units};
 use self::findings::DxfFindings;
 use self::piece::dxf_piece::DxfPiece;
-use self::piece::{classify, drawn_notches, panel, select, size_plan};
+use self::piece::{classify, drawn_darts, drawn_notches, panel, select, size_plan};
 use super::{Allowance, ImportOptions, Panel, Pattern, Source, copies, ids};
 use crate::config::Limits;
 use crate::fault::{Fault, Faults, PatternCode};
@@ -75,6 +76,7 @@ fn read_pattern(
     select::check(&pieces, unit, limits, findings)?;
     for piece in &mut pieces {
         drawn_notches::take_notches(piece, options.notches, findings);
+        drawn_darts::cut_darts(piece, options.darts, findings);
     }
     let name = labels.get("style name").or(options.name.as_deref());
     let name = name.unwrap_or("pattern");

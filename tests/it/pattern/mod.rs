@@ -4,6 +4,7 @@ mod allowance;
 mod cases;
 mod copies;
 mod corpus;
+mod drawn_darts;
 mod drawn_notches;
 mod encoding;
 mod folds;

@@ -6,6 +6,7 @@ mod assign;
 mod chain;
 pub(super) mod classify;
 mod corners;
+pub(super) mod drawn_darts;
 pub(super) mod drawn_notches;
 pub(super) mod dxf_piece;
 mod end_pairs;
