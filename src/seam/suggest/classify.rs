@@ -8,7 +8,7 @@ use super::orientation::OtherForm;
 use super::outline_features::OutlineFeatures;
 use super::penalties::{Drawn, drawing_penalty, half_penalty, upright};
 use super::ring_panel::{self, RingPanel};
-use super::{align, assignment, bands, names, orientation, side_panels, strays};
+use super::{align, assignment, bands, cut_twice, names, orientation, side_panels, strays};
 use crate::pattern::{Panel, Pattern};
 use std::collections::BTreeSet;
 use std::rc::Rc;
@@ -75,6 +75,10 @@ pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classificat
     }
     names::tell_cuffs_from_fronts(&mut hints);
     let slits = hints.iter().any(|s| s.kind == Some(PanelKind::Godet));
+    let of_two_parts = hints.iter().any(|s| s.kind == Some(PanelKind::UnderSleeve));
+    let has_vents = |own: &names::NameHints| {
+        of_two_parts && matches!(own.kind, Some(PanelKind::Sleeve | PanelKind::UnderSleeve))
+    };
     let telling = hints.iter().any(|s| {
         s.front_back.is_some() || s.kind.is_some_and(|kind| PanelKind::BODY.contains(&kind))
     });
@@ -92,7 +96,10 @@ pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classificat
             let hints = &hints[index];
             candidates(
                 &figures,
-                (index, Rc::new(OutlineFeatures::of(panel, slits))),
+                (
+                    index,
+                    Rc::new(OutlineFeatures::of(panel, slits, has_vents(hints))),
+                ),
                 hints,
                 (panel, &context),
             )
@@ -112,6 +119,7 @@ pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classificat
     bands::assign_openings(&mut parts);
     ring_panel::label_strips(pattern, &hints, &rings, &mut parts);
     let forms = orientation::assign_left_right(pattern, &mut parts);
+    cut_twice::assign_front_back(pattern, &mut parts);
     Classification {
         parts,
         forms,

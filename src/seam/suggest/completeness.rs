@@ -8,6 +8,7 @@ use super::edge_chain::EdgeStep;
 use super::garment_model::GarmentModel;
 use super::labeled_panel::LabeledPanel;
 use super::labels::{EdgeRole, PanelKind};
+use super::loose::{Loose, role_name, told};
 use super::names::NameHints;
 use super::suggestion::SuggestedSeam;
 use crate::fault::{SeamCode, Warning};
@@ -28,21 +29,8 @@ const NEEDED_BESIDE_WHOLE: f64 = 0.2;
 /// Area of other forms without telling names, against that of the sewn panels, that is usual at
 /// most.
 const MAX_FORMS: f64 = 1.5;
-
-/// Reason why a panel is not sewn.
-#[derive(Clone, Debug, PartialEq)]
-enum Loose {
-    /// Another form of a panel that is sewn, by its index.
-    Alternative(usize),
-    /// The garment cannot do without it.
-    Body,
-    /// A band, a collar, a cuff or a hood.
-    Trim,
-    /// A ring that is worn by its hole and needs no seam.
-    Worn,
-    /// A pocket, a facing, or a panel that nothing tells of.
-    Unneeded,
-}
+/// The same of panels that nothing tells of.
+const MAX_UNNEEDED: f64 = 1.0;
 
 /// What a set of seams leaves out.
 #[derive(Clone, Debug)]
@@ -90,7 +78,16 @@ impl Completeness {
                 )
             })
             .collect();
-        doubt_forms(pattern, hints, &sewn, &mut loose);
+        doubt_spare(pattern, hints, &sewn, &mut loose);
+        let sewn_once = |i: &usize| {
+            steps
+                .iter()
+                .all(|step| step.panel % count != *i || step.panel == *i)
+        };
+        let lacking = sewn
+            .iter()
+            .filter(|i| sewn_once(i) && is_cut_again(pattern, garment, hints, **i));
+        loose.extend(lacking.map(|i| (*i, Loose::Copy)));
         if seams.is_empty() && garment.rings.len() == count {
             loose
                 .iter_mut()
@@ -103,11 +100,11 @@ impl Completeness {
             .filter(|p| sewn.contains(&(p.panel % count)))
         {
             for role in needed_roles(garment, part) {
-                let is_open = |e: &usize| !edges.contains(&(part.panel, *e));
                 let entry = (part.panel % count, role);
-                let edges = part.role_edges(role);
-                let lacks = edges.is_empty() && lacks_shoulders(garment, part, role);
-                if (lacks || edges.iter().any(is_open)) && !open.contains(&entry) {
+                let is_open = |e: &usize| !edges.contains(&(part.panel, *e));
+                let own = part.role_edges(role);
+                let lacks = own.is_empty() && lacks_shoulders(garment, part, role);
+                if (lacks || own.iter().any(is_open)) && !open.contains(&entry) {
                     open.push(entry);
                 }
             }
@@ -134,7 +131,7 @@ impl Completeness {
     /// Returns the share of their confidence that the seams keep.
     pub(super) fn trust(&self) -> f64 {
         let misses = |what: &Loose| self.loose.iter().any(|(_, reason)| reason == what);
-        if misses(&Loose::Body) || !self.open.is_empty() {
+        if misses(&Loose::Body) || misses(&Loose::Copy) || !self.open.is_empty() {
             WITHOUT_BODY
         } else if misses(&Loose::Trim) {
             WITHOUT_TRIM
@@ -192,45 +189,30 @@ impl Completeness {
     }
 }
 
-/// Returns the sentence on a panel that is not sewn.
-fn told<'a>(panel: &str, reason: &Loose, id: impl Fn(&usize) -> &'a str) -> String {
-    match reason {
-        Loose::Alternative(other) => format!(
-            "panel `{panel}` is taken for another form of `{}`, which is sewn in its place; to choose it, suggest the seams without `{}`",
-            id(other),
-            id(other)
-        ),
-        Loose::Body | Loose::Trim => format!(
-            "no seam is suggested for panel `{panel}`, though its name or its size says that the garment needs it"
-        ),
-        Loose::Worn => format!("panel `{panel}` is worn by its hole and needs no seam"),
-        Loose::Unneeded => format!(
-            "no seam is suggested for panel `{panel}`: what it is was not recognised, or it is not needed"
-        ),
-    }
-}
-
-/// Doubts that panels are other forms of sewn ones where no names tell so and these are the less: a
-/// garment seldom has more forms than panels.
-fn doubt_forms(
+/// Doubts that panels are other forms of sewn ones, or not needed, where no names tell so and these
+/// are the less: a garment seldom has more of them than of others.
+fn doubt_spare(
     pattern: &Pattern,
     hints: &[NameHints],
     sewn: &BTreeSet<usize>,
     loose: &mut [(usize, Loose)],
 ) {
     let area = |i: usize| pattern.panels[i].area_m2.abs();
-    let is_form = |(i, reason): &&mut (usize, Loose)| {
-        let named = hints[*i].kind.is_some() || hints[*i].front_back.is_some();
-        matches!(reason, Loose::Alternative(_)) && !named
-    };
-    let mut forms: Vec<&mut (usize, Loose)> = loose.iter_mut().filter(is_form).collect();
-    let spare: f64 = forms.iter().map(|(i, _)| area(*i)).sum();
     let used: f64 = sewn.iter().map(|i| area(*i)).sum();
-    if spare > MAX_FORMS * used {
-        for (_, reason) in &mut forms {
-            *reason = Loose::Body;
+    let mut doubt = |is_spare: fn(&Loose) -> bool, most: f64| {
+        let of_kind = |(i, reason): &&mut (usize, Loose)| {
+            let named = hints[*i].kind.is_some() || hints[*i].front_back.is_some();
+            is_spare(reason) && !named
+        };
+        let mut spare: Vec<&mut (usize, Loose)> = loose.iter_mut().filter(of_kind).collect();
+        if spare.iter().map(|(i, _)| area(*i)).sum::<f64>() > most * used {
+            for (_, reason) in &mut spare {
+                *reason = Loose::Body;
+            }
         }
-    }
+    };
+    doubt(|reason| matches!(reason, Loose::Alternative(_)), MAX_FORMS);
+    doubt(|reason| *reason == Loose::Unneeded, MAX_UNNEEDED);
 }
 
 /// Returns the neck band that is sewn in the place of panel `i`, if that is another one.
@@ -282,12 +264,13 @@ fn reason(
         return Loose::Alternative(*other);
     }
     match own.kind {
-        Some(Pocket | Placket | Layer | Godet | ArmBand) => Loose::Unneeded,
+        Some(Pocket | Placket | Layer | ArmBand) => Loose::Unneeded,
         Some(
             Bodice
             | Skirt
             | PanelKind::Trouser
             | PanelKind::Leg
+            | Godet
             | Sleeve
             | PanelKind::UnderSleeve
             | Side
@@ -303,6 +286,16 @@ fn reason(
         }
         None => Loose::Unneeded,
     }
+}
+
+/// Returns true for a panel round the body that is cut several times, and whose name does not say
+/// front or back: one that says so may be cut as two layers.
+fn is_cut_again(pattern: &Pattern, garment: &GarmentModel, hints: &[NameHints], i: usize) -> bool {
+    let is_round = |p: &LabeledPanel| matches!(p.kind, PanelKind::Skirt | PanelKind::Bodice);
+    let quantity = pattern.panels[i].quantity;
+    quantity.is_some_and(|q| q.left + q.right > 1)
+        && hints[i].front_back.is_none()
+        && garment.parts.iter().any(|p| p.panel == i && is_round(p))
 }
 
 /// Returns the reason where no name tells anything: large panels are needed. Trousers and tops with
@@ -362,24 +355,4 @@ fn lacks_shoulders(garment: &GarmentModel, part: &LabeledPanel, role: EdgeRole) 
         && role == EdgeRole::Shoulder
         && part.beside.is_none()
         && sleeves.any(|p| p.segment(EdgeRole::Cap, None).is_some())
-}
-
-/// Returns the name of a role in a sentence.
-fn role_name(role: EdgeRole) -> &'static str {
-    match role {
-        EdgeRole::Hem => "lower edge",
-        EdgeRole::Side => "side",
-        EdgeRole::Armhole => "armhole",
-        EdgeRole::Shoulder => "shoulder",
-        EdgeRole::Neck => "neck",
-        EdgeRole::Center => "center",
-        EdgeRole::Cap => "cap",
-        EdgeRole::Underarm => "underarm",
-        EdgeRole::Top => "upper seam",
-        EdgeRole::Waist => "waist",
-        EdgeRole::Inseam => "inseam",
-        EdgeRole::Crotch => "crotch",
-        EdgeRole::Long => "long edge",
-        EdgeRole::End => "end",
-    }
 }

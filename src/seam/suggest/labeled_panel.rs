@@ -1,6 +1,7 @@
 //! A panel as a part of a garment: its kind, and which of its edges are its hem, its side, its
 //! armhole.
 
+use super::darts::Dart;
 use super::edge_chain::{EdgeChain, EdgeStep, WHOLE, reversed};
 use super::labels::{DrawnSide, EdgeRole, FrontBack, Laterality, PanelKind};
 use super::outline_features::OutlineFeatures;
@@ -138,6 +139,15 @@ impl LabeledPanel {
             length: self.features.edges[edge].length,
             span: WHOLE,
         }]
+    }
+
+    /// Returns the legs of a dart, each from the mouth to the tip.
+    pub(super) fn dart_legs(&self, dart: Dart) -> [EdgeChain; 2] {
+        let [inward, outward] = dart.legs(self.features.edges.len());
+        [(inward, true), (outward, false)].map(|(edges, forward)| {
+            let steps = edges.into_iter().map(|edge| self.edge_chain(edge, forward));
+            steps.flatten().collect()
+        })
     }
 
     /// Returns the segments on both sides of a segment: the one that it begins at in order of

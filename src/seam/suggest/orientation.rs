@@ -372,7 +372,7 @@ fn is_partner(a: &LabeledPanel, b: &LabeledPanel) -> bool {
 }
 
 /// Returns the mirrored copy of a panel: the same numbers, the other side of the drawing.
-fn mirrored(part: &LabeledPanel) -> LabeledPanel {
+pub(super) fn mirrored(part: &LabeledPanel) -> LabeledPanel {
     let mut copy = part.clone();
     copy.features = Rc::new(copy.features.reflected());
     copy.laterality = copy.laterality.map(Laterality::other);

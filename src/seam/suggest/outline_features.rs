@@ -1,55 +1,20 @@
 //! Features of a panel's outline: bend of each edge, turn of each corner, with darts closed.
 
-use crate::pattern::point::{cross, dot, sub, turn};
-use crate::pattern::{Edge, Panel, Point2};
+use super::darts::{Dart, darts};
+use super::edge_features::{EdgeFeatures, turn_between};
+use super::vents::{self, Vent};
+use crate::pattern::point::sub;
+use crate::pattern::{Panel, Point2};
 use std::f64::consts::{PI, TAU};
 
 /// Outlines of more edges than this fit no template.
 pub(super) const MAX_EDGES: usize = 40;
-/// Distance from a corner over which its direction is measured \[m\]: above the noise of digitized
-/// outlines, below their curvature.
-const DIRECTION_LENGTH_M: f64 = 0.008;
-/// A dart is no wider at its tip than this \[rad\], and no wider at its mouth than this \[m\]; a
-/// slit for a godet may be.
-const MAX_DART: [f64; 2] = [PI / 2.4, 0.16];
-/// A wider one on the axis of a symmetric panel is a neck \[m\].
-const MIN_NECK_M: f64 = 0.1;
-const MAX_SLIT: [f64; 2] = [PI / 1.6, 0.5];
-/// The legs of a dart are straight up to this (deviation over chord), as long as each other up to
-/// this share, and no shorter than this \[m\].
-const MAX_LEG_BULGE: f64 = 0.12;
-const MAX_LEG_DIFFERENCE: f64 = 0.03;
-const MIN_LEG_M: f64 = 0.015;
 
 /// Lengths of the edges of copies agree to this share.
 const TWIN_LENGTH_SHARE: f64 = 0.01;
 /// Edges that mirror each other agree in length to this share, and in their turns to this \[rad\].
 const MIRROR_LENGTH_SHARE: f64 = 0.01;
 const MIRROR_TURN: f64 = 0.12;
-
-/// Features of one edge.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct EdgeFeatures {
-    /// Arc length \[m\].
-    pub(super) length: f64,
-    /// Turn between its ends, positive where the outline is convex \[rad\].
-    pub(super) bend: f64,
-    /// Turns to either side, each counted \[rad\].
-    pub(super) curl: f64,
-    /// Its mean height in the drawing \[m\].
-    pub(super) height: f64,
-    /// Start and end, in the order of numbers \[m\].
-    pub(super) ends: [Point2; 2],
-}
-
-/// Two edges that meet at the tip of a dart and are sewn together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Dart {
-    /// The edge that leads to the tip.
-    pub(super) inward: usize,
-    /// The edge that leads back.
-    pub(super) outward: usize,
-}
 
 /// Features of a panel's outline with its darts closed.
 #[derive(Clone, Debug)]
@@ -75,22 +40,31 @@ pub(super) struct OutlineFeatures {
 }
 
 impl OutlineFeatures {
-    /// Measures a panel. Where a pattern has godets, the wide slits that they are set into count as
-    /// darts too.
-    pub(super) fn of(panel: &Panel, slits: bool) -> Self {
+    /// Measures a panel. `slits`: wide slits that godets are set into count as darts too. `vents`:
+    /// seams may end in vents, which are left out.
+    pub(super) fn of(panel: &Panel, slits: bool, vents: bool) -> Self {
         let mirrored = panel.copy_of.is_some();
         let sense = if mirrored { 1.0 } else { -1.0 };
         let edges: Vec<EdgeFeatures> = panel
             .edges
             .iter()
-            .map(|e| edge_features(e, sense))
+            .map(|e| EdgeFeatures::of(e, sense))
             .collect();
         let count = edges.len();
         let turns: Vec<f64> = (0..count)
             .map(|i| sense * turn_between(&panel.edges[(i + count - 1) % count], &panel.edges[i]))
             .collect();
-        let darts = darts(&edges, &turns, if slits { MAX_SLIT } else { MAX_DART });
-        let (ring, joints) = ring(count, &turns, &darts);
+        let darts = darts(&edges, &turns, slits);
+        let mut left_out: Vec<LeftOut> = darts
+            .iter()
+            .map(|dart| LeftOut::of_dart(*dart, count))
+            .collect();
+        if vents {
+            let lengths: Vec<f64> = edges.iter().map(|edge| edge.length).collect();
+            let vents = vents::vents(&lengths, &turns).into_iter();
+            left_out.extend(vents.map(|vent| LeftOut::of_vent(vent, &turns)));
+        }
+        let (ring, joints) = ring(&turns, &left_out);
         Self {
             size: panel.area_m2.abs().sqrt(),
             mirrored,
@@ -203,125 +177,47 @@ impl OutlineFeatures {
     }
 }
 
-fn edge_features(edge: &Edge, sense: f64) -> EdgeFeatures {
-    let bend: f64 = edge
-        .points
-        .windows(3)
-        .map(|p| sense * turn(p[0], p[1], p[2]))
-        .sum();
-    let curl: f64 = edge
-        .points
-        .windows(3)
-        .map(|p| turn(p[0], p[1], p[2]).abs())
-        .sum();
-    let lifted: f64 = edge
-        .points
-        .windows(2)
-        .map(|p| 0.5 * (p[0][1] + p[1][1]) * (p[1][0] - p[0][0]).hypot(p[1][1] - p[0][1]))
-        .sum();
-    let first = edge.points.first().copied().unwrap_or_default();
-    let last = edge.points.last().copied().unwrap_or_default();
-    EdgeFeatures {
-        length: edge.length_m,
-        bend,
-        curl,
-        height: lifted / edge.length_m.max(1e-9),
-        ends: [first, last],
-    }
+/// A run of edges that is no part of the ring.
+struct LeftOut {
+    first: usize,
+    count: usize,
+    /// Turn within it \[rad\].
+    turn: f64,
 }
 
-/// The turn where one edge ends and the next begins, counter-clockwise positive \[rad\].
-fn turn_between(before: &Edge, after: &Edge) -> f64 {
-    let reversed: Vec<Point2> = before.points.iter().rev().copied().collect();
-    let arriving = leaving(&reversed).map(|c| -c);
-    turn_of(arriving, leaving(&after.points))
-}
-
-/// Direction in which a polyline leaves its first point, not of unit length.
-fn leaving(points: &[Point2]) -> Point2 {
-    let Some(&first) = points.first() else {
-        return [1.0, 0.0];
-    };
-    let mut way = 0.0;
-    let mut last = first;
-    for &point in &points[1..] {
-        let [x, y] = sub(point, last);
-        way += x.hypot(y);
-        last = point;
-        if way >= DIRECTION_LENGTH_M {
-            break;
+impl LeftOut {
+    fn of_dart(dart: Dart, count: usize) -> Self {
+        Self {
+            first: (dart.inward + count + 1 - dart.per_leg) % count,
+            count: 2 * dart.per_leg,
+            turn: -PI,
         }
     }
-    sub(last, first)
-}
 
-/// Returns the turn from one direction to another, counter-clockwise positive \[rad\].
-fn turn_of(u: Point2, v: Point2) -> f64 {
-    cross(u, v).atan2(dot(u, v))
-}
-
-fn darts(edges: &[EdgeFeatures], turns: &[f64], [opening, mouth]: [f64; 2]) -> Vec<Dart> {
-    let count = edges.len();
-    if count < 5 {
-        return vec![];
-    }
-    let mut darts: Vec<Dart> = vec![];
-    for tip in 0..count {
-        let dart = Dart {
-            inward: (tip + count - 1) % count,
-            outward: tip,
-        };
-        let taken = darts
-            .iter()
-            .any(|d| d.outward == dart.inward || d.inward == dart.outward);
-        let [x, y] = sub(edges[dart.inward].ends[0], edges[tip].ends[1]);
-        let wide = x.hypot(y);
-        let narrow = turns[tip] < opening - PI && wide <= mouth;
-        let neck = narrow && wide > MIN_NECK_M && mouth < MAX_SLIT[1] && is_axis(edges, tip);
-        let narrow = narrow && !neck;
-        if !taken && narrow && are_legs(edges[dart.inward], edges[tip]) {
-            darts.push(dart);
+    fn of_vent(vent: Vent, turns: &[f64]) -> Self {
+        let within = (1..vent.count).map(|k| turns[(vent.first + k) % turns.len()]);
+        Self {
+            first: vent.first,
+            count: vent.count,
+            turn: within.sum(),
         }
     }
-    darts
 }
 
-/// Returns true if the outline reads the same from a corner in both directions.
-fn is_axis(edges: &[EdgeFeatures], corner: usize) -> bool {
-    let count = edges.len();
-    (0..count / 2).all(|k| {
-        let (a, b) = (
-            edges[(corner + k) % count],
-            edges[(corner + count - 1 - k) % count],
-        );
-        (a.length - b.length).abs() <= MIRROR_LENGTH_SHARE * a.length.max(b.length) + 1e-3
-    })
-}
-
-fn are_legs(a: EdgeFeatures, b: EdgeFeatures) -> bool {
-    let straight = |e: EdgeFeatures| {
-        let [x, y] = sub(e.ends[1], e.ends[0]);
-        e.length <= (1.0 + MAX_LEG_BULGE * MAX_LEG_BULGE * 8.0 / 3.0) * x.hypot(y)
-    };
-    let (short, long) = (a.length.min(b.length), a.length.max(b.length));
-    short >= MIN_LEG_M
-        && long - short <= MAX_LEG_DIFFERENCE * long + 1e-3
-        && straight(a)
-        && straight(b)
-}
-
-/// The edges left once darts are sewn, and the turns between them: where a dart was, its two mouth
-/// corners become one, whose inner angle is the sum of theirs.
-fn ring(count: usize, turns: &[f64], darts: &[Dart]) -> (Vec<usize>, Vec<f64>) {
-    let is_leg = |edge: usize| darts.iter().any(|d| d.inward == edge || d.outward == edge);
-    let ring: Vec<usize> = (0..count).filter(|edge| !is_leg(*edge)).collect();
+/// The edges left without darts and vents, and the turns between them: where a dart was, its two
+/// mouth corners become one, whose inner angle is the sum of theirs.
+fn ring(turns: &[f64], left_out: &[LeftOut]) -> (Vec<usize>, Vec<f64>) {
+    let count = turns.len();
+    let has = |run: &&LeftOut, edge: usize| (edge + count - run.first) % count < run.count;
+    let is_in = |edge: &usize| !left_out.iter().any(|run| has(&run, *edge));
+    let ring: Vec<usize> = (0..count).filter(is_in).collect();
     let joints = (0..ring.len())
         .map(|k| {
             let mut edge = (ring[k] + 1) % count;
             let mut joint = turns[edge];
-            while is_leg(edge) {
-                edge = (edge + 2) % count;
-                joint += turns[edge] - PI;
+            while let Some(run) = left_out.iter().find(|run| run.first == edge) {
+                edge = (edge + run.count) % count;
+                joint += run.turn + turns[edge];
             }
             wrapped(joint)
         })

@@ -2,6 +2,7 @@
 //! flounces do.
 
 use super::edge_chain::{EdgeChain, EdgeStep, WHOLE, length};
+use super::hole_dart;
 use super::labeled_panel::{LabeledPanel, RoleSegment};
 use super::labels::{DrawnSide, EdgeRole, PanelKind};
 use super::names::NameHints;
@@ -139,7 +140,7 @@ pub(super) fn label_strips(
 
 /// Returns a long rectangle as a band, and the length of its long edges \[m\].
 fn strip(index: usize, panel: &Panel) -> Option<(LabeledPanel, f64)> {
-    let features = OutlineFeatures::of(panel, false);
+    let features = OutlineFeatures::of(panel, false, false);
     let [a, b, _, _] = features.ring[..] else {
         return None;
     };
@@ -211,5 +212,6 @@ fn is_opening(hole: &Hole) -> bool {
         .map(|pair| pair[0][0] * pair[1][1] - pair[1][0] * pair[0][1])
         .sum();
     let roundness = TAU * twice.abs() / (around * around).max(f64::MIN_POSITIVE);
-    around >= HEAD_M || around >= MIN_OPENING_M && roundness >= MIN_ROUNDNESS
+    !hole_dart::is_dart(hole)
+        && (around >= HEAD_M || around >= MIN_OPENING_M && roundness >= MIN_ROUNDNESS)
 }

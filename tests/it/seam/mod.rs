@@ -8,6 +8,7 @@ mod notches;
 mod outside;
 mod pleats;
 mod suggest;
+mod suggest_details;
 mod suggest_kinds;
 mod suggest_legs;
 mod suggest_rings;

@@ -1,10 +1,13 @@
-//! Darts: two edges of one panel that meet at a tip, sewn together whatever the garment is.
+//! Darts: two edges of one panel that meet at a tip, or the sides of a narrow hole, sewn together
+//! whatever the garment is.
 
 use crate::pattern::Pattern;
+use crate::seam::suggest::darts::Dart;
+use crate::seam::suggest::edge_chain::reversed;
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
+use crate::seam::suggest::hole_dart;
 use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{EdgeRole, PanelKind};
-use crate::seam::suggest::outline_features::Dart;
 
 /// Most darts of one panel that are sewn.
 const MAX_DARTS: usize = 40;
@@ -12,6 +15,7 @@ const MAX_DARTS: usize = 40;
 /// Sews every dart.
 pub(super) fn sew(garment: &mut GarmentModel, pattern: &Pattern) {
     for part in garment.parts.clone() {
+        sew_inside(garment, pattern, &part);
         for (i, dart) in part.features.darts.iter().take(MAX_DARTS).enumerate() {
             if garment.is_sewn(part.panel, dart.inward) || is_slit(&part, *dart) {
                 continue;
@@ -19,12 +23,22 @@ pub(super) fn sew(garment: &mut GarmentModel, pattern: &Pattern) {
             let id = format!("dart-{}-{}", name(pattern, &part), i + 1);
             let rationale =
                 SeamRationale::new(&id, "two edges of the panel that meet at a tip are a dart");
-            garment.sew(
-                rationale,
-                Some(part.edge_chain(dart.inward, true)),
-                Some(part.edge_chain(dart.outward, false)),
-            );
+            let [a, b] = part.dart_legs(*dart);
+            garment.sew(rationale, Some(a), Some(b));
         }
+    }
+}
+
+/// Sews the sides of every hole that is a dart inside a panel.
+fn sew_inside(garment: &mut GarmentModel, pattern: &Pattern, part: &LabeledPanel) {
+    let holes = &pattern.panels[part.panel % pattern.panels.len()].holes;
+    for (i, hole) in holes.iter().enumerate().take(MAX_DARTS) {
+        let Some([there, back]) = hole_dart::sides(part.panel, i, hole) else {
+            continue;
+        };
+        let id = format!("dart-{}-inside-{}", name(pattern, part), i + 1);
+        let rationale = SeamRationale::new(&id, "a narrow hole with two tips is a dart");
+        garment.sew(rationale, Some(there), Some(reversed(&back)));
     }
 }
 
@@ -32,8 +46,8 @@ pub(super) fn sew(garment: &mut GarmentModel, pattern: &Pattern) {
 fn is_slit(part: &LabeledPanel, dart: Dart) -> bool {
     let count = part.features.edges.len();
     let beside = [
-        (dart.inward + count - 1) % count,
-        (dart.outward + 1) % count,
+        (dart.inward + count - dart.per_leg) % count,
+        (dart.outward + dart.per_leg) % count,
     ];
     let hem = part.role_edges(EdgeRole::Hem);
     part.kind == PanelKind::Skirt && beside.iter().all(|edge| hem.contains(edge))

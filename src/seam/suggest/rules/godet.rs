@@ -1,10 +1,10 @@
 //! Godets: wedges set into slits of a hem.
 
+use crate::seam::suggest::darts::Dart;
 use crate::seam::suggest::edge_chain::length;
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
 use crate::seam::suggest::labels::{DrawnSide, EdgeRole, PanelKind};
-use crate::seam::suggest::outline_features::Dart;
 
 /// Largest difference of the side of a godet and of its slit, as a share.
 const MAX_DIFFERENCE: f64 = 0.03;
@@ -24,10 +24,8 @@ pub(super) fn sew(garment: &mut GarmentModel) {
         };
         // The slit's first leg meets the side of the godet that lies on the right: both outer sides
         // are out.
-        for (leg, drawn_side, name) in [
-            (host.edge_chain(slit.inward, true), right, "a"),
-            (host.edge_chain(slit.outward, false), right.other(), "b"),
-        ] {
+        let [first, second] = host.dart_legs(slit);
+        for (leg, drawn_side, name) in [(first, right, "a"), (second, right.other(), "b")] {
             let side = godet.role_chain(EdgeRole::Side, Some(drawn_side), EdgeRole::Hem);
             let id = format!("godet-{}-{name}", godet.panel);
             let rationale = SeamRationale::new(&id, "the godet is set into the slit");
@@ -45,11 +43,12 @@ fn slit(garment: &GarmentModel, godet: &LabeledPanel) -> Option<(LabeledPanel, D
         .filter(|p| p.front_back == godet.front_back || godet.front_back.is_none())
     {
         for dart in &host.features.darts {
-            let leg = host.features.edges[dart.inward];
-            if (leg.length - side).abs() <= MAX_DIFFERENCE * side
+            let [leg, _] = host.dart_legs(*dart);
+            if (length(&leg) - side).abs() <= MAX_DIFFERENCE * side
                 && !garment.is_sewn(host.panel, dart.inward)
             {
-                found.push((leg.ends[1][0], host.clone(), *dart));
+                let tip = host.features.edges[dart.inward].ends[1];
+                found.push((tip[0], host.clone(), *dart));
             }
         }
     }

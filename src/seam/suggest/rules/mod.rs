@@ -19,6 +19,7 @@ mod sleeve_cap;
 mod top;
 mod trousers;
 mod two_part_sleeve;
+mod vent;
 mod waist;
 mod yoke;
 

@@ -3,7 +3,7 @@
 //! round a neck.
 
 use super::band::{self, BandEdge, BandSet};
-use super::neck;
+use super::{neck, side};
 use crate::seam::suggest::edge_chain::{EdgeChain, length, reversed};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
@@ -183,6 +183,11 @@ fn is_taken(garment: &GarmentModel, chain: &EdgeChain) -> bool {
 /// Returns the hems that the hole of a ring may go round.
 fn hems(garment: &GarmentModel, own: usize) -> Vec<Loop> {
     let around = |kind| -> Option<EdgeChain> {
+        if kind == PanelKind::Bodice
+            && let Some(hem) = side::hem_ring(garment)
+        {
+            return Some(hem.concat());
+        }
         let both = [FrontBack::Front, FrontBack::Back]
             .map(|front_back| garment.half_ring(kind, EdgeRole::Hem, front_back));
         if let [Some(front), Some(back)] = both {

@@ -50,6 +50,16 @@ impl LaidSide {
         Some(if forward { chain } else { reversed(&chain) })
     }
 
+    /// Returns its hem from the front to the back.
+    fn hem(&self) -> Option<EdgeChain> {
+        let chain = self.panel.chain(self.panel.segment(EdgeRole::Hem, None)?);
+        Some(if self.before_hem {
+            chain
+        } else {
+            reversed(&chain)
+        })
+    }
+
     /// Returns its shoulder from the neck on.
     fn shoulder(&self) -> Option<EdgeChain> {
         self.panel
@@ -169,4 +179,27 @@ pub(super) fn shoulder(
         .flatten()
         .collect();
     (!chain.is_empty()).then_some(chain)
+}
+
+/// Returns the hem of a bodice round the body, its front from the wearer's left on and its back,
+/// each with the side panels beside it; one between them goes with the front.
+pub(super) fn hem_ring(garment: &GarmentModel) -> Option<[EdgeChain; 2]> {
+    let half = |front_back| garment.half_ring(PanelKind::Bodice, EdgeRole::Hem, front_back);
+    let (front, back) = (half(FrontBack::Front)?, half(FrontBack::Back)?);
+    let sides = |laterality, is_behind: bool| -> Option<EdgeChain> {
+        let beside =
+            |laid: &LaidSide| (laid.panel.front_back == Some(FrontBack::Back)) == is_behind;
+        let row = row(garment, laterality).into_iter().filter(beside);
+        Some(
+            row.map(|laid| laid.hem())
+                .collect::<Option<Vec<_>>>()?
+                .concat(),
+        )
+    };
+    let to_front = |behind| Some(reversed(&sides(Laterality::Left, behind)?));
+    let to_back = |behind| sides(Laterality::Right, behind);
+    Some([
+        [to_front(false)?, front, to_back(false)?].concat(),
+        [to_back(true)?, back, to_front(true)?].concat(),
+    ])
 }

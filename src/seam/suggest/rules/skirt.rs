@@ -2,7 +2,7 @@
 //! itself.
 
 use super::band::Opening;
-use super::top;
+use super::{side, top};
 use crate::seam::suggest::edge_chain::{EdgeChain, length};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
@@ -133,14 +133,9 @@ fn gores(garment: &mut GarmentModel) {
 
 /// Returns true unless a bodice is there to whose hem the waist of a skirt cannot be gathered.
 fn hangs_from_bodice(garment: &GarmentModel, part: &LabeledPanel) -> bool {
-    let hem = |front_back| {
-        let chain = garment.half_ring(PanelKind::Bodice, EdgeRole::Hem, front_back);
-        chain.map(|chain| length(&chain))
-    };
-    let (Some(front), Some(back)) = (hem(FrontBack::Front), hem(FrontBack::Back)) else {
-        return true;
-    };
-    part.role_length(EdgeRole::Waist) >= MIN_WAIST_TO_HEM * (front + back)
+    side::hem_ring(garment).is_none_or(|hem| {
+        part.role_length(EdgeRole::Waist) >= MIN_WAIST_TO_HEM * length(&hem.concat())
+    })
 }
 
 /// Closes a skirt of one panel on itself.

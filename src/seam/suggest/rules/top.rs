@@ -1,12 +1,8 @@
 //! Tops: shoulders, sides and centers of a bodice, as every class of top has them.
 
-use super::{side, yoke};
-use crate::seam::suggest::edge_chain::{EdgeChain, EdgeStep};
+use super::{side, vent, yoke};
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labels::{EdgeRole, FrontBack, Laterality, PanelKind};
-
-/// Turn from which a corner within the center of a skirt is that of a vent \[rad\].
-const VENT_CORNER_RAD: f64 = 0.6;
 
 /// Sews the bodice.
 pub(super) fn sew(garment: &mut GarmentModel) {
@@ -36,8 +32,8 @@ pub(super) fn center(garment: &mut GarmentModel, kind: PanelKind, front_back: Fr
             EdgeRole::Hem,
         )
     });
-    let [a, b] = if kind == PanelKind::Skirt {
-        halves.map(|half| Some(above_vent(garment, half?)))
+    let [a, b] = if kind == PanelKind::Skirt || front_back == FrontBack::Back {
+        halves.map(|half| Some(vent::above(garment, half?)))
     } else {
         halves
     };
@@ -49,25 +45,4 @@ pub(super) fn center(garment: &mut GarmentModel, kind: PanelKind, front_back: Fr
     };
     let rationale = SeamRationale::new(id, "the left and the right half meet at the centre");
     garment.sew(rationale, a, b);
-}
-
-/// Returns what lies above a vent of the center of a skirt, given from the hem: all up to its first
-/// sharp corner from the waist.
-fn above_vent(garment: &GarmentModel, center: EdgeChain) -> EdgeChain {
-    let Some(part) = center
-        .first()
-        .and_then(|step| garment.parts.iter().find(|p| p.panel == step.panel))
-    else {
-        return center;
-    };
-    let joint = |a: &EdgeStep, b: &EdgeStep| {
-        let first = if a.forward { a.edge } else { b.edge };
-        let ring = &part.features.ring;
-        let at = ring.iter().position(|edge| *edge == first);
-        at.map_or(0.0, |at| part.features.joints[at].abs())
-    };
-    let sharp = center
-        .windows(2)
-        .rposition(|pair| joint(&pair[0], &pair[1]) > VENT_CORNER_RAD);
-    sharp.map_or(center.clone(), |at| center[at + 1..].to_vec())
 }

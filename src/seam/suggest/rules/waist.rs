@@ -2,7 +2,7 @@
 //! together.
 
 use super::band::{self, BandEdge, Opening};
-use super::{leg, skirt};
+use super::{leg, side, skirt};
 use crate::seam::suggest::edge_chain::EdgeStep;
 use crate::seam::suggest::garment_model::{GarmentModel, SeamRationale};
 use crate::seam::suggest::labeled_panel::LabeledPanel;
@@ -118,6 +118,11 @@ fn join(garment: &mut GarmentModel, upper: &Opening, lower: &Opening) {
 
 /// Returns an opening round the body, its front and its back part.
 fn opening(garment: &GarmentModel, kind: PanelKind, role: EdgeRole) -> Option<Opening> {
+    if kind == PanelKind::Bodice
+        && let Some(hem) = side::hem_ring(garment)
+    {
+        return Some(hem);
+    }
     let both = [FrontBack::Front, FrontBack::Back]
         .map(|front_back| garment.half_ring(kind, role, front_back));
     if let [Some(front), Some(back)] = both {
