@@ -6,7 +6,7 @@ import { state, watch } from "./state.js";
 import { faultItem } from "./words.js";
 
 /** The parameters of the import, each with a field of its own. */
-const FIELDS = ["units", "size", "outlines", "notches", "unfold", "encoding"];
+const FIELDS = ["units", "size", "outlines", "notches", "darts", "unfold", "encoding"];
 const ALLOWANCE = { none: "none", unknown: "not stated", sew_line: "sew line used" };
 
 const chosen = () => Object.fromEntries(FIELDS.map((name) => [name, byId(`import-${name}`).value]));
