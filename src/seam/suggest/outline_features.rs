@@ -33,7 +33,9 @@ pub(super) struct OutlineFeatures {
     pub(super) points: std::rc::Rc<Vec<Vec<Point2>>>,
     /// Its darts.
     pub(super) darts: Vec<Dart>,
-    /// The edges that are left once the darts are sewn, in order.
+    /// Its vents.
+    vents: Vec<Vent>,
+    /// The edges that are left without darts and vents, in order.
     pub(super) ring: Vec<usize>,
     /// The turn from each edge of `ring` to the next, positive where the outline is convex \[rad\].
     pub(super) joints: Vec<f64>,
@@ -59,11 +61,13 @@ impl OutlineFeatures {
             .iter()
             .map(|dart| LeftOut::of_dart(*dart, count))
             .collect();
-        if vents {
-            let lengths: Vec<f64> = edges.iter().map(|edge| edge.length).collect();
-            let vents = vents::vents(&lengths, &turns).into_iter();
-            left_out.extend(vents.map(|vent| LeftOut::of_vent(vent, &turns)));
-        }
+        let lengths: Vec<f64> = edges.iter().map(|edge| edge.length).collect();
+        let vents = if vents {
+            vents::vents(&lengths, &turns)
+        } else {
+            vec![]
+        };
+        left_out.extend(vents.iter().map(|vent| LeftOut::of_vent(*vent, &turns)));
         let (ring, joints) = ring(&turns, &left_out);
         Self {
             size: panel.area_m2.abs().sqrt(),
@@ -73,6 +77,7 @@ impl OutlineFeatures {
             notches: panel.notches.iter().map(|n| (n.edge, n.at)).collect(),
             edges,
             darts,
+            vents,
             ring,
             joints,
         }
@@ -169,6 +174,14 @@ impl OutlineFeatures {
     pub(super) fn height(&self, edges: &[usize]) -> f64 {
         let all = || edges.iter().map(|e| &self.edges[*e]);
         all().map(|e| e.length * e.height).sum::<f64>() / self.length(edges).max(1e-9)
+    }
+
+    /// Returns true if a run of edges ends at a vent.
+    pub(super) fn ends_in_vent(&self, edges: &[usize]) -> bool {
+        let count = self.edges.len();
+        let beside = |vent: &Vent| [vent.first + count - 1, vent.first + vent.count];
+        let mut all = self.vents.iter().flat_map(beside);
+        all.any(|edge| edges.contains(&(edge % count)))
     }
 
     /// Length of a run of edges \[m\].

@@ -26,7 +26,7 @@ fn outer_and_inner_parts_are_told_by_their_names() {
 
 #[test]
 fn vents_of_a_sleeve_of_two_parts_stay_open() {
-    let vent = [[0.07, -0.30], [0.11, -0.32], [0.10, -0.45]];
+    let vent = [[0.075, -0.36], [0.105, -0.37], [0.10, -0.45]];
     let upper = drawn(
         "top_sleeve",
         &[
@@ -45,8 +45,8 @@ fn vents_of_a_sleeve_of_two_parts_stay_open() {
             &[[-0.05, -0.45]],
             &[[-0.08, 0.0], [-0.02, -0.02], [0.04, -0.01]],
             &[[0.08, 0.02]],
-            &[[0.06, -0.30]],
-            &[[0.10, -0.32]],
+            &[[0.062, -0.36]],
+            &[[0.092, -0.37]],
             &[[0.09, -0.45]],
         ],
     );

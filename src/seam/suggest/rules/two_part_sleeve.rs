@@ -124,14 +124,19 @@ fn is_crossed(upper: &LabeledPanel, under: &LabeledPanel) -> bool {
     crossed < straight
 }
 
-/// Returns the side of the drawing on which the front of an upper sleeve lies: its seam ends lower
-/// on the front, the back one runs up to the height of the shoulder blade.
+/// Returns the side of the drawing on which the front of an upper sleeve lies: a vent is at the
+/// back; else its seam ends lower on the front, the back one runs up to the height of the shoulder
+/// blade.
 fn front_side(upper: &LabeledPanel) -> Option<DrawnSide> {
-    let length = |side| {
-        let segment = upper.segment(EdgeRole::Underarm, Some(side))?;
-        Some(upper.features.length(&segment.edges))
-    };
-    let (left, right) = (length(DrawnSide::Left)?, length(DrawnSide::Right)?);
+    let edges = |side| Some(&upper.segment(EdgeRole::Underarm, Some(side))?.edges);
+    let (left, right) = (edges(DrawnSide::Left)?, edges(DrawnSide::Right)?);
+    let vents = [left, right].map(|edges| upper.features.ends_in_vent(edges));
+    match vents {
+        [true, false] => return Some(DrawnSide::Right),
+        [false, true] => return Some(DrawnSide::Left),
+        _ => {}
+    }
+    let [left, right] = [left, right].map(|edges| upper.features.length(edges));
     Some(if left < right {
         DrawnSide::Left
     } else {
