@@ -1,5 +1,5 @@
-//! Vents of sleeves: underlaps at the lower end of a seam, which stay open. The outline steps out of
-//! the seam and runs beside it down to the hem.
+//! Vents of sleeves: underlaps at the lower end of a seam, which stay open. The outline steps out
+//! of the seam and runs beside it down to the hem.
 
 use std::ops::RangeInclusive;
 
@@ -19,8 +19,8 @@ pub(super) struct Vent {
     pub(super) count: usize,
 }
 
-/// Returns the vents of an outline by the lengths of its edges \[m\] and the turn where each begins,
-/// positive where the outline is convex \[rad\].
+/// Returns the vents of an outline by the lengths of its edges \[m\] and the turn where each
+/// begins, positive where the outline is convex \[rad\].
 pub(super) fn vents(lengths: &[f64], turns: &[f64]) -> Vec<Vent> {
     let count = lengths.len();
     let inward = (0..count).filter(|corner| turns[*corner] <= -MIN_CORNER);
@@ -42,8 +42,8 @@ pub(super) fn vents(lengths: &[f64], turns: &[f64]) -> Vec<Vent> {
         .collect()
 }
 
-/// Returns the number of edges of the vent that begins at a corner, by the lengths of the edges from
-/// there on and the turns where they end.
+/// Returns the number of edges of the vent that begins at a corner, by the lengths of the edges
+/// from there on and the turns where they end.
 fn underlap(count: usize, edge: impl Fn(usize) -> (f64, f64)) -> Option<usize> {
     let (step, turn) = edge(0);
     if !STEP_M.contains(&step) || turn < MIN_CORNER {
