@@ -6,10 +6,11 @@ import { byId, replaceChildren } from "./dom.js";
 import { fileStem, save } from "./files.js";
 import { say } from "./say.js";
 import { reportSummary, verdictOf, verdictText } from "./report.js";
-import { garmentToSend, leftOut } from "./panels.js";
+import { garmentToSend } from "./panels.js";
+import { asText, isUpToDate } from "./ran.js";
 import { state, update, watch } from "./state.js";
 import { distance, problemItems, seconds } from "./words.js";
-import { showOutcome } from "./stage.js";
+import { showOutcome } from "./stage/stage.js";
 
 const FINAL = new Set(["succeeded", "failed", "canceled"]);
 const STAGES = { mesh: "Meshing the panels", assemble: "Placing the panels", sew: "Sewing", drape: "Draping", export: "Writing the result" };
@@ -126,7 +127,7 @@ async function showResult(fit, signal) {
   const { avatar } = await getJson(`${fitPath(fit.id)}/garment`, { signal });
   signal.throwIfAborted();
   const shown = avatar?.body ? state.garment.avatar : avatar;
-  await showOutcome(fit.id, shown, { places: report.intersections ?? [], signal });
+  await showOutcome(fit.id, shown, { report, signal });
 }
 
 async function watchFit(fit, signal) {
@@ -180,15 +181,12 @@ async function cancel() {
   }
 }
 
-/** All that a result depends on, as text. */
-const asText = () => JSON.stringify([state.pattern?.id, state.garment, leftOut()]);
-
 function hint(running) {
   if (!state.pattern) return "Choose a pattern first.";
   if (state.garment.seams.length === 0) return "Pick at least one seam first.";
   if (state.check?.ok === false) return "Put the seams marked ✗ right first.";
   if (state.checkProblem) return "The seams could not be checked: sewing tells if they can be sewn.";
-  if (state.report && !running && state.ran !== asText()) return "Changed since this result. Sew again to see the change.";
+  if (state.report && !running && !isUpToDate()) return "Changed since this result. Sew again to see the change.";
   return "";
 }
 
@@ -259,21 +257,6 @@ async function copyLink() {
   }
 }
 
-/** Words for the shape on the stage, where it is not simply the result. */
-function captionText() {
-  const { shape, fit, report } = state;
-  if (shape === null) return "";
-  if (shape !== fit?.id) return "The shape of an earlier fit";
-  if (fit.status === "canceled") return "Stopped before it came to rest";
-  if (state.ran !== asText()) return "As it was before the last changes";
-  if (fit.status === "failed" && report) return verdictOf(report, fit.status).text;
-  return "";
-}
-
-function drawCaption() {
-  byId("stage-caption").textContent = captionText();
-}
-
 export function startFit() {
   byId("copy-link").addEventListener("click", copyLink);
   byId("run").addEventListener("click", run);
@@ -290,5 +273,4 @@ export function startFit() {
   });
   watch(["pattern", "garment", "check", "checkProblem", "fit", "report", "ran"], drawRun);
   watch(["fit", "report"], drawReport);
-  watch(["shape", "fit", "report", "garment", "ran", "leftOut"], drawCaption);
 }

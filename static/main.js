@@ -1,6 +1,6 @@
 /**
  * Puts the parts of the page together. Read on: state.js, history.js, files.js, panels.js,
- * sheet/sheet.js, picking.js, suggest.js, fit.js, viewer.js.
+ * sheet/sheet.js, picking.js, suggest.js, fit.js, stage/stage.js.
  */
 
 import { startAddress } from "./address.js";
@@ -19,7 +19,7 @@ import { startSeamList } from "./seam_list.js";
 import { loadFabrics, startSettings } from "./settings.js";
 import { fitPanelById } from "./sheet/moving.js";
 import { startSheet } from "./sheet/sheet.js";
-import { startStage } from "./stage.js";
+import { startStage } from "./stage/stage.js";
 import { startSuggest } from "./suggest.js";
 import { startToken } from "./token.js";
 

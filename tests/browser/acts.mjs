@@ -131,6 +131,12 @@ export const shownPattern = (page) => page.evaluate(() =>
 /** Id of the fit that the address names, or null. */
 export const fitOf = (page) => page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("fit"));
 
+/** Waits until the shape of the fit that the address names is on the stage. */
+export const untilShown = (page) => page.waitForFunction(() => {
+  const { shape } = document.getElementById("stage").dataset;
+  return shape !== undefined && shape === new URLSearchParams(location.hash.slice(1)).get("fit");
+});
+
 /** Waits until the draft of a tab has what the tab shows. */
 export const untilKept = (page) => page.waitForFunction(async () => {
   const [{ allDrafts }, { fitId, state }] = await Promise.all([import("/drafts.js"), import("/state.js")]);

@@ -3,9 +3,11 @@
  * show.
  */
 
-import { call, postJson } from "./api.js";
-import { byId } from "./dom.js";
-import { state, update, watch } from "./state.js";
+import { call, postJson } from "../api.js";
+import { byId } from "../dom.js";
+import { fileStem, save } from "../files.js";
+import { state, update, watch } from "../state.js";
+import { captionLines, crossingPlaces, startCaption } from "./caption.js";
 
 let viewer = null;
 let opening = null; // the promise of the viewer
@@ -43,7 +45,7 @@ async function bodyMesh(avatar, signal) {
 /**
  * Shows the shape of a fit on its body, with marks at the places where its report found crossings.
  */
-export async function showOutcome(fitId, avatar, { places, signal }) {
+export async function showOutcome(fitId, avatar, { report, signal }) {
   const mine = ++shows;
   const key = JSON.stringify(avatar);
   const [view, garment, body] = await Promise.all([
@@ -56,16 +58,26 @@ export async function showOutcome(fitId, avatar, { places, signal }) {
   if (mine !== shows || signal.aborted) return;
   if (body !== undefined) view.showBody(figure);
   view.showGarment(shape);
-  view.mark(places.map((place) => place.at));
+  view.mark(crossingPlaces(report));
   shownBody = key;
   update({ shape: fitId });
   note("");
+}
+
+async function downloadPicture() {
+  const { pictureOf } = await import("./picture.js");
+  save(await pictureOf(viewer, byId("stage"), [state.pattern.name, ...captionLines()]), `${fileStem()}.png`);
+}
+
+function drawTools() {
+  for (const button of document.querySelectorAll("[data-view], #picture")) button.disabled = state.shape === null;
 }
 
 export function startStage() {
   for (const button of document.querySelectorAll("[data-view]")) {
     button.addEventListener("click", () => viewer?.look(button.dataset.view));
   }
+  byId("picture").addEventListener("click", downloadPicture);
   byId("show-body").addEventListener("change", (event) => viewer?.setBodyVisible(event.target.checked));
   watch(["pattern"], () => {
     if (state.fit) return;
@@ -74,4 +86,6 @@ export function startStage() {
     update({ shape: null });
     note("The garment appears here.");
   });
+  watch(["shape"], drawTools);
+  startCaption();
 }

@@ -1,0 +1,162 @@
+/**
+ * Garment and body in 3D: orbit by pointer or arrow keys. Frames are drawn only when something
+ * changed.
+ */
+
+import * as THREE from "three";
+import { GLTFLoader } from "../node_modules/three/examples/jsm/loaders/GLTFLoader.js";
+import { createCamera, frame, newCamera } from "./camera.js";
+import { dispose, dress, dressBody } from "./cloth.js";
+import { createFloor } from "./floor.js";
+import { lights } from "./light.js";
+import { marksAt } from "./marks.js";
+
+const LABEL = "Garment in 3D. Arrow keys turn it, plus and minus zoom.";
+const PICTURE_SHARE = 0.9;
+
+function createRenderer() {
+  const renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.autoUpdate = false;
+  renderer.toneMapping = THREE.NeutralToneMapping;
+  renderer.setPixelRatio(Math.min(2, devicePixelRatio));
+  return renderer;
+}
+
+function canvasOf(renderer, host) {
+  const canvas = renderer.domElement;
+  canvas.tabIndex = 0;
+  canvas.setAttribute("role", "application");
+  canvas.setAttribute("aria-label", LABEL);
+  host.prepend(canvas);
+  return canvas;
+}
+
+/** Groups of the scene by name; the shadow on the floor is that of garment and body. */
+function createGroups(scene) {
+  const groups = { body: new THREE.Group(), garment: new THREE.Group(), marks: new THREE.Group() };
+  for (const group of Object.values(groups)) scene.add(group);
+  groups.body.userData.castsOnFloor = groups.garment.userData.castsOnFloor = true;
+  return groups;
+}
+
+/** A view inside `host`. Throws where the browser has no WebGL. */
+export function createViewer(host) {
+  const renderer = createRenderer();
+  const canvas = canvasOf(renderer, host);
+  const scene = new THREE.Scene();
+  const floor = createFloor();
+  scene.add(...lights(), floor.mesh);
+  const { body, garment, marks } = createGroups(scene);
+
+  let request = 0;
+  let isReshaped = true;
+  const paint = (camera) => {
+    if (isReshaped) {
+      renderer.shadowMap.needsUpdate = true;
+      floor.darken(renderer, scene);
+      isReshaped = false;
+    }
+    renderer.render(scene, camera);
+  };
+  const draw = () => {
+    request ||= requestAnimationFrame(() => {
+      request = 0;
+      paint(view.camera);
+    });
+  };
+  const view = createCamera(canvas, draw);
+  const reshape = () => {
+    isReshaped = true;
+    floor.mesh.visible = garment.children.length + body.children.length > 0;
+    draw();
+  };
+
+  const resize = () => {
+    const { clientWidth: width, clientHeight: height } = host;
+    if (!width || !height) return;
+    renderer.setSize(width, height);
+    view.resize(width, height);
+  };
+  new ResizeObserver(resize).observe(host);
+  resize();
+
+  const boxOf = (name) => {
+    const box = new THREE.Box3().setFromObject(garment);
+    if (name !== "whole" && !box.isEmpty()) return box;
+    return body.visible ? box.union(new THREE.Box3().setFromObject(body)) : box;
+  };
+  const look = (name) => view.look(name, boxOf(name));
+  const readFloor = () => {
+    floor.setColor(getComputedStyle(host).getPropertyValue("--stage-floor").trim());
+    draw();
+  };
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", readFloor);
+  readFloor();
+
+  const loader = new GLTFLoader();
+  let isFirst = true;
+
+  return {
+    look,
+    setBodyVisible(visible) {
+      body.visible = visible;
+      reshape();
+    },
+    /** The model of a file, to be shown as body or garment. */
+    read: async (bytes) => (await loader.parseAsync(bytes, "")).scene,
+    showBody(model) {
+      dispose(body);
+      if (model) {
+        dressBody(model);
+        body.add(model);
+      }
+      reshape();
+    },
+    /** The camera stays where it was when a garment is sewn again. */
+    showGarment(model) {
+      dispose(garment);
+      dress(model);
+      garment.add(model);
+      if (isFirst) look("whole");
+      isFirst = false;
+      reshape();
+    },
+    /** Marks places, by kind: `{cloth: [[x, y, z]…], body: […]}`. */
+    mark(places) {
+      dispose(marks);
+      for (const [kind, at] of Object.entries(places)) {
+        if (at.length > 0) marks.add(marksAt(at, kind, renderer.getPixelRatio()));
+      }
+      draw();
+    },
+    /** Draws what is seen onto a canvas. */
+    drawOnto(pen) {
+      paint(view.camera);
+      pen.drawImage(canvas, 0, 0, pen.canvas.width, pen.canvas.height);
+    },
+    /** Draws the whole onto a canvas, whatever is seen. */
+    drawWholeOnto(pen) {
+      const { width, height } = pen.canvas;
+      const camera = newCamera();
+      camera.aspect = width / height;
+      camera.updateProjectionMatrix();
+      frame(camera, boxOf("whole"), "whole", PICTURE_SHARE);
+      const size = renderer.getSize(new THREE.Vector2());
+      const ratio = renderer.getPixelRatio();
+      renderer.setPixelRatio(1);
+      renderer.setSize(width, height, false);
+      paint(camera);
+      pen.drawImage(canvas, 0, 0);
+      renderer.setPixelRatio(ratio);
+      renderer.setSize(size.x, size.y);
+      paint(view.camera);
+    },
+    clear() {
+      dispose(garment);
+      dispose(marks);
+      isFirst = true;
+      reshape();
+    },
+  };
+}

@@ -1,0 +1,107 @@
+// The stage, what it shows and how it looks: `node tests/browser/stage.mjs`.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { after, test } from "node:test";
+import { openSkirt, press, twoFrames, untilShown, untilStatus } from "./acts.mjs";
+import { assertAccessible, assertClean, difference, startPage } from "./support.mjs";
+
+const { page, browser, record, close } = await startPage();
+after(close);
+
+const stage = () => page.locator("#stage");
+
+/** The stage as it is drawn at last. */
+async function seen() {
+  await twoFrames(page);
+  return stage().screenshot();
+}
+
+test("an empty stage has nothing to turn or to take a picture of", async () => {
+  for (const name of ["Whole", "Front", "Picture"]) assert.ok(await page.getByRole("button", { name, exact: true }).isDisabled(), name);
+});
+
+test("every view holds garment and body in frame, in windows of any shape", async () => {
+  const outside = await page.evaluate(async () => {
+    const [THREE, { frame, newCamera }] = [await import("three"), await import("/stage/camera.js")];
+    const box = new THREE.Box3(new THREE.Vector3(-0.3, 0, -0.2), new THREE.Vector3(0.3, 1.6, 0.25));
+    const found = [];
+    for (const aspect of [0.4, 0.8, 1, 2.5]) for (const view of ["whole", "front", "back", "left", "right"]) {
+      const camera = newCamera();
+      camera.aspect = aspect;
+      camera.updateProjectionMatrix();
+      frame(camera, box, view, 0.8);
+      camera.updateMatrixWorld();
+      const corners = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z) => new THREE.Vector3(x * 0.3, 0.8 + y * 0.8, z * 0.2))));
+      const reach = corners.map((corner) => corner.project(camera)).map(({ x, y }) => Math.max(Math.abs(x), Math.abs(y) / 0.8));
+      if (Math.max(...reach) > 1 || Math.max(...reach) < 0.6) found.push([aspect, view, Math.max(...reach)]);
+    }
+    return found;
+  });
+  assert.deepEqual(outside, []);
+});
+
+test("the whole body stands on a floor that it darkens", async () => {
+  await openSkirt(page, "Try the skirt");
+  await page.locator("#run:enabled").click();
+  await untilShown(page);
+  await untilStatus(page, "came to rest");
+  const whole = await seen();
+  // Below the feet the floor is darker than beside them.
+  const [under, beside] = await page.evaluate(async (text) => {
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+    const pen = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    pen.drawImage(image, 0, 0);
+    const shade = (x, y) => {
+      const { data } = pen.getImageData(Math.round(x * image.width), Math.round(y * image.height), 8, 4);
+      return data[0] + data[1] + data[2];
+    };
+    return [shade(0.5, 0.91), shade(0.06, 0.91)];
+  }, whole.toString("base64"));
+  assert.ok(under < beside - 30, `${under} under the body, ${beside} beside it`);
+  await press(page, "Front");
+  assert.ok(await difference(browser, whole, await seen()) > 0.02);
+  await press(page, "Whole");
+  // The button under the pointer looks other than it did.
+  assert.ok(await difference(browser, whole, await seen()) < 0.008, "the whole comes back");
+});
+
+test("a picture of what is seen is downloaded", async () => {
+  const waiting = page.waitForEvent("download");
+  await press(page, "Picture");
+  const download = await waiting;
+  assert.equal(download.suggestedFilename(), "A-LINE-SKIRT.png");
+  const picture = await readFile(await download.path());
+  const box = await stage().boundingBox();
+  assert.deepEqual([picture.readUInt32BE(16), picture.readUInt32BE(20)], [Math.round(box.width), Math.round(box.height)]);
+  const caption = await page.locator("#stage-caption").textContent();
+  assert.equal(caption, "", "nothing is wrong");
+  assert.ok(picture.length > 10_000);
+});
+
+test("crossings are marked where the report has them, and the stage says that the result is not good", async () => {
+  const before = await seen();
+  await page.route(/\/report$/, async (route) => {
+    const response = await route.fetch();
+    const report = await response.json();
+    report.good = { ok: false, failed: ["crossings", "body"], because: ["cloth passes through cloth at 2 places", "cloth passes through the body"] };
+    const at = (kind, x, y) => ({ kind, panels: ["skirt-front", "skirt-back"], at: [x, y, 0.15], count: 3 });
+    report.intersections = [at("cloth", 0, 0.9), at("degenerate", 0.05, 0.6), at("inside_body", -0.1, 0.8)];
+    await route.fulfill({ response, json: report });
+  });
+  await page.reload();
+  await untilShown(page);
+  await page.unrouteAll({ behavior: "wait" });
+  assert.equal(await page.locator("#stage-caption").textContent(),
+    "✗ The garment came to rest, but it is not right. · ○ 2 places where cloth crosses cloth · □ 1 place where cloth crosses the body");
+  await untilStatus(page, "Cloth passes through cloth at 2 places");
+  assert.ok(await page.locator("#stage.bad").count());
+  assert.ok(await page.locator("#status.bad").count());
+  assert.ok(await difference(browser, before, await seen()) > 0.002);
+  await assertAccessible(page);
+  await page.reload();
+  await untilShown(page);
+  assert.equal(await page.locator("#stage.bad").count(), 0);
+});
+
+test("nothing else failed", () => assertClean(record));
