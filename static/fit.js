@@ -127,7 +127,7 @@ async function showResult(fit, signal) {
   const { avatar } = await getJson(`${fitPath(fit.id)}/garment`, { signal });
   signal.throwIfAborted();
   const shown = avatar?.body ? state.garment.avatar : avatar;
-  await showOutcome(fit.id, shown, { report, signal });
+  await showOutcome(fit.id, shown, signal);
 }
 
 async function watchFit(fit, signal) {

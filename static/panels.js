@@ -79,8 +79,11 @@ export function plainPattern() {
   return { ...pattern, panels: pattern.panels.filter(({ id }) => !out.has(id)), placements };
 }
 
+/** Maps that a fit is judged by; of what is worn over another garment there are fewer. */
+const mapsOf = (garment) => (garment.over ? ["strain"] : ["strain", "pressure", "gap"]);
+
 /** The garment as it is sent: the pattern by id where the service has it and all of it is sewn. */
 export function garmentToSend() {
   const { pattern, garment } = state;
-  return { ...garment, pattern: pattern.stored && leftOut().length === 0 ? pattern.id : plainPattern() };
+  return { ...garment, maps: mapsOf(garment), pattern: pattern.stored && leftOut().length === 0 ? pattern.id : plainPattern() };
 }

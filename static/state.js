@@ -47,6 +47,8 @@ export const state = {
   pendingFitId: null, // id of the pattern's fit, until it is shown or known to be gone
   report: null,
   shape: null, // id of the fit whose shape is on the stage
+  fitView: "cloth", // what the cloth shows: itself, or a map by its name in the report
+  lit: null, // {points}: places on the stage that a person asked to see
   ran: null, // the garment of the shown fit as text, to tell when it is out of date
   draft: null, // name of the draft that the work is kept as
   history: { undo: null, redo: null }, // the changes that can be taken back and made again, in words

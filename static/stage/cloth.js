@@ -40,6 +40,7 @@ export function dress(model) {
     if (!fabrics.includes(name)) fabrics.push(name);
     const color = map ? 0xffffff : CLOTH[fabrics.indexOf(name) % CLOTH.length];
     mesh.material = new THREE.MeshStandardMaterial({ name, map, color, roughness: 0.9, side: THREE.DoubleSide, ...CLOTH_BEHIND });
+    mesh.userData.cloth = mesh.material;
     prepare(mesh);
     mesh.add(borderOf(mesh));
   }
@@ -56,7 +57,8 @@ export function dressBody(model) {
 export function dispose(group) {
   group.traverse((object) => {
     object.geometry?.dispose();
-    for (const material of [object.material ?? []].flat()) material.dispose();
+    object.material?.dispose();
+    object.userData.cloth?.dispose();
   });
   group.clear();
 }

@@ -40,7 +40,10 @@ function materialOf(kind, ratio) {
   return new THREE.PointsMaterial({ map: signs.get(kind), size: SIZE * ratio, sizeAttenuation: false, transparent: true, depthTest: false, toneMapped: false });
 }
 
-/** The marks at places `[x, y, z]` of one kind: `cloth`, `body`, or `lit` for what is pointed at. */
+/**
+ * The marks at places `[x, y, z]` of one kind: `cloth`, `body`, or `lit` for what a person asked to
+ * see.
+ */
 export function marksAt(places, kind, ratio) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(places.flat(), 3));

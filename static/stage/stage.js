@@ -8,6 +8,8 @@ import { byId } from "../dom.js";
 import { fileStem, save } from "../files.js";
 import { state, update, watch } from "../state.js";
 import { captionLines, crossingPlaces, startCaption } from "./caption.js";
+import { startFitViews } from "./fit_views.js";
+import { startProbe } from "./probe.js";
 
 let viewer = null;
 let opening = null; // the promise of the viewer
@@ -24,6 +26,7 @@ async function loadViewer() {
     const { createViewer } = await import("./viewer.js");
     viewer = createViewer(byId("stage"));
     viewer.setBodyVisible(byId("show-body").checked);
+    startProbe(viewer, viewer.canvas);
   } catch (error) {
     opening = null;
     note(`The garment cannot be shown here: ${error.message}. The downloads work all the same.`);
@@ -42,10 +45,14 @@ async function bodyMesh(avatar, signal) {
   return (await call(`/v1/avatars/${encodeURIComponent(id)}/mesh`, { signal, headers: { Accept: "model/gltf-binary" } })).arrayBuffer();
 }
 
-/**
- * Shows the shape of a fit on its body, with marks at the places where its report found crossings.
- */
-export async function showOutcome(fitId, avatar, { report, signal }) {
+/** Marks what crosses, and what a person asks to see. */
+function drawMarks() {
+  const isShown = state.shape !== null && state.shape === state.fit?.id;
+  viewer?.mark({ ...crossingPlaces(isShown ? state.report : null), lit: state.lit?.points ?? [] });
+}
+
+/** Shows the shape of a fit on its body. */
+export async function showOutcome(fitId, avatar, signal) {
   const mine = ++shows;
   const key = JSON.stringify(avatar);
   const [view, garment, body] = await Promise.all([
@@ -58,9 +65,8 @@ export async function showOutcome(fitId, avatar, { report, signal }) {
   if (mine !== shows || signal.aborted) return;
   if (body !== undefined) view.showBody(figure);
   view.showGarment(shape);
-  view.mark(crossingPlaces(report));
   shownBody = key;
-  update({ shape: fitId });
+  update({ shape: fitId, lit: null });
   note("");
 }
 
@@ -87,5 +93,7 @@ export function startStage() {
     note("The garment appears here.");
   });
   watch(["shape"], drawTools);
+  watch(["shape", "fit", "report", "lit"], drawMarks);
+  startFitViews((map) => viewer?.showMap(map) ?? null);
   startCaption();
 }

@@ -6,13 +6,16 @@
 import * as THREE from "three";
 import { GLTFLoader } from "../node_modules/three/examples/jsm/loaders/GLTFLoader.js";
 import { createCamera, frame, newCamera } from "./camera.js";
-import { dispose, dress, dressBody } from "./cloth.js";
+import { dispose, dress, dressBody, meshesIn } from "./cloth.js";
 import { createFloor } from "./floor.js";
 import { lights } from "./light.js";
+import { extentOf, mapMaterial, setValues, valueAt } from "./mapped.js";
 import { marksAt } from "./marks.js";
 
 const LABEL = "Garment in 3D. Arrow keys turn it, plus and minus zoom.";
 const PICTURE_SHARE = 0.9;
+/** Cloth this little behind the body is looked at all the same: it lies on it [m]. */
+const ON_BODY_M = 0.01;
 
 function createRenderer() {
   const renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true });
@@ -94,10 +97,14 @@ export function createViewer(host) {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", readFloor);
   readFloor();
 
+  const ray = new THREE.Raycaster();
+  const hitIn = (group) => ray.intersectObjects(group.visible ? meshesIn(group) : [], false)[0];
+
   const loader = new GLTFLoader();
   let isFirst = true;
 
   return {
+    canvas,
     look,
     setBodyVisible(visible) {
       body.visible = visible;
@@ -121,6 +128,24 @@ export function createViewer(host) {
       if (isFirst) look("whole");
       isFirst = false;
       reshape();
+    },
+    /** Colors the cloth by a map, or as it is with null: the range of the colors, or null. */
+    showMap(map) {
+      const meshes = meshesIn(garment);
+      const isMapped = map !== null && meshes.length > 0 && setValues(meshes, map);
+      const range = isMapped ? map.range(extentOf(meshes)) : null;
+      const material = isMapped ? mapMaterial({ ...map, range }) : null;
+      for (const old of new Set(meshes.map((mesh) => mesh.material))) if (old.isShaderMaterial) old.dispose();
+      for (const mesh of meshes) mesh.material = material ?? mesh.userData.cloth;
+      draw();
+      return range;
+    },
+    /** The panel at a point of the canvas [px], with its value on the shown map; null if none. */
+    probe(x, y) {
+      ray.setFromCamera(new THREE.Vector2((2 * x) / canvas.clientWidth - 1, 1 - (2 * y) / canvas.clientHeight), view.camera);
+      const [hit, before] = [hitIn(garment), hitIn(body)];
+      if (!hit || (before && before.distance < hit.distance - ON_BODY_M)) return null;
+      return { panel: hit.object.userData.panel ?? hit.object.name, value: hit.object.material.isShaderMaterial ? valueAt(hit) : null };
     },
     /** Marks places, by kind: `{cloth: [[x, y, z]…], body: […]}`. */
     mark(places) {

@@ -79,6 +79,83 @@ test("a picture of what is seen is downloaded", async () => {
   assert.ok(picture.length > 10_000);
 });
 
+const view = (name) => page.locator(`[data-fit-view="${name}"]`);
+const legend = () => page.locator("#legend");
+
+test("scales of color go from dark to light, or to dark at both ends", async () => {
+  const scales = await page.evaluate(async () => {
+    const { colorsOf } = await import("/stage/palette.js");
+    return ["sequence", "diverging"].map((scale) => {
+      const bytes = colorsOf(scale, 65);
+      return Array.from({ length: 65 }, (_, i) => 0.21 * bytes[4 * i] + 0.72 * bytes[4 * i + 1] + 0.07 * bytes[4 * i + 2]);
+    });
+  });
+  const rises = (shades) => shades.every((shade, i) => i === 0 || shade > shades[i - 1]);
+  const [sequence, diverging] = scales;
+  assert.ok(rises(sequence));
+  assert.ok(rises(diverging.slice(0, 33)) && rises(diverging.slice(32).reverse()));
+});
+
+test("the maps of the fit are seen on the cloth, with units, error and words", async () => {
+  await press(page, "Front");
+  const cloth = await seen();
+  const said = {
+    strain_warp: /^-\d.*%.*± \d.*by the mesh.*(Stretched most: \+.* %, in [A-Z ]+|stretched nowhere)/,
+    strain_share: /^0\.0 %50 %100 %over.*± .*At most \d.*% of what the fabric gives, in [A-Z ]+.*: there is room to move\./,
+    pressure: /^0\.00 kPa.*± .* kPa by the mesh.*Presses most with .* kPa, in /,
+    gap: /^0 mm.*± .* mm by the mesh.*On average from the waist \d+ mm, hip \d+ mm/,
+  };
+  for (const [name, words] of Object.entries(said)) {
+    await view(name).press("Enter");
+    await page.locator(`[data-fit-view="${name}"][aria-pressed="true"]`).waitFor();
+    await page.waitForFunction((text) => new RegExp(text).test(document.getElementById("legend").textContent), words.source);
+    assert.ok(await difference(browser, cloth, await seen()) > 0.05, name);
+  }
+  await assertAccessible(page);
+});
+
+test("a probe says panel and value under the pointer, and the panel is pointed at", async () => {
+  const { x, y, width, height } = await stage().boundingBox();
+  await page.mouse.move(x + width / 2, y + height * 0.6);
+  const probe = page.locator("#probe:not([hidden])");
+  await probe.waitFor();
+  const text = await probe.textContent();
+  const [, gap] = /^SKIRT FRONT: ([\d.]+) mm from the body$/.exec(text) ?? assert.fail(text);
+  assert.ok(Number(gap) >= 0 && Number(gap) < 300);
+  assert.equal(await page.locator(".panel-row.pointed").getAttribute("data-row"), "skirt-front");
+  await page.mouse.move(x + 12, y + height / 2);
+  await probe.waitFor({ state: "hidden" });
+});
+
+test("the place of the largest value is shown", async () => {
+  await view("strain_share").click();
+  const words = legend().getByRole("button");
+  await words.waitFor();
+  const before = await seen();
+  await words.press("Enter");
+  await twoFrames(page);
+  assert.ok(await difference(browser, before, await seen()) > 0.0005);
+  await view("cloth").click();
+  await legend().waitFor({ state: "hidden" });
+});
+
+test("maps that a fit does not have are not offered, and it is said why", async () => {
+  for (const [kept, why] of [[[], "This fit has no maps"], [["strain_warp", "strain_share"], "without a body"]]) {
+    await page.route(/\/report$/, async (route) => {
+      const response = await route.fetch();
+      const report = await response.json();
+      report.maps = report.maps.filter(({ name }) => kept.includes(name));
+      await route.fulfill({ response, json: report });
+    });
+    await page.reload();
+    await untilShown(page);
+    await page.unrouteAll({ behavior: "wait" });
+    assert.match(await page.locator("#fit-views-why").textContent(), new RegExp(why));
+    const names = await page.locator("[data-fit-view]").evaluateAll((buttons) => buttons.map((button) => button.dataset.fitView));
+    assert.deepEqual(names, kept.length > 0 ? ["cloth", ...kept] : []);
+  }
+});
+
 test("crossings are marked where the report has them, and the stage says that the result is not good", async () => {
   const before = await seen();
   await page.route(/\/report$/, async (route) => {
