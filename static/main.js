@@ -5,6 +5,7 @@
 
 import { startAddress } from "./address.js";
 import { startCheck } from "./check.js";
+import { startSwatches } from "./fabric/swatches.js";
 import { openFromAddress } from "./files.js";
 import { showFit, startFit } from "./fit.js";
 import { startHistory } from "./history.js";
@@ -29,6 +30,7 @@ startHistory(showFit);
 startReading();
 startRecent(showFit);
 startSettings();
+startSwatches();
 startPanelList(fitPanelById);
 startSheet({ select, selectSeam });
 startPicking();

@@ -16,8 +16,8 @@ export const emptyGarment = () => ({
 });
 
 /** True if something was done with a pattern since it was opened, in this tab or as a draft. */
-export const hasWork = ({ garment, offers, leftOut }) =>
-  JSON.stringify(garment) !== JSON.stringify(emptyGarment()) || offers?.length > 0 || leftOut?.length > 0;
+export const hasWork = ({ garment, offers, leftOut, colors }) =>
+  JSON.stringify(garment) !== JSON.stringify(emptyGarment()) || offers?.length > 0 || leftOut?.length > 0 || Object.keys(colors ?? {}).length > 0;
 
 /** State in which nothing is picked, measured or selected. */
 export const NO_SELECTION = { picked: null, pickedAt: null, growing: null, tape: null, selected: null };
@@ -40,6 +40,7 @@ export const state = {
   selected: null, // id of the seam shown in full
   suggested: {}, // what the service said of seams that it suggested, by id: {confidence, because, sides}
   offers: [], // suggested seams that are not sewn before they are accepted
+  colors: {}, // colors of fabrics that were chosen, by id: the page's own, not sent
   leftOut: [], // ids of panels that no seam was suggested for
   check: null, // the answer of seams/check
   checkProblem: null, // the error by which the last check came to nothing

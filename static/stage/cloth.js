@@ -1,9 +1,8 @@
 /** Cloth and body as they are drawn: materials, shadows, borders of panels. */
 
 import * as THREE from "three";
+import { clothMaterial } from "./materials.js";
 
-/** Muted cloth colors, one for each fabric in the garment. */
-const CLOTH = [0x8fa9bf, 0xc79a86, 0x9db08e, 0xb9a3c4, 0xc9b37e, 0x86b1ad];
 const BODY = 0xc4bcb2;
 
 /**
@@ -11,7 +10,6 @@ const BODY = 0xc4bcb2;
  * on it. The report has the true depth.
  */
 const BODY_BEHIND = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 600 };
-const CLOTH_BEHIND = { polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
 const SEAM_LINE = 0x2c3338;
 
 export function meshesIn(model) {
@@ -32,18 +30,30 @@ const borderOf = (mesh) => new THREE.LineSegments(
   new THREE.LineBasicMaterial({ color: SEAM_LINE, transparent: true, opacity: 0.45 }),
 );
 
-/** Cloth from the loaded file: both faces, colored by fabric, borders of panels drawn. */
-export function dress(model) {
-  const fabrics = [];
-  for (const mesh of meshesIn(model)) {
-    const { name, map } = mesh.material;
-    if (!fabrics.includes(name)) fabrics.push(name);
-    const color = map ? 0xffffff : CLOTH[fabrics.indexOf(name) % CLOTH.length];
-    mesh.material = new THREE.MeshStandardMaterial({ name, map, color, roughness: 0.9, side: THREE.DoubleSide, ...CLOTH_BEHIND });
+/** The id of the panel that a mesh is. */
+export const panelOfMesh = (mesh) => mesh.userData.panel ?? mesh.name;
+
+/** Gives the panels the looks that they have now. */
+export function restyle(meshes, lookOf) {
+  for (const mesh of meshes) {
+    const before = mesh.userData.cloth;
+    const cloth = clothMaterial(lookOf(panelOfMesh(mesh)), mesh.userData.print);
+    if (mesh.material === before) mesh.material = cloth;
+    mesh.userData.cloth = cloth;
+    before.dispose();
+  }
+}
+
+/** Cloth from the loaded file: looks by panel, borders of panels drawn. */
+export function dress(model, lookOf) {
+  const meshes = meshesIn(model);
+  for (const mesh of meshes) {
+    mesh.userData.print = mesh.material.map;
     mesh.userData.cloth = mesh.material;
     prepare(mesh);
     mesh.add(borderOf(mesh));
   }
+  restyle(meshes, lookOf);
 }
 
 export function dressBody(model) {

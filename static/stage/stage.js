@@ -5,6 +5,7 @@
 
 import { call, postJson } from "../api.js";
 import { byId } from "../dom.js";
+import { lookOf } from "../fabric/looks.js";
 import { fileStem, save } from "../files.js";
 import { state, update, watch } from "../state.js";
 import { captionLines, crossingPlaces, startCaption } from "./caption.js";
@@ -64,7 +65,7 @@ export async function showOutcome(fitId, avatar, signal) {
   const [shape, figure] = await Promise.all([view.read(garment), body ? view.read(body) : null]);
   if (mine !== shows || signal.aborted) return;
   if (body !== undefined) view.showBody(figure);
-  view.showGarment(shape);
+  view.showGarment(shape, lookOf);
   shownBody = key;
   update({ shape: fitId, lit: null });
   note("");
@@ -93,6 +94,7 @@ export function startStage() {
     note("The garment appears here.");
   });
   watch(["shape"], drawTools);
+  watch(["fabrics", "garment", "colors"], () => viewer?.restyle(lookOf));
   watch(["shape", "fit", "report", "lit"], drawMarks);
   startFitViews((map) => viewer?.showMap(map) ?? null);
   startCaption();

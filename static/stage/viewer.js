@@ -6,7 +6,7 @@
 import * as THREE from "three";
 import { GLTFLoader } from "../node_modules/three/examples/jsm/loaders/GLTFLoader.js";
 import { createCamera, frame, newCamera } from "./camera.js";
-import { dispose, dress, dressBody, meshesIn } from "./cloth.js";
+import { dispose, dress, dressBody, meshesIn, panelOfMesh, restyle } from "./cloth.js";
 import { createFloor } from "./floor.js";
 import { lights } from "./light.js";
 import { extentOf, mapMaterial, setValues, valueAt } from "./mapped.js";
@@ -121,13 +121,18 @@ export function createViewer(host) {
       reshape();
     },
     /** The camera stays where it was when a garment is sewn again. */
-    showGarment(model) {
+    showGarment(model, lookOf) {
       dispose(garment);
-      dress(model);
+      dress(model, lookOf);
       garment.add(model);
       if (isFirst) look("whole");
       isFirst = false;
       reshape();
+    },
+    /** Gives the cloth the looks that `lookOf(panel)` says. */
+    restyle(lookOf) {
+      restyle(meshesIn(garment), lookOf);
+      draw();
     },
     /** Colors the cloth by a map, or as it is with null: the range of the colors, or null. */
     showMap(map) {
@@ -145,7 +150,7 @@ export function createViewer(host) {
       ray.setFromCamera(new THREE.Vector2((2 * x) / canvas.clientWidth - 1, 1 - (2 * y) / canvas.clientHeight), view.camera);
       const [hit, before] = [hitIn(garment), hitIn(body)];
       if (!hit || (before && before.distance < hit.distance - ON_BODY_M)) return null;
-      return { panel: hit.object.userData.panel ?? hit.object.name, value: hit.object.material.isShaderMaterial ? valueAt(hit) : null };
+      return { panel: panelOfMesh(hit.object), value: hit.object.material.isShaderMaterial ? valueAt(hit) : null };
     },
     /** Marks places, by kind: `{cloth: [[x, y, z]…], body: […]}`. */
     mark(places) {

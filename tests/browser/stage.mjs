@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { readFile } from "node:fs/promises";
 import { after, test } from "node:test";
-import { openSkirt, press, twoFrames, untilShown, untilStatus } from "./acts.mjs";
+import { openSkirt, press, savedGarment, twoFrames, undo, untilKept, untilShown, untilStatus } from "./acts.mjs";
 import { assertAccessible, assertClean, difference, startPage } from "./support.mjs";
 
 const { page, browser, record, close } = await startPage();
@@ -137,6 +137,93 @@ test("the place of the largest value is shown", async () => {
   assert.ok(await difference(browser, before, await seen()) > 0.0005);
   await view("cloth").click();
   await legend().waitFor({ state: "hidden" });
+});
+
+test("the kind of a fabric is told by its name, else by its figures", async () => {
+  const kinds = await page.evaluate(async () => {
+    const [{ kindOf }, { fabrics }] = [await import("/fabric/looks.js"), await (await fetch("/v1/fabrics")).json()];
+    const stiff = { name: "Number 7", stretch_warp_n_m: 9000, stretch_weft_n_m: 4000 };
+    const soft = { ...stiff, stretch_warp_n_m: 90, stretch_weft_n_m: 200 };
+    return { ...Object.fromEntries(fabrics.map(({ id, ...fabric }) => [id, kindOf(id, fabric)])), stiff: kindOf("x", stiff), soft: kindOf("x", soft) };
+  });
+  const { "denim-11oz": denim, "jersey-knit": jersey, "silk-satin": satin, "cotton-poplin": poplin, chiffon, stiff, soft } = kinds;
+  assert.deepEqual([denim, jersey, satin, poplin, chiffon, stiff, soft], ["denim", "knit", "satin", "woven", "sheer", "woven", "knit"]);
+});
+
+test("the inside of cloth is lighter, satin shines where a weave does not, and near by a weave is seen", async () => {
+  const { outside, inside, satin, threads, plain } = await page.evaluate(async () => {
+    const [THREE, { clothMaterial }] = [await import("three"), await import("/stage/materials.js")];
+    const renderer = new THREE.WebGLRenderer();
+    renderer.setSize(64, 64);
+    const camera = new THREE.PerspectiveCamera(40, 1, 0.001, 10);
+    /** Shades of a piece of cloth a meter wide, seen from a distance. */
+    const shades = (kind, { turned = 0, away = 1.2 } = {}) => {
+      const [scene, lamp] = [new THREE.Scene(), new THREE.DirectionalLight(0xffffff, 1)];
+      lamp.position.set(0, 0.05, 1);
+      const cloth = new THREE.Mesh(new THREE.PlaneGeometry(1, 1), clothMaterial({ kind, color: "#8a98a8" }));
+      cloth.rotation.y = turned;
+      camera.position.z = away;
+      scene.add(new THREE.AmbientLight(0xffffff, 1), lamp, cloth);
+      renderer.render(scene, camera);
+      const pixels = new Uint8Array(64 * 64 * 4);
+      const gl = renderer.getContext();
+      gl.readPixels(0, 0, 64, 64, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+      return Array.from({ length: 32 * 32 }, (_, i) => pixels[4 * (64 * (16 + (i >> 5)) + 16 + (i & 31)) + 1]);
+    };
+    const mean = (all) => all.reduce((sum, one) => sum + one) / all.length;
+    const spread = (all) => (Math.max(...all) - Math.min(...all)) / mean(all);
+    return {
+      outside: mean(shades("woven")), inside: mean(shades("woven", { turned: Math.PI })), satin: mean(shades("satin")),
+      threads: spread(shades("denim", { away: 0.02 })), plain: spread(shades("leather", { away: 0.02 })),
+    };
+  });
+  assert.ok(inside > outside + 10, `${inside} inside, ${outside} outside`);
+  assert.ok(satin > outside + 5, `${satin} of satin, ${outside} of poplin`);
+  assert.ok(threads > plain + 0.1, `${threads} of denim, ${plain} of leather`);
+});
+
+test("a color is seen at once, undone, kept over a reload, and sent to nobody", async () => {
+  let sent = 0;
+  const count = (request) => { sent += request.method() === "POST"; };
+  const before = await seen();
+  const garment = await savedGarment(page);
+  page.on("request", count);
+  const brick = page.getByRole("button", { name: "Cotton poplin in Brick" });
+  await brick.click();
+  const colored = await seen();
+  assert.ok(await difference(browser, before, colored) > 0.05);
+  await undo(page);
+  assert.ok(await difference(browser, before, await seen()) < 0.008);
+  await press(page, "Redo");
+  const field = page.getByLabel("Color of Cotton poplin");
+  await field.evaluate((input) => {
+    for (const [color, type] of [["#112233", "input"], ["#3f7f84", "input"], ["#3f7f84", "change"]]) {
+      input.value = color;
+      input.dispatchEvent(new Event(type, { bubbles: true }));
+    }
+  });
+  await undo(page);
+  assert.equal(await field.inputValue(), "#9c4a3c", "what was tried is one change");
+  assert.deepEqual(await savedGarment(page), garment);
+  page.off("request", count);
+  assert.equal(sent, 0);
+  await untilKept(page);
+  await page.reload();
+  await untilShown(page);
+  assert.equal(await field.inputValue(), "#9c4a3c");
+  assert.equal(await page.locator("#run-note").textContent(), "", "the result is up to date still");
+  await press(page, "Front");
+  assert.ok(await difference(browser, colored, await seen()) < 0.01);
+  await assertAccessible(page);
+});
+
+test("another fabric is seen at once on the shape that there is", async () => {
+  const before = await seen();
+  await page.locator("#default-fabric").selectOption("denim-11oz");
+  await page.locator("#stage-caption", { hasText: "As it was before the last changes" }).waitFor();
+  assert.ok(await difference(browser, before, await seen()) > 0.05);
+  assert.equal(await page.locator(".fabric-row small").textContent(), "denim");
+  await undo(page);
 });
 
 test("maps that a fit does not have are not offered, and it is said why", async () => {
