@@ -208,13 +208,15 @@ export async function openDraft(draft, showFit) {
     const { reading, suggested, offers, leftOut, numbers, colors } = draft;
     return { pattern, reading, garment: garmentFrom(draft.garment), suggested, offers, leftOut, numbers, colors, draft: name };
   });
+  if (shown) update({ before: draft.before ?? null });
   if (shown && draft.fit) showFit(draft.fit, draft.ran);
 }
 
 /** Opens a fit with the garment that it sewed. */
 export async function openFit(id, showFit) {
   const shown = await load(async () => {
-    const saved = await getJson(`/v1/fits/${encodeURIComponent(id)}/garment`);
+    // The shape that it started from is large; the next run starts from its own.
+    const { start_from: _, ...saved } = await getJson(`/v1/fits/${encodeURIComponent(id)}/garment`);
     return { ...(await patternOf(saved)), garment: garmentFrom(saved) };
   });
   if (shown) showFit(id);

@@ -1,12 +1,13 @@
 /** A fit: start, watch, cancel, show, download. */
 
 import { linkTo } from "./address.js";
-import { call, events, getJson, isGone, isTransient, postJson, Problem } from "./api.js";
-import { byId, replaceChildren } from "./dom.js";
+import { comparison, figuresToKeep, startableFit, startWords, submit } from "./again.js";
+import { call, events, getJson, isGone, isTransient, Problem } from "./api.js";
+import { byId, el, replaceChildren } from "./dom.js";
 import { fileStem, save } from "./files.js";
+import { girthTable } from "./measures.js";
 import { say } from "./say.js";
 import { reportSummary, verdictOf, verdictText } from "./report.js";
-import { garmentToSend } from "./panels.js";
 import { asText, isUpToDate } from "./ran.js";
 import { state, update, watch } from "./state.js";
 import { distance, problemItems, seconds } from "./words.js";
@@ -123,6 +124,7 @@ async function showResult(fit, signal) {
     return;
   }
   say(verdictText(report, fit.status), verdictOf(report, fit.status).good ? "good" : "bad");
+  showMeasures(fit.id, signal);
   // The saved garment says which limbs its body has; a body of one's own it has whole.
   const { avatar } = await getJson(`${fitPath(fit.id)}/garment`, { signal });
   signal.throwIfAborted();
@@ -130,8 +132,14 @@ async function showResult(fit, signal) {
   await showOutcome(fit.id, shown, signal);
 }
 
+/** Girths and ease come when they are there; a garment that has none is shown all the same. */
+async function showMeasures(id, signal) {
+  const measures = await getJson(`${fitPath(id)}/measures`, { signal }).catch(() => null);
+  if (!signal.aborted) update({ measures });
+}
+
 async function watchFit(fit, signal) {
-  update({ fit, pendingFitId: null, report: null });
+  update({ fit, pendingFitId: null, report: null, measures: null, lit: null });
   byId("progress-bar").removeAttribute("value");
   byId("progress-stage").textContent = "Waiting for a worker";
   byId("progress-figures").textContent = "";
@@ -148,21 +156,21 @@ async function watchFit(fit, signal) {
   }
 }
 
-async function run() {
+async function run(from) {
   if (submitting) return;
   submitting = true;
   byId("fit-faults").replaceChildren();
   const ran = asText();
   const { pattern } = state;
   try {
-    const fit = await postJson("/v1/fits", garmentToSend());
+    const { fit, refused } = await submit(from);
     if (state.pattern !== pattern) {
       say(`${pattern.name} is being sewn: Open lists it among earlier fits.`);
       return;
     }
     const signal = begin();
-    update({ ran });
-    say("The garment is being sewn. You can go on with the pattern meanwhile.");
+    update({ ran, before: figuresToKeep() });
+    say(`The garment is being sewn.${startWords(from, refused)} You can go on with the pattern meanwhile.`);
     watchFit(fit, signal);
   } catch (problem) {
     if (state.pattern === pattern) showFaults(problem);
@@ -204,14 +212,19 @@ function drawRun() {
   const ready = state.pattern && state.garment.seams.length > 0 && state.check?.ok !== false;
   byId("run").disabled = !ready;
   byId("run").textContent = state.report ? "Sew again" : "Sew and drape";
+  byId("run").title = startableFit() ? "Goes on from the last shape" : "";
+  byId("run-anew").hidden = running || !ready || !startableFit();
   swap(byId("run"), byId("cancel"), running);
   byId("progress").hidden = !running;
   byId("run-note").textContent = hint(running);
 }
 
 function drawReport() {
-  const { fit, report } = state;
+  const { fit, report, measures } = state;
   replaceChildren(byId("report"), report ? reportSummary(report, fit?.status) : []);
+  replaceChildren(byId("measures-shown"), report && measures ? [el("h3", {}, "Girths"), girthTable(measures)] : []);
+  const compared = comparison();
+  replaceChildren(byId("compared"), compared ? [el("h3", {}, "Before and now"), compared] : []);
   byId("downloads").hidden = !report;
   const isGood = report && verdictOf(report, fit?.status).good;
   byId("report-mark").textContent = report ? (isGood ? "✓" : "✗") : "";
@@ -259,7 +272,8 @@ async function copyLink() {
 
 export function startFit() {
   byId("copy-link").addEventListener("click", copyLink);
-  byId("run").addEventListener("click", run);
+  byId("run").addEventListener("click", () => run(startableFit()));
+  byId("run-anew").addEventListener("click", () => run(null));
   byId("cancel").addEventListener("click", cancel);
   for (const button of document.querySelectorAll("[data-download]")) {
     button.addEventListener("click", () => download(button.dataset.download));
@@ -271,6 +285,6 @@ export function startFit() {
     watching = null;
     byId("fit-faults").replaceChildren();
   });
-  watch(["pattern", "garment", "check", "checkProblem", "fit", "report", "ran"], drawRun);
-  watch(["fit", "report"], drawReport);
+  watch(["pattern", "garment", "check", "checkProblem", "fit", "report", "before", "ran"], drawRun);
+  watch(["fit", "report", "measures", "before"], drawReport);
 }

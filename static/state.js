@@ -23,7 +23,7 @@ export const hasWork = ({ garment, offers, leftOut, colors }) =>
 export const NO_SELECTION = { picked: null, pickedAt: null, growing: null, tape: null, selected: null };
 
 /** State in which nothing is checked or sewn. */
-export const NO_RESULT = { check: null, checkProblem: null, fit: null, pendingFitId: null, report: null, ran: null };
+export const NO_RESULT = { check: null, checkProblem: null, fit: null, pendingFitId: null, report: null, measures: null, before: null, ran: null };
 
 export const state = {
   pattern: null,
@@ -47,9 +47,11 @@ export const state = {
   fit: null,
   pendingFitId: null, // id of the pattern's fit, until it is shown or known to be gone
   report: null,
+  measures: null, // girths and areas of the shown fit
+  before: null, // figures of the fit that was shown before
   shape: null, // id of the fit whose shape is on the stage
   fitView: "cloth", // what the cloth shows: itself, or a map by its name in the report
-  lit: null, // {points}: places on the stage that a person asked to see
+  lit: null, // {key, points or girth or opening}: what on the stage a person asked to see
   ran: null, // the garment of the shown fit as text, to tell when it is out of date
   draft: null, // name of the draft that the work is kept as
   history: { undo: null, redo: null }, // the changes that can be taken back and made again, in words

@@ -7,6 +7,7 @@ import { byId, el, replaceChildren } from "../dom.js";
 import { state, update, watch } from "../state.js";
 import { errorText, MAPS, wordsOn } from "./maps.js";
 import { gradientOf, OVER } from "./palette.js";
+import { placeButton } from "./place_button.js";
 
 const CLOTH = "cloth";
 
@@ -56,7 +57,7 @@ function legend(summary, [least, most]) {
     el("div", { class: "scale" }, bar(map)),
     el("div", { class: "ticks" }, ticks, map.hasOver && el("span", {}, "over")),
     el("p", {}, errorText(summary)),
-    el("button", { type: "button", class: "words", "data-key": "most", title: "Show the place", onclick: () => update({ lit: { points: [at] } }) }, text),
+    placeButton(`most ${summary.name}`, text, { points: [at] }, { kind: "words" }),
   ];
 }
 

@@ -10,6 +10,7 @@ import { fileStem, save } from "../files.js";
 import { state, update, watch } from "../state.js";
 import { captionLines, crossingPlaces, startCaption } from "./caption.js";
 import { startFitViews } from "./fit_views.js";
+import { startPlaceButtons } from "./place_button.js";
 import { startProbe } from "./probe.js";
 
 let viewer = null;
@@ -49,7 +50,7 @@ async function bodyMesh(avatar, signal) {
 /** Marks what crosses, and what a person asks to see. */
 function drawMarks() {
   const isShown = state.shape !== null && state.shape === state.fit?.id;
-  viewer?.mark({ ...crossingPlaces(isShown ? state.report : null), lit: state.lit?.points ?? [] });
+  viewer?.mark({ ...crossingPlaces(isShown ? state.report : null), lit: state.lit?.points ?? [] }, state.lit ?? {});
 }
 
 /** Shows the shape of a fit on its body. */
@@ -97,5 +98,6 @@ export function startStage() {
   watch(["fabrics", "garment", "colors"], () => viewer?.restyle(lookOf));
   watch(["shape", "fit", "report", "lit"], drawMarks);
   startFitViews((map) => viewer?.showMap(map) ?? null);
+  startPlaceButtons();
   startCaption();
 }

@@ -10,7 +10,9 @@ import { dispose, dress, dressBody, meshesIn, panelOfMesh, restyle } from "./clo
 import { createFloor } from "./floor.js";
 import { lights } from "./light.js";
 import { extentOf, mapMaterial, setValues, valueAt } from "./mapped.js";
+import { litLines } from "./lit.js";
 import { marksAt } from "./marks.js";
+import { girthLines, openingLines } from "./rings.js";
 
 const LABEL = "Garment in 3D. Arrow keys turn it, plus and minus zoom.";
 const PICTURE_SHARE = 0.9;
@@ -152,12 +154,14 @@ export function createViewer(host) {
       if (!hit || (before && before.distance < hit.distance - ON_BODY_M)) return null;
       return { panel: panelOfMesh(hit.object), value: hit.object.material.isShaderMaterial ? valueAt(hit) : null };
     },
-    /** Marks places, by kind: `{cloth: [[x, y, z]…], body: […]}`. */
-    mark(places) {
+    /** Marks places, by kind: `{cloth: [[x, y, z]…], body: […]}`, and lights what is asked for. */
+    mark(places, { girth, opening } = {}) {
       dispose(marks);
       for (const [kind, at] of Object.entries(places)) {
         if (at.length > 0) marks.add(marksAt(at, kind, renderer.getPixelRatio()));
       }
+      if (girth) marks.add(...litLines(girthLines(meshesIn(garment), girth)));
+      if (opening) marks.add(...litLines(openingLines(meshesIn(garment), opening)));
       draw();
     },
     /** Draws what is seen onto a canvas. */
