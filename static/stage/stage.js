@@ -13,6 +13,9 @@ import { startFitViews } from "./fit_views.js";
 import { startPlaceButtons } from "./place_button.js";
 import { startProbe } from "./probe.js";
 
+/** Size of the pictures in the gallery [px]. */
+const THUMBNAIL = { width: 264, height: 330 };
+
 let viewer = null;
 let opening = null; // the promise of the viewer
 let shownBody = "";
@@ -75,6 +78,13 @@ export async function showOutcome(fitId, avatar, signal) {
 async function downloadPicture() {
   const { pictureOf } = await import("./picture.js");
   save(await pictureOf(viewer, byId("stage"), [state.pattern.name, ...captionLines()]), `${fileStem()}.png`);
+}
+
+/** A small picture of the whole on the stage; null where there is no viewer. */
+export async function stagePicture() {
+  if (!viewer) return null;
+  const { thumbnailOf } = await import("./picture.js");
+  return thumbnailOf(viewer, THUMBNAIL.width, THUMBNAIL.height);
 }
 
 function drawTools() {
