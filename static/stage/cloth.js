@@ -24,11 +24,25 @@ function prepare(mesh) {
   if (!mesh.geometry.attributes.normal) mesh.geometry.computeVertexNormals();
 }
 
-/** An angle that no fold reaches leaves the border of the panel. */
-const borderOf = (mesh) => new THREE.LineSegments(
-  new THREE.EdgesGeometry(mesh.geometry, 179),
-  new THREE.LineBasicMaterial({ color: SEAM_LINE, transparent: true, opacity: 0.45 }),
-);
+/** Pairs of vertices of the edges that only one triangle has. */
+function freeEdges({ index, attributes: { position } }) {
+  const free = new Map();
+  const { array } = index;
+  for (let i = 0; i < array.length; i++) {
+    const [a, b] = [array[i], array[i % 3 === 2 ? i - 2 : i + 1]];
+    const key = Math.min(a, b) * position.count + Math.max(a, b);
+    if (!free.delete(key)) free.set(key, [a, b]);
+  }
+  return [...free.values()].flat();
+}
+
+/** The border of a panel, as lines over its own vertices. */
+function borderOf({ geometry }) {
+  const border = new THREE.BufferGeometry();
+  border.setAttribute("position", geometry.attributes.position);
+  border.setIndex(freeEdges(geometry));
+  return new THREE.LineSegments(border, new THREE.LineBasicMaterial({ color: SEAM_LINE, transparent: true, opacity: 0.45 }));
+}
 
 /** The id of the panel that a mesh is. */
 export const panelOfMesh = (mesh) => mesh.userData.panel ?? mesh.name;

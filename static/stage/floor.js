@@ -59,7 +59,7 @@ function blurPass() {
   return { scene, uniforms, camera: new THREE.OrthographicCamera(-1, 1, 1, -1, -1, 1) };
 }
 
-/** The floor: `mesh`, `setColor`, and `darken(renderer, scene)` for when its shadow changed. */
+/** The floor: `mesh`, `moveTo`, `setColor`, and `darken(renderer, scene)` for when its shadow changed. */
 export function createFloor() {
   const [shadow, blurred] = [0, 0].map(() => new THREE.WebGLRenderTarget(PIXELS, PIXELS));
   const uniforms = { picture: { value: shadow.texture }, color: { value: new THREE.Color() } };
@@ -78,6 +78,11 @@ export function createFloor() {
   };
   return {
     mesh,
+    /** Puts the floor at a height [m]. */
+    moveTo(height) {
+      mesh.position.y = height;
+      below.position.y = height;
+    },
     setColor: (color) => uniforms.color.value.set(color),
     darken(renderer, scene) {
       const hidden = scene.children.filter((child) => child.visible && !child.userData.castsOnFloor);

@@ -1,36 +1,40 @@
 /** Lines round the garment: where a height cuts it, and its free borders. */
 
 import * as THREE from "three";
+import { panelOfMesh } from "./cloth.js";
 
-/** Points nearer than this are one: panels meet there [m]. */
-const SAME_M = 2e-5;
+/** Points in one cell of this size are one: panels meet there [m]. */
+const CELL_M = 5e-5;
+/** Cells each way, of which three coordinates make one whole number that is exact. */
+const CELLS = 2 ** 17;
 /** Rings whose middle is further to a side than this are of an arm or a leg [m]. */
 const ASIDE_M = 0.03;
+
+const cellOf = (x) => Math.round(x / CELL_M) + CELLS / 2;
 
 /** Triangles of all panels over common vertices: `{points, triangles}`, each corner by number. */
 function surfaceOf(meshes) {
   const numbers = new Map();
   const points = [];
   const triangles = [];
-  const at = new THREE.Vector3();
   for (const mesh of meshes) {
     const { position } = mesh.geometry.attributes;
     const own = Array.from({ length: position.count }, (_, i) => {
-      at.fromBufferAttribute(position, i);
-      const key = at.toArray().map((x) => Math.round(x / SAME_M)).join();
-      if (!numbers.has(key)) numbers.set(key, points.push(at.clone()) - 1);
-      return numbers.get(key);
+      const at = new THREE.Vector3().fromBufferAttribute(position, i);
+      const cell = (cellOf(at.x) * CELLS + cellOf(at.y)) * CELLS + cellOf(at.z);
+      if (!numbers.has(cell)) numbers.set(cell, points.push(at) - 1);
+      return numbers.get(cell);
     });
-    const index = mesh.geometry.index.array;
-    for (let i = 0; i < index.length; i += 3) triangles.push({ panel: mesh.userData.panel ?? mesh.name, corners: [own[index[i]], own[index[i + 1]], own[index[i + 2]]] });
+    const [panel, index] = [panelOfMesh(mesh), mesh.geometry.index.array];
+    for (let i = 0; i < index.length; i += 3) triangles.push({ panel, corners: [own[index[i]], own[index[i + 1]], own[index[i + 2]]] });
   }
   return { points, triangles };
 }
 
 const edgesOf = ([a, b, c]) => [[a, b], [b, c], [c, a]];
-const keyOf = ([a, b]) => (a < b ? `${a} ${b}` : `${b} ${a}`);
+const keyOf = ([a, b]) => Math.min(a, b) * CELLS + Math.max(a, b);
 
-/** Parts them that hang together: segments `{ends: [key, key], …}` into lists. */
+/** Segments `{ends: [key, key], …}` in lists of those that hang together. */
 function partedRings(segments) {
   const parents = new Map();
   const rootOf = (key) => {
@@ -51,9 +55,10 @@ const heightOf = (ring) => ring.reduce((sum, { line: [a, b] }) => sum + a.y + b.
 const linesOf = (rings) => rings.flat().map(({ line }) => line);
 
 function cut({ points, triangles }, height) {
-  const crosses = ([a, b]) => (points[a].y < height) !== (points[b].y < height);
   const pointOn = ([a, b]) => points[a].clone().lerp(points[b], (height - points[a].y) / (points[b].y - points[a].y));
-  return triangles.map(({ corners }) => edgesOf(corners).filter(crosses)).filter((edges) => edges.length === 2)
+  const below = points.map(({ y }) => y < height);
+  const isCut = ({ corners: [a, b, c] }) => below[a] !== below[b] || below[b] !== below[c];
+  return triangles.filter(isCut).map(({ corners }) => edgesOf(corners).filter(([a, b]) => below[a] !== below[b]))
     .map((edges) => ({ ends: edges.map(keyOf), line: edges.map(pointOn) }));
 }
 
@@ -71,10 +76,9 @@ function borders({ points, triangles }) {
   const found = new Map();
   for (const { panel, corners } of triangles) for (const edge of edgesOf(corners)) {
     const key = keyOf(edge);
-    if (found.has(key)) found.set(key, null);
-    else found.set(key, { panel, ends: edge, line: edge.map((i) => points[i]) });
+    if (!found.delete(key)) found.set(key, { panel, ends: edge, line: edge.map((i) => points[i]) });
   }
-  return partedRings([...found.values()].filter(Boolean));
+  return partedRings([...found.values()]);
 }
 
 /** Lines of the opening of a report: the free border of its panels that is most like it. */

@@ -24,6 +24,7 @@ function createRenderer() {
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.autoUpdate = false;
   renderer.toneMapping = THREE.NeutralToneMapping;
+  renderer.toneMappingExposure = 0.86;
   renderer.setPixelRatio(Math.min(2, devicePixelRatio));
   return renderer;
 }
@@ -74,6 +75,9 @@ export function createViewer(host) {
   const reshape = () => {
     isReshaped = true;
     floor.mesh.visible = garment.children.length + body.children.length > 0;
+    // A form without legs stands on it as on a table.
+    const { min } = new THREE.Box3().setFromObject(body);
+    floor.moveTo(body.visible && Number.isFinite(min.y) ? min.y : 0);
     draw();
   };
 

@@ -268,4 +268,53 @@ test("crossings are marked where the report has them, and the stage says that th
   assert.equal(await page.locator("#stage.bad").count(), 0);
 });
 
+test("ten thousand vertices keep no script busy for 100 ms", async () => {
+  const slow = await page.evaluate(async () => {
+    const [THREE, { createViewer }, { MAPS }, rings] = await Promise.all(
+      ["three", "/stage/viewer.js", "/stage/maps.js", "/stage/rings.js"].map((path) => import(path)));
+    const host = document.body.appendChild(document.createElement("div"));
+    host.style.cssText = "width: 200px; height: 200px";
+    const viewer = createViewer(host);
+    const quarter = (i) => {
+      const geometry = new THREE.CylinderGeometry(0.2, 0.3, 0.8, 50, 49, true, (i * Math.PI) / 2, Math.PI / 2).translate(0, 0.9, 0);
+      for (const [name, size] of [["_strain", 2], ["_strain_share", 1], ["_pressure", 1], ["_gap", 1]]) {
+        geometry.setAttribute(name, new THREE.BufferAttribute(Float32Array.from({ length: size * geometry.attributes.position.count }, Math.random), size));
+      }
+      return Object.assign(new THREE.Mesh(geometry, new THREE.MeshStandardMaterial()), { userData: { panel: `p${i}` } });
+    };
+    const model = new THREE.Group().add(...[0, 1, 2, 3].map(quarter));
+    const look = () => ({ kind: "knit", color: "#8fb0cf" });
+    const acts = {
+      show: () => viewer.showGarment(model.clone(), look),
+      restyle: () => viewer.restyle(look),
+      map: () => viewer.showMap(MAPS.pressure),
+      probe: () => viewer.probe(100, 100),
+      girth: () => rings.girthLines(model.children, { at: "waist", height_m: 1 }),
+      opening: () => rings.openingLines(model.children, { panels: ["p0"], height_m: 1.3, length_m: 1 }),
+    };
+    const times = Object.entries(acts).map(([name, act]) => [name, Math.min(...[0, 1, 2].map(() => {
+      const start = performance.now();
+      act();
+      return performance.now() - start;
+    }))]);
+    host.remove();
+    return times.filter(([, time]) => time >= 100);
+  });
+  assert.deepEqual(slow, []);
+});
+
+test("all that the page loads is 400 KB compressed", async () => {
+  const weight = await page.evaluate(async () => {
+    const sizeOf = async (url) => {
+      const zipped = (await fetch(url)).body.pipeThrough(new CompressionStream("gzip"));
+      return (await new Response(zipped).arrayBuffer()).byteLength;
+    };
+    const own = performance.getEntriesByType("resource").map(({ name }) => name).filter((name) => /\.(js|css|svg)$/.test(name));
+    const sizes = await Promise.all([...new Set([...own, location.pathname])].map(sizeOf));
+    return { count: sizes.length, bytes: sizes.reduce((sum, size) => sum + size) };
+  });
+  console.log(`${weight.count} files, ${(weight.bytes / 1024).toFixed(0)} KB compressed`);
+  assert.ok(weight.count > 60 && weight.bytes <= 400 * 1024, JSON.stringify(weight));
+});
+
 test("nothing else failed", () => assertClean(record));
