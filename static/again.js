@@ -33,7 +33,9 @@ export function startWords(from, refused) {
   return from ? " It goes on from the last shape." : "";
 }
 
-/** Figures of the shown fit, to be compared with those of the next; those before where it has none. */
+/**
+ * Figures of the shown fit, to be compared with those of the next; those before where it has none.
+ */
 export function figuresToKeep() {
   const { fit, report, measures, before } = state;
   if (!report || fit.status === "canceled") return before;

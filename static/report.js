@@ -3,7 +3,7 @@
 import { el } from "./dom.js";
 import { makersText } from "./makers_words.js";
 import { panelName } from "./run_names.js";
-import { crossingPlaces } from "./stage/caption.js";
+import { crossingPlaces } from "./stage/crossings.js";
 import { placeButton } from "./stage/place_button.js";
 import { centimeters, distance, percent, plural, scientific, seconds, sentence } from "./words.js";
 
@@ -13,6 +13,8 @@ const finding = (kind, text, place) => el("li", { class: kind },
 
 const CLOSED_M = 1e-3;
 const INSIDE_M = 1e-3;
+/** Warnings of a run that are shown; the downloaded report has all. */
+const MOST_WARNINGS = 6;
 
 /** The reason for its stop, with the residual unless that is said already. */
 function reason(report) {
@@ -122,6 +124,7 @@ export function reportSummary(report, status) {
   const { good, text } = verdictOf(report, status);
   const worn = report.worn ?? { ok: null, because: "not stated" };
   const items = [closing(report), ...crossings(report), inside(report), layers(report), ...support(worn),
+    ...(report.warnings ?? []).slice(0, MOST_WARNINGS).map(({ detail }) => finding("plain", sentence(detail))),
     finding("plain", `Largest strain ${percent(report.strain_max)}.`)];
   const figures = [
     finding(report.converged ? "good" : "bad", reason(report)),

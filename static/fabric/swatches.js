@@ -42,7 +42,7 @@ function row(id) {
       type: "color", value: colorOf(id), "data-key": `color ${id}`, "aria-label": `Color of ${name}`,
       oninput: (event) => attempt(id, event.target.value), onchange: (event) => choose(id, name, event.target.value),
     }),
-    el("span", { class: "name" }, name), el("small", {}, KIND[kindOf(id, fabric)]),
+    el("span", { class: "fabric-name" }, name), el("small", {}, KIND[kindOf(id, fabric)]),
     el("div", { class: "swatches" }, COLORS.map((color) => swatch(id, name, color))));
 }
 

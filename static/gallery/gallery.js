@@ -3,11 +3,12 @@
  * named and erased from here.
  */
 
+import { figuresToKeep } from "../again.js";
 import { byId, el, paintWhenFree, replaceChildren } from "../dom.js";
 import { openFit } from "../files.js";
 import { verdictOf } from "../report.js";
 import { say } from "../say.js";
-import { state, watch } from "../state.js";
+import { state, update, watch } from "../state.js";
 import { seconds } from "../words.js";
 import { allEntries, forget, keepEntry, rename } from "./pictures.js";
 
@@ -31,8 +32,13 @@ async function keepPicture() {
   await keepEntry(entry).then(refresh, () => {});
 }
 
+/** Opens a fit; one of the same pattern is compared with the one that was shown, in its colors. */
 async function open(fit) {
-  if (fit !== state.fit?.id) await openFit(fit, showFit);
+  if (fit === state.fit?.id) return;
+  const { pattern, colors } = state;
+  const before = figuresToKeep();
+  await openFit(fit, showFit);
+  if (state.pattern?.id === pattern?.id) update({ before, colors });
 }
 
 /** Erases picture and name here; the service has no call that erases a fit. */

@@ -5,16 +5,7 @@ import { isUpToDate } from "../ran.js";
 import { verdictOf } from "../report.js";
 import { state, watch } from "../state.js";
 import { plural } from "../words.js";
-
-/** Kinds of crossings by their mark. */
-export const MARK_OF = { cloth: "cloth", degenerate: "cloth", body: "body", inside_body: "body" };
-
-/** Crossings of a report by their mark: `{cloth: [[x, y, z]…], body: […]}`. */
-export function crossingPlaces(report) {
-  const places = { cloth: [], body: [] };
-  for (const { kind, at } of report?.intersections ?? []) places[MARK_OF[kind] ?? "cloth"].push(at);
-  return places;
-}
+import { crossingPlaces } from "./crossings.js";
 
 function marksText(report) {
   const { cloth, body } = crossingPlaces(report);

@@ -59,7 +59,10 @@ function blurPass() {
   return { scene, uniforms, camera: new THREE.OrthographicCamera(-1, 1, 1, -1, -1, 1) };
 }
 
-/** The floor: `mesh`, `moveTo`, `setColor`, and `darken(renderer, scene)` for when its shadow changed. */
+/**
+ * The floor: `mesh`, `moveTo(height)`, `setColor(color)`, and `darken(renderer, scene)` for when its
+ * shadow changed.
+ */
 export function createFloor() {
   const [shadow, blurred] = [0, 0].map(() => new THREE.WebGLRenderTarget(PIXELS, PIXELS));
   const uniforms = { picture: { value: shadow.texture }, color: { value: new THREE.Color() } };

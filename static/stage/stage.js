@@ -8,7 +8,8 @@ import { byId } from "../dom.js";
 import { lookOf } from "../fabric/looks.js";
 import { fileStem, save } from "../files.js";
 import { state, update, watch } from "../state.js";
-import { captionLines, crossingPlaces, startCaption } from "./caption.js";
+import { captionLines, startCaption } from "./caption.js";
+import { crossingPlaces } from "./crossings.js";
 import { startFitViews } from "./fit_views.js";
 import { startPlaceButtons } from "./place_button.js";
 import { startProbe } from "./probe.js";
@@ -28,8 +29,8 @@ const note = (text) => {
 
 async function loadViewer() {
   try {
-    const { createViewer } = await import("./viewer.js");
-    viewer = createViewer(byId("stage"));
+    const { Viewer } = await import("./viewer.js");
+    viewer = new Viewer(byId("stage"));
     viewer.setBodyVisible(byId("show-body").checked);
     startProbe(viewer, viewer.canvas);
   } catch (error) {

@@ -67,12 +67,17 @@ test("fits are found by name", async () => {
   await untilCards(2);
 });
 
-test("an earlier fit is opened with its garment", async () => {
+test("an earlier fit is opened with its garment, beside the one before", async () => {
   await page.getByRole("button", { name: "Show <b>First</b> skirt" }).press("Enter");
   await page.waitForFunction((fit) => document.getElementById("stage").dataset.shape === fit, first);
   assert.equal(await fitOf(page), first);
   assert.equal(await page.locator("#seam-count").textContent(), "6");
   await untilCards(2);
+  await openDrawer(page, "report");
+  const times = page.locator("#comparison tr", { hasText: "Sewn from" });
+  await times.waitFor();
+  assert.match(await times.textContent(), /the last shape.*flat panels/, "it is compared with the one that was shown");
+  await openDrawer(page, "fits");
 });
 
 test("picture and name of a fit are erased, also for the next visit", async () => {

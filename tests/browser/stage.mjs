@@ -270,11 +270,11 @@ test("crossings are marked where the report has them, and the stage says that th
 
 test("ten thousand vertices keep no script busy for 100 ms", async () => {
   const slow = await page.evaluate(async () => {
-    const [THREE, { createViewer }, { MAPS }, rings] = await Promise.all(
+    const [THREE, { Viewer }, { MAPS }, rings] = await Promise.all(
       ["three", "/stage/viewer.js", "/stage/maps.js", "/stage/rings.js"].map((path) => import(path)));
     const host = document.body.appendChild(document.createElement("div"));
     host.style.cssText = "width: 200px; height: 200px";
-    const viewer = createViewer(host);
+    const viewer = new Viewer(host);
     const quarter = (i) => {
       const geometry = new THREE.CylinderGeometry(0.2, 0.3, 0.8, 50, 49, true, (i * Math.PI) / 2, Math.PI / 2).translate(0, 0.9, 0);
       for (const [name, size] of [["_strain", 2], ["_strain_share", 1], ["_pressure", 1], ["_gap", 1]]) {
