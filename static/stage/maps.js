@@ -9,6 +9,8 @@ const UNCOMFORTABLE_KPA = 6;
 /** Share of what the fabric gives above which little is left to move with. */
 const CLOSE = 0.5;
 const WIDEST_GAP_MM = 100;
+/** Strain at the end of a scale at least: less cannot be told from its error. */
+const LEAST_STRAIN = 0.02;
 
 const signed = (text, value) => (value > 0 ? `+${text}` : text);
 const strainText = (value) => signed(`${(100 * value).toFixed(1)} %`, value);
@@ -21,8 +23,9 @@ function roundUp(value) {
   return [1, 2, 5, 10].map((step) => step * power).find((round) => round >= value * 0.999);
 }
 
-const strainRange = ([least, most]) => {
-  const end = Math.min(0.5, roundUp(Math.max(0.01, -least, most)));
+/** By what is stretched most: cloth that is compressed gives way and shows the end of the scale. */
+const strainRange = ([, most]) => {
+  const end = roundUp(Math.max(LEAST_STRAIN, most));
   return [-end, end];
 };
 
