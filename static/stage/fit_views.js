@@ -12,6 +12,7 @@ import { placeButton } from "./place_button.js";
 const CLOTH = "cloth";
 
 let show = async () => null;
+let shown = null; // {summary, range} of the map on the cloth
 
 /** Maps of the shown fit, as its report sums them up. */
 const offered = () => (state.shape !== null && state.shape === state.fit?.id ? state.report?.maps ?? [] : []).filter(({ name, panels }) => MAPS[name] && panels.length > 0);
@@ -65,8 +66,17 @@ async function drawView() {
   const summary = offered().find(({ name }) => name === state.fitView);
   if (!summary && state.fitView !== CLOTH && state.shape === state.fit?.id && state.report) update({ fitView: CLOTH });
   const range = await show(summary ? MAPS[summary.name] : null);
-  byId("legend").hidden = !summary || !range;
-  replaceChildren(byId("legend"), summary && range ? legend(summary, range) : []);
+  shown = summary && range ? { summary, range } : null;
+  byId("legend").hidden = shown === null;
+  replaceChildren(byId("legend"), shown ? legend(summary, range) : []);
+}
+
+/** The legend as it stands on a picture: `{scale, ticks, lines}`; null where the cloth is seen. */
+export function legendOnPicture() {
+  if (shown === null) return null;
+  const { summary, range } = shown;
+  const { label, scale, text } = MAPS[summary.name];
+  return { scale, ticks: range.map(text), lines: [`${label}, ${errorText(summary)}`, wordsOn(summary).text] };
 }
 
 /** Puts the choice to work; `onShow(map)` colors the cloth and answers the range of the colors. */

@@ -12,6 +12,9 @@ export const OVER = "#d7263d";
 
 const STOPS = { sequence: SEQUENCE, diverging: DIVERGING };
 
+/** The colors of a scale at equal distances. */
+export const stopsOf = (scale) => STOPS[scale];
+
 export const gradientOf = (scale) => `linear-gradient(to right, ${STOPS[scale].join(", ")})`;
 
 const channels = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));

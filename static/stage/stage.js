@@ -10,7 +10,7 @@ import { fileStem, save } from "../files.js";
 import { state, update, watch } from "../state.js";
 import { captionLines, startCaption } from "./caption.js";
 import { crossingPlaces } from "./crossings.js";
-import { startFitViews } from "./fit_views.js";
+import { legendOnPicture, startFitViews } from "./fit_views.js";
 import { startPlaceButtons } from "./place_button.js";
 import { startProbe } from "./probe.js";
 
@@ -78,7 +78,7 @@ export async function showOutcome(fitId, avatar, signal) {
 
 async function downloadPicture() {
   const { pictureOf } = await import("./picture.js");
-  save(await pictureOf(viewer, byId("stage"), [state.pattern.name, ...captionLines()]), `${fileStem()}.png`);
+  save(await pictureOf(viewer, byId("stage"), [state.pattern.name, ...captionLines()], legendOnPicture()), `${fileStem()}.png`);
 }
 
 /** A small picture of the whole on the stage; null where there is no viewer. */

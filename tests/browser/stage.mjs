@@ -114,6 +114,26 @@ test("the maps of the fit are seen on the cloth, with units, error and words", a
   await assertAccessible(page);
 });
 
+test("a picture of a map has its colors and ends", async () => {
+  await view("pressure").click();
+  await page.waitForFunction(() => document.getElementById("legend").textContent.includes("kPa"));
+  const waiting = page.waitForEvent("download");
+  await press(page, "Picture");
+  const picture = await readFile(await (await waiting).path());
+  const colors = await page.evaluate(async (text) => {
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    const image = await createImageBitmap(new Blob([bytes], { type: "image/png" }));
+    const pen = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    pen.drawImage(image, 0, 0);
+    // Three lines below the bar: name, error, words.
+    return [16, 208].map((x) => [...pen.getImageData(x, image.height - 12 - 3 * 20 - 5, 1, 1).data.slice(0, 3)]);
+  }, picture.toString("base64"));
+  const near = (color, other) => color.every((one, i) => Math.abs(one - other[i]) < 24);
+  assert.ok(near(colors[0], [0x44, 0x01, 0x54]) && near(colors[1], [0xfd, 0xe7, 0x25]), JSON.stringify(colors));
+  await view("gap").click();
+  await page.waitForFunction(() => document.getElementById("legend").textContent.includes("On average"));
+});
+
 test("a probe says panel and value under the pointer, and the panel is pointed at", async () => {
   const { x, y, width, height } = await stage().boundingBox();
   await page.mouse.move(x + width / 2, y + height * 0.6);
