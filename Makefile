@@ -51,7 +51,7 @@ check: page
 	cargo clippy --locked --workspace --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --workspace --no-deps
 
-PAGE_SUITES = page suggest sheet seams panels work drafts
+PAGE_SUITES = page suggest sheet seams panels work drafts stage fitting gallery
 # These look at every size, every edge and every fault of a connection: minutes.
 LONG_PAGE_SUITES = layout edges faults
 

@@ -38,13 +38,13 @@ function greeting({ pattern, garment }) {
  * as a draft of its own, unless this is the same work still; `said` replaces the greeting.
  */
 function show(found) {
-  const { pattern, garment, reading = { file: null, options: {} }, suggested = {}, offers = [], leftOut = [], numbers = {} } = found;
+  const { pattern, garment, reading = { file: null, options: {} }, suggested = {}, offers = [], leftOut = [], numbers = {}, colors = {} } = found;
   const { said = greeting(found), isSameWork = false } = found;
   commitEdit();
   const isLeft = state.pattern !== null && hasWork(state) && !isSameWork;
   const replaced = isLeft ? ` Undo brings back ${state.pattern.name}.` : "";
   const draft = found.draft ?? (isLeft ? null : state.draft) ?? freshName();
-  const patch = { pattern, garment, reading, suggested, offers, leftOut, numbers, draft, ...NO_SELECTION, ...NO_RESULT };
+  const patch = { pattern, garment, reading, suggested, offers, leftOut, numbers, colors, draft, ...NO_SELECTION, ...NO_RESULT };
   if (state.pattern) change(patch, `opening ${pattern.name}`);
   else update(patch);
   say(said + replaced);
@@ -96,11 +96,11 @@ export async function readAgain(options) {
       return null;
     }
     commitEdit();
-    const { leftOut, suggested, numbers, offers } = state;
+    const { leftOut, suggested, numbers, offers, colors } = state;
     const { garment, lost } = keepSeams(state.garment, before, pattern);
     const isBare = garment.seams.length === 0 && lost.length === 0;
     if (isBare) garment.seams = pattern.seams ?? [];
-    const found = { pattern, garment, reading: { file, options }, leftOut, suggested, numbers, isSameWork: true };
+    const found = { pattern, garment, reading: { file, options }, leftOut, suggested, numbers, colors, isSameWork: true };
     const said = [
       isBare ? greeting(found) : `${plural(garment.seams.length, "seam")} kept.`,
       lost.length > 0 && `${plural(lost.length, "seam")} went, because the edges are others: ${lost.join(", ")}.`,
@@ -205,16 +205,18 @@ async function patternOfDraft({ pattern, patternId, reading }) {
 export async function openDraft(draft, showFit) {
   const shown = await load(async () => {
     const [pattern, name] = [await patternOfDraft(draft), await takeOver(draft)];
-    const { reading, suggested, offers, leftOut, numbers } = draft;
-    return { pattern, reading, garment: garmentFrom(draft.garment), suggested, offers, leftOut, numbers, draft: name };
+    const { reading, suggested, offers, leftOut, numbers, colors } = draft;
+    return { pattern, reading, garment: garmentFrom(draft.garment), suggested, offers, leftOut, numbers, colors, draft: name };
   });
+  if (shown) update({ before: draft.before ?? null });
   if (shown && draft.fit) showFit(draft.fit, draft.ran);
 }
 
 /** Opens a fit with the garment that it sewed. */
 export async function openFit(id, showFit) {
   const shown = await load(async () => {
-    const saved = await getJson(`/v1/fits/${encodeURIComponent(id)}/garment`);
+    // The shape that it started from is large; the next run starts from its own.
+    const { start_from: _, ...saved } = await getJson(`/v1/fits/${encodeURIComponent(id)}/garment`);
     return { ...(await patternOf(saved)), garment: garmentFrom(saved) };
   });
   if (shown) showFit(id);

@@ -1,15 +1,17 @@
 /** A fit: start, watch, cancel, show, download. */
 
 import { linkTo } from "./address.js";
-import { call, events, getJson, isGone, isTransient, postJson, Problem } from "./api.js";
-import { byId, replaceChildren } from "./dom.js";
+import { comparison, figuresToKeep, startableFit, startWords, submit } from "./again.js";
+import { call, events, getJson, isGone, isTransient, Problem } from "./api.js";
+import { byId, el, replaceChildren } from "./dom.js";
 import { fileStem, save } from "./files.js";
+import { girthTable } from "./measures.js";
 import { say } from "./say.js";
 import { reportSummary, verdictOf, verdictText } from "./report.js";
-import { garmentToSend, leftOut } from "./panels.js";
+import { asText, isUpToDate } from "./ran.js";
 import { state, update, watch } from "./state.js";
 import { distance, problemItems, seconds } from "./words.js";
-import { showOutcome } from "./stage.js";
+import { showOutcome } from "./stage/stage.js";
 
 const FINAL = new Set(["succeeded", "failed", "canceled"]);
 const STAGES = { mesh: "Meshing the panels", assemble: "Placing the panels", sew: "Sewing", drape: "Draping", export: "Writing the result" };
@@ -122,15 +124,22 @@ async function showResult(fit, signal) {
     return;
   }
   say(verdictText(report, fit.status), verdictOf(report, fit.status).good ? "good" : "bad");
+  showMeasures(fit.id, signal);
   // The saved garment says which limbs its body has; a body of one's own it has whole.
   const { avatar } = await getJson(`${fitPath(fit.id)}/garment`, { signal });
   signal.throwIfAborted();
   const shown = avatar?.body ? state.garment.avatar : avatar;
-  await showOutcome(fit.id, shown, { places: report.intersections ?? [], signal });
+  await showOutcome(fit.id, shown, signal);
+}
+
+/** Girths and ease come when they are there; a garment that has none is shown all the same. */
+async function showMeasures(id, signal) {
+  const measures = await getJson(`${fitPath(id)}/measures`, { signal }).catch(() => null);
+  if (!signal.aborted) update({ measures });
 }
 
 async function watchFit(fit, signal) {
-  update({ fit, pendingFitId: null, report: null });
+  update({ fit, pendingFitId: null, report: null, measures: null, lit: null });
   byId("progress-bar").removeAttribute("value");
   byId("progress-stage").textContent = "Waiting for a worker";
   byId("progress-figures").textContent = "";
@@ -147,21 +156,21 @@ async function watchFit(fit, signal) {
   }
 }
 
-async function run() {
+async function run(from) {
   if (submitting) return;
   submitting = true;
   byId("fit-faults").replaceChildren();
   const ran = asText();
   const { pattern } = state;
   try {
-    const fit = await postJson("/v1/fits", garmentToSend());
+    const { fit, refused } = await submit(from);
     if (state.pattern !== pattern) {
       say(`${pattern.name} is being sewn: Open lists it among earlier fits.`);
       return;
     }
     const signal = begin();
-    update({ ran });
-    say("The garment is being sewn. You can go on with the pattern meanwhile.");
+    update({ ran, before: figuresToKeep() });
+    say(`The garment is being sewn.${startWords(from, refused)} You can go on with the pattern meanwhile.`);
     watchFit(fit, signal);
   } catch (problem) {
     if (state.pattern === pattern) showFaults(problem);
@@ -180,15 +189,12 @@ async function cancel() {
   }
 }
 
-/** All that a result depends on, as text. */
-const asText = () => JSON.stringify([state.pattern?.id, state.garment, leftOut()]);
-
 function hint(running) {
   if (!state.pattern) return "Choose a pattern first.";
   if (state.garment.seams.length === 0) return "Pick at least one seam first.";
   if (state.check?.ok === false) return "Put the seams marked ✗ right first.";
   if (state.checkProblem) return "The seams could not be checked: sewing tells if they can be sewn.";
-  if (state.report && !running && state.ran !== asText()) return "Changed since this result. Sew again to see the change.";
+  if (state.report && !running && !isUpToDate()) return "Changed since this result. Sew again to see the change.";
   return "";
 }
 
@@ -206,14 +212,19 @@ function drawRun() {
   const ready = state.pattern && state.garment.seams.length > 0 && state.check?.ok !== false;
   byId("run").disabled = !ready;
   byId("run").textContent = state.report ? "Sew again" : "Sew and drape";
+  byId("run").title = startableFit() ? "Goes on from the last shape" : "";
+  byId("run-anew").hidden = running || !ready || !startableFit();
   swap(byId("run"), byId("cancel"), running);
   byId("progress").hidden = !running;
   byId("run-note").textContent = hint(running);
 }
 
 function drawReport() {
-  const { fit, report } = state;
+  const { fit, report, measures } = state;
   replaceChildren(byId("report"), report ? reportSummary(report, fit?.status) : []);
+  replaceChildren(byId("measures-shown"), report && measures ? [el("h3", {}, "Girths"), girthTable(measures)] : []);
+  const compared = comparison();
+  replaceChildren(byId("compared"), compared ? [el("h3", {}, "Before and now"), compared] : []);
   byId("downloads").hidden = !report;
   const isGood = report && verdictOf(report, fit?.status).good;
   byId("report-mark").textContent = report ? (isGood ? "✓" : "✗") : "";
@@ -259,24 +270,10 @@ async function copyLink() {
   }
 }
 
-/** Words for the shape on the stage, where it is not simply the result. */
-function captionText() {
-  const { shape, fit, report } = state;
-  if (shape === null) return "";
-  if (shape !== fit?.id) return "The shape of an earlier fit";
-  if (fit.status === "canceled") return "Stopped before it came to rest";
-  if (state.ran !== asText()) return "As it was before the last changes";
-  if (fit.status === "failed" && report) return verdictOf(report, fit.status).text;
-  return "";
-}
-
-function drawCaption() {
-  byId("stage-caption").textContent = captionText();
-}
-
 export function startFit() {
   byId("copy-link").addEventListener("click", copyLink);
-  byId("run").addEventListener("click", run);
+  byId("run").addEventListener("click", () => run(startableFit()));
+  byId("run-anew").addEventListener("click", () => run(null));
   byId("cancel").addEventListener("click", cancel);
   for (const button of document.querySelectorAll("[data-download]")) {
     button.addEventListener("click", () => download(button.dataset.download));
@@ -288,7 +285,6 @@ export function startFit() {
     watching = null;
     byId("fit-faults").replaceChildren();
   });
-  watch(["pattern", "garment", "check", "checkProblem", "fit", "report", "ran"], drawRun);
-  watch(["fit", "report"], drawReport);
-  watch(["shape", "fit", "report", "garment", "ran", "leftOut"], drawCaption);
+  watch(["pattern", "garment", "check", "checkProblem", "fit", "report", "before", "ran"], drawRun);
+  watch(["fit", "report", "measures", "before"], drawReport);
 }

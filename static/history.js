@@ -9,7 +9,7 @@ import { fitId, NO_RESULT, NO_SELECTION, state, update, watch } from "./state.js
 
 const DEPTH = 200;
 /** Parts of the state that are brought back. */
-const KEPT = ["pattern", "reading", "garment", "suggested", "offers", "leftOut", "numbers", "draft"];
+const KEPT = ["pattern", "reading", "garment", "suggested", "offers", "leftOut", "numbers", "colors", "draft"];
 
 const past = [];
 const future = [];

@@ -14,10 +14,10 @@ let isToldNotKept = false;
 
 /** The state that a draft keeps; the pattern itself only where the service does not hold it. */
 function work() {
-  const { pattern, reading, garment, suggested, offers, leftOut, numbers, ran } = state;
+  const { pattern, reading, garment, suggested, offers, leftOut, numbers, colors, ran, before } = state;
   return {
     name: pattern.name, patternId: pattern.id, stored: Boolean(pattern.stored), pattern: pattern.stored ? null : pattern,
-    reading, garment, suggested, offers, leftOut, numbers, ran, fit: fitId(),
+    reading, garment, suggested, offers, leftOut, numbers, colors, ran, before, fit: fitId(),
   };
 }
 
@@ -40,7 +40,7 @@ export async function startKeeping() {
   const { pattern } = fromAddress();
   const isOther = pattern && draft?.patternId !== pattern;
   const others = isOther ? (await allDrafts()).filter((one) => one.patternId === pattern && hasWork(one)) : [];
-  watch(["pattern", "garment", "suggested", "offers", "leftOut", "ran", "fit", "pendingFitId"], keep);
+  watch(["pattern", "garment", "suggested", "offers", "leftOut", "colors", "ran", "before", "fit", "pendingFitId"], keep);
   let isElsewhere = false;
   const tell = announce(() => {
     isElsewhere = true;

@@ -30,7 +30,7 @@ function keep({ split, rail }) {
 
 const change = (patch) => update({ layout: { ...state.layout, ...patch } });
 
-/** Opens one of the drawer's pages, `seams` or `report`. */
+/** Opens one of the drawer's pages, `seams`, `report` or `fits`. */
 const openDrawer = (page) => change({ drawer: page });
 
 /** Opens the rail. */
@@ -56,6 +56,7 @@ function apply() {
   byId("drawer").dataset.open = drawer ?? "none";
   byId("seam-list").hidden = drawer !== "seams";
   byId("report-panel").hidden = drawer !== "report";
+  byId("fits-panel").hidden = drawer !== "fits";
   for (const button of document.querySelectorAll("[data-drawer]")) {
     button.setAttribute("aria-expanded", String(button.dataset.drawer === drawer));
   }

@@ -1,12 +1,14 @@
 /**
  * Puts the parts of the page together. Read on: state.js, history.js, files.js, panels.js,
- * sheet/sheet.js, picking.js, suggest.js, fit.js, viewer.js.
+ * sheet/sheet.js, picking.js, suggest.js, fit.js, stage/stage.js.
  */
 
 import { startAddress } from "./address.js";
 import { startCheck } from "./check.js";
+import { startSwatches } from "./fabric/swatches.js";
 import { openFromAddress } from "./files.js";
 import { showFit, startFit } from "./fit.js";
+import { startGallery } from "./gallery/gallery.js";
 import { startHistory } from "./history.js";
 import { startKeeping } from "./keeping.js";
 import { startLayout } from "./layout.js";
@@ -19,7 +21,7 @@ import { startSeamList } from "./seam_list.js";
 import { loadFabrics, startSettings } from "./settings.js";
 import { fitPanelById } from "./sheet/moving.js";
 import { startSheet } from "./sheet/sheet.js";
-import { startStage } from "./stage.js";
+import { stagePicture, startStage } from "./stage/stage.js";
 import { startSuggest } from "./suggest.js";
 import { startToken } from "./token.js";
 
@@ -29,6 +31,7 @@ startHistory(showFit);
 startReading();
 startRecent(showFit);
 startSettings();
+startSwatches();
 startPanelList(fitPanelById);
 startSheet({ select, selectSeam });
 startPicking();
@@ -37,6 +40,7 @@ startSeamList();
 startSuggest();
 startStage();
 startFit();
+startGallery(showFit, stagePicture);
 startAddress(() => openFromAddress(null, showFit));
 
 try {

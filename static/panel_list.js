@@ -4,6 +4,7 @@
  */
 
 import { byId, el, paintWhenFree, replaceChildren, svg } from "./dom.js";
+import { colorOf, fabricIdOf } from "./fabric/looks.js";
 import { change, changeGarment } from "./history.js";
 import { isMirrorId, mirrorOf } from "./mirrored.js";
 import { runsOf } from "./outline.js";
@@ -35,7 +36,9 @@ function picture(panel) {
   const [dx, dy] = [(PICTURE - scale * (right - left)) / 2, (PICTURE - scale * (top - bottom)) / 2];
   const at = ([x, y]) => `${(dx + scale * (x - left)).toFixed(1)} ${(dy + scale * (top - y)).toFixed(1)}`;
   const d = `M${panel.edges.flatMap((edge) => edge.points.slice(0, -1)).map(at).join("L")}Z`;
-  return svg("svg", { width: PICTURE, height: PICTURE, "aria-hidden": "true" }, svg("path", { class: "cloth", d }));
+  const outline = svg("path", { class: "cloth", d });
+  outline.style.fill = colorOf(fabricIdOf(panel.id));
+  return svg("svg", { width: PICTURE, height: PICTURE, "aria-hidden": "true" }, outline);
 }
 
 function choice(panel, field, text, pairs) {
@@ -110,7 +113,7 @@ function row(panel, { spare, ids }) {
 
 /** All that the list shows, as text, to draw it only when that changes. */
 const contents = (panels, spare) =>
-  JSON.stringify([panels.map((panel) => panel.id), [...spare], state.garment.panels, state.check?.faces, Object.keys(allFabrics())]);
+  JSON.stringify([panels.map((panel) => panel.id), [...spare], state.garment.panels, state.check?.faces, Object.keys(allFabrics()), state.colors, state.garment.default_fabric]);
 
 function draw() {
   const panels = panelsShown();
@@ -131,6 +134,6 @@ function drawPointed() {
 /** Puts the list to work; `onFit(id)` shows a panel on the sheet. */
 export function startPanelList(onFit) {
   fit = onFit;
-  watch(["fabrics", "garment", "pattern", "check", "leftOut"], () => paintWhenFree(byId("panel-rows"), draw));
+  watch(["fabrics", "garment", "pattern", "check", "leftOut", "colors"], () => paintWhenFree(byId("panel-rows"), draw));
   watch(["pointed"], drawPointed);
 }

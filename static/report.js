@@ -2,12 +2,19 @@
 
 import { el } from "./dom.js";
 import { makersText } from "./makers_words.js";
-import { distance, percent, plural, scientific, seconds, sentence } from "./words.js";
+import { panelName } from "./run_names.js";
+import { crossingPlaces } from "./stage/crossings.js";
+import { placeButton } from "./stage/place_button.js";
+import { centimeters, distance, percent, plural, scientific, seconds, sentence } from "./words.js";
 
-const finding = (kind, text) => el("li", { class: kind }, el("span", {}, makersText(text)));
+/** A finding; with `place` it has a button that lights it. */
+const finding = (kind, text, place) => el("li", { class: kind },
+  el("span", {}, makersText(text), place && [" ", placeButton(text, "Show", place, { label: `Show on the garment: ${text}` })]));
 
 const CLOSED_M = 1e-3;
 const INSIDE_M = 1e-3;
+/** Warnings of a run that are shown; the downloaded report has all. */
+const MOST_WARNINGS = 6;
 
 /** The reason for its stop, with the residual unless that is said already. */
 function reason(report) {
@@ -51,6 +58,14 @@ function precision(report) {
   return parts.length ? finding("plain", `Estimated error: ${parts.join(", ")}.`) : null;
 }
 
+/** The places of faults, as far as the report has them. */
+function placesOf(report) {
+  const { cloth, body } = crossingPlaces(report);
+  const strains = (report.maps ?? []).filter(({ name }) => name === "strain_warp" || name === "strain_weft").flatMap(({ panels }) => panels);
+  const largest = strains.reduce((a, b) => (a && a.max >= b.max ? a : b), null);
+  return { crossings: cloth, body, strain: largest ? [largest.max_at_m] : [] };
+}
+
 /**
  * Crossings of cloth with cloth and with the body, where they were counted; faults with the
  * sentence of the verdict.
@@ -58,9 +73,10 @@ function precision(report) {
 function crossings(report) {
   const { self_intersections: pairs, body_intersections: onBody } = report;
   const items = [];
+  const places = placesOf(report);
   for (const kind of ["crossings", "body", "strain"]) {
     const why = fault(report, kind);
-    if (why) items.push(finding("bad", sentence(why)));
+    if (why) items.push(finding("bad", sentence(why), places[kind].length > 0 && { points: places[kind] }));
     else if (kind === "crossings" && pairs > 0) items.push(finding("plain", `${plural(pairs, "pair")} of triangles cross, as self-contact is off.`));
     else if (kind === "crossings" && pairs === 0) items.push(finding("good", "No cloth passes through cloth."));
     else if (kind === "body" && onBody != null) items.push(finding("good", "No cloth passes through the body."));
@@ -86,18 +102,29 @@ export function verdictText(report, status) {
   return because && report.converged ? `${text} ${sentence(because)}` : text;
 }
 
-/** The way the body carries the garment, if that is judged. */
+/** An opening, what it goes round, and true if that is what it was placed round. */
+function opening(one) {
+  const isRight = one.placed_round === one.goes_round;
+  const where = `${centimeters(one.length_m)} round, ${centimeters(one.height_m)} above the floor`;
+  const text = isRight
+    ? `The opening of ${one.panels.map(panelName).join(", ")} goes round ${one.goes_round}: ${where}.`
+    : `The opening of ${one.panels.map(panelName).join(", ")} was placed round ${one.placed_round}, but goes round ${one.goes_round}.`;
+  return finding(isRight ? "good" : "bad", text, { opening: one });
+}
+
+/** The way the body carries the garment, if that is judged, with its openings. */
 function support(worn) {
-  const sentence = (text) => text.replace(/[^.]$/, "$&.");
-  if (worn.ok === null) return finding("plain", sentence(`Worn: ${worn.because}`));
-  return finding(worn.ok ? "good" : "bad", sentence(`${worn.ok ? "Worn" : "Not worn"}: ${worn.because}`));
+  const kind = worn.ok === null ? "plain" : worn.ok ? "good" : "bad";
+  const text = sentence(`${worn.ok === false ? "Not worn" : "Worn"}: ${worn.because}`);
+  return [finding(kind, text), ...(worn.openings ?? []).map(opening)];
 }
 
 /** The summary; `canceled` where the fit was stopped. */
 export function reportSummary(report, status) {
   const { good, text } = verdictOf(report, status);
   const worn = report.worn ?? { ok: null, because: "not stated" };
-  const items = [closing(report), ...crossings(report), inside(report), layers(report), support(worn),
+  const items = [closing(report), ...crossings(report), inside(report), layers(report), ...support(worn),
+    ...(report.warnings ?? []).slice(0, MOST_WARNINGS).map(({ detail }) => finding("plain", sentence(detail))),
     finding("plain", `Largest strain ${percent(report.strain_max)}.`)];
   const figures = [
     finding(report.converged ? "good" : "bad", reason(report)),

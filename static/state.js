@@ -16,14 +16,14 @@ export const emptyGarment = () => ({
 });
 
 /** True if something was done with a pattern since it was opened, in this tab or as a draft. */
-export const hasWork = ({ garment, offers, leftOut }) =>
-  JSON.stringify(garment) !== JSON.stringify(emptyGarment()) || offers?.length > 0 || leftOut?.length > 0;
+export const hasWork = ({ garment, offers, leftOut, colors }) =>
+  JSON.stringify(garment) !== JSON.stringify(emptyGarment()) || offers?.length > 0 || leftOut?.length > 0 || Object.keys(colors ?? {}).length > 0;
 
 /** State in which nothing is picked, measured or selected. */
 export const NO_SELECTION = { picked: null, pickedAt: null, growing: null, tape: null, selected: null };
 
 /** State in which nothing is checked or sewn. */
-export const NO_RESULT = { check: null, checkProblem: null, fit: null, pendingFitId: null, report: null, ran: null };
+export const NO_RESULT = { check: null, checkProblem: null, fit: null, pendingFitId: null, report: null, measures: null, before: null, ran: null };
 
 export const state = {
   pattern: null,
@@ -40,13 +40,18 @@ export const state = {
   selected: null, // id of the seam shown in full
   suggested: {}, // what the service said of seams that it suggested, by id: {confidence, because, sides}
   offers: [], // suggested seams that are not sewn before they are accepted
+  colors: {}, // colors of fabrics that were chosen, by id: the page's own, not sent
   leftOut: [], // ids of panels that no seam was suggested for
   check: null, // the answer of seams/check
   checkProblem: null, // the error by which the last check came to nothing
   fit: null,
   pendingFitId: null, // id of the pattern's fit, until it is shown or known to be gone
   report: null,
+  measures: null, // girths and areas of the shown fit
+  before: null, // figures of the fit that was shown before
   shape: null, // id of the fit whose shape is on the stage
+  fitView: "cloth", // what the cloth shows: itself, or a map by its name in the report
+  lit: null, // {key, points or girth or opening}: what on the stage a person asked to see
   ran: null, // the garment of the shown fit as text, to tell when it is out of date
   draft: null, // name of the draft that the work is kept as
   history: { undo: null, redo: null }, // the changes that can be taken back and made again, in words

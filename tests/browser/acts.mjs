@@ -131,12 +131,29 @@ export const shownPattern = (page) => page.evaluate(() =>
 /** Id of the fit that the address names, or null. */
 export const fitOf = (page) => page.evaluate(() => new URLSearchParams(location.hash.slice(1)).get("fit"));
 
+/** Waits until the shape of the fit that the address names is on the stage. */
+export const untilShown = (page) => page.waitForFunction(() => {
+  const { shape } = document.getElementById("stage").dataset;
+  return shape !== undefined && shape === new URLSearchParams(location.hash.slice(1)).get("fit");
+});
+
+/**
+ * Waits until the promise of a function in the page is true: `waitForFunction` takes a promise for
+ * true.
+ */
+export async function untilTrue(page, predicate, argument) {
+  for (let i = 0; !await page.evaluate(predicate, argument); i++) {
+    assert.ok(i < 600, `it did not come true: ${predicate}`);
+    await pause(50);
+  }
+}
+
 /** Waits until the draft of a tab has what the tab shows. */
-export const untilKept = (page) => page.waitForFunction(async () => {
+export const untilKept = (page) => untilTrue(page, async () => {
   const [{ allDrafts }, { fitId, state }] = await Promise.all([import("/drafts.js"), import("/state.js")]);
   const draft = (await allDrafts()).find(({ tab }) => tab === sessionStorage.getItem("seamster.tab"));
-  const parts = (patternId, garment, fit) => JSON.stringify([patternId, garment, fit]);
-  return draft && parts(draft.patternId, draft.garment, draft.fit) === parts(state.pattern.id, state.garment, fitId());
+  const parts = (patternId, garment, fit, colors) => JSON.stringify([patternId, garment, fit, colors]);
+  return draft && parts(draft.patternId, draft.garment, draft.fit, draft.colors) === parts(state.pattern.id, state.garment, fitId(), state.colors);
 });
 
 /** A fabric that is not the chosen one. */

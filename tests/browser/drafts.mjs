@@ -1,7 +1,7 @@
 // Drafts of all tabs are kept, listed and let go: `node tests/browser/drafts.mjs`.
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
-import { chooseFile, otherFabric, pieces, press, statusOf, untilKept, untilPanels, untilSeams, untilStatus } from "./acts.mjs";
+import { chooseFile, otherFabric, pieces, press, statusOf, untilKept, untilPanels, untilSeams, untilStatus, untilTrue } from "./acts.mjs";
 import { assertClean, startPage } from "./support.mjs";
 
 const { page, context, record, service, close } = await startPage();
@@ -11,7 +11,7 @@ after(close);
 const drafts = (where) => where.evaluate(async () => (await (await import("/drafts.js")).allDrafts()).map(({ tab }) => tab));
 
 /** Waits until a draft is gone. */
-const untilGone = (where, name) => where.waitForFunction(
+const untilGone = (where, name) => untilTrue(where,
   async (gone) => !(await (await import("/drafts.js")).allDrafts()).some(({ tab }) => tab === gone), name);
 
 test("a browser that cannot keep the work says so", async () => {

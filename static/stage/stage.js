@@ -3,9 +3,19 @@
  * show.
  */
 
-import { call, postJson } from "./api.js";
-import { byId } from "./dom.js";
-import { state, update, watch } from "./state.js";
+import { call, postJson } from "../api.js";
+import { byId } from "../dom.js";
+import { lookOf } from "../fabric/looks.js";
+import { fileStem, save } from "../files.js";
+import { state, update, watch } from "../state.js";
+import { captionLines, startCaption } from "./caption.js";
+import { crossingPlaces } from "./crossings.js";
+import { legendOnPicture, startFitViews } from "./fit_views.js";
+import { startPlaceButtons } from "./place_button.js";
+import { startProbe } from "./probe.js";
+
+/** Size of the pictures in the gallery [px]. */
+const THUMBNAIL = { width: 264, height: 330 };
 
 let viewer = null;
 let opening = null; // the promise of the viewer
@@ -19,9 +29,10 @@ const note = (text) => {
 
 async function loadViewer() {
   try {
-    const { createViewer } = await import("./viewer.js");
-    viewer = createViewer(byId("stage"));
+    const { Viewer } = await import("./viewer.js");
+    viewer = new Viewer(byId("stage"));
     viewer.setBodyVisible(byId("show-body").checked);
+    startProbe(viewer, viewer.canvas);
   } catch (error) {
     opening = null;
     note(`The garment cannot be shown here: ${error.message}. The downloads work all the same.`);
@@ -40,10 +51,14 @@ async function bodyMesh(avatar, signal) {
   return (await call(`/v1/avatars/${encodeURIComponent(id)}/mesh`, { signal, headers: { Accept: "model/gltf-binary" } })).arrayBuffer();
 }
 
-/**
- * Shows the shape of a fit on its body, with marks at the places where its report found crossings.
- */
-export async function showOutcome(fitId, avatar, { places, signal }) {
+/** Marks what crosses, and what a person asks to see. */
+function drawMarks() {
+  const isShown = state.shape !== null && state.shape === state.fit?.id;
+  viewer?.mark({ ...crossingPlaces(isShown ? state.report : null), lit: state.lit?.points ?? [] }, state.lit ?? {});
+}
+
+/** Shows the shape of a fit on its body. */
+export async function showOutcome(fitId, avatar, signal) {
   const mine = ++shows;
   const key = JSON.stringify(avatar);
   const [view, garment, body] = await Promise.all([
@@ -55,17 +70,33 @@ export async function showOutcome(fitId, avatar, { places, signal }) {
   const [shape, figure] = await Promise.all([view.read(garment), body ? view.read(body) : null]);
   if (mine !== shows || signal.aborted) return;
   if (body !== undefined) view.showBody(figure);
-  view.showGarment(shape);
-  view.mark(places.map((place) => place.at));
+  view.showGarment(shape, lookOf);
   shownBody = key;
-  update({ shape: fitId });
+  update({ shape: fitId, lit: null });
   note("");
+}
+
+async function downloadPicture() {
+  const { pictureOf } = await import("./picture.js");
+  save(await pictureOf(viewer, byId("stage"), [state.pattern.name, ...captionLines()], legendOnPicture()), `${fileStem()}.png`);
+}
+
+/** A small picture of the whole on the stage; null where there is no viewer. */
+export async function stagePicture() {
+  if (!viewer) return null;
+  const { thumbnailOf } = await import("./picture.js");
+  return thumbnailOf(viewer, THUMBNAIL.width, THUMBNAIL.height);
+}
+
+function drawTools() {
+  for (const button of document.querySelectorAll("[data-view], #picture")) button.disabled = state.shape === null;
 }
 
 export function startStage() {
   for (const button of document.querySelectorAll("[data-view]")) {
     button.addEventListener("click", () => viewer?.look(button.dataset.view));
   }
+  byId("picture").addEventListener("click", downloadPicture);
   byId("show-body").addEventListener("change", (event) => viewer?.setBodyVisible(event.target.checked));
   watch(["pattern"], () => {
     if (state.fit) return;
@@ -74,4 +105,10 @@ export function startStage() {
     update({ shape: null });
     note("The garment appears here.");
   });
+  watch(["shape"], drawTools);
+  watch(["fabrics", "garment", "colors"], () => viewer?.restyle(lookOf));
+  watch(["shape", "fit", "report", "lit"], drawMarks);
+  startFitViews((map) => viewer?.showMap(map) ?? null);
+  startPlaceButtons();
+  startCaption();
 }
