@@ -1,6 +1,6 @@
 //! Darts inside a panel, also called fish-eye or diamond darts: narrow rings with two tips.
 
-use super::point::{Point2, cross, distance, sub, turn};
+use super::point::{Point2, cross, distance, dot, sub, turn};
 use super::polyline::length;
 use std::f64::consts::PI;
 
@@ -8,6 +8,10 @@ use std::f64::consts::PI;
 const LENGTH: [f64; 2] = [0.05, 0.5];
 const WIDTH: [f64; 2] = [0.004, 0.07];
 const WIDEST: f64 = 0.35;
+
+/// Its widest places lie opposite each other, to this share of its length; those of a slanting welt
+/// do not.
+const MOST_ASKEW: f64 = 0.2;
 
 /// A ring turns at a tip by at least this; a welt turns by a right angle \[rad\].
 const TIP_TURN: f64 = 0.58 * PI;
@@ -25,14 +29,21 @@ pub(crate) fn tips(ring: &[Point2]) -> Option<[usize; 2]> {
     let there = &ring[a..=b];
     let back = [&ring[b..], &ring[..=a]].concat();
     let axis = sub(ring[b], ring[a]).map(|c| c / long);
-    let aside = |p: &Point2| cross(axis, sub(*p, ring[a]));
-    let widest = |side: &[Point2]| side.iter().map(aside).fold(0.0, most_aside);
-    let [left, right] = [widest(there), widest(&back)];
+    let widest = |side: &[Point2]| {
+        let of_axis = |p: &Point2| {
+            let from_tip = sub(*p, ring[a]);
+            (cross(axis, from_tip), dot(axis, from_tip))
+        };
+        let further = |p: (f64, f64), q: (f64, f64)| if q.0.abs() > p.0.abs() { q } else { p };
+        side.iter().map(of_axis).fold((0.0, 0.0), further)
+    };
+    let [(left, left_at), (right, right_at)] = [widest(there), widest(&back)];
     let width = (left - right).abs();
     let is_dart = within(long, LENGTH)
         && within(width, WIDTH)
         && width <= WIDEST * long
         && left * right < 0.0
+        && (left_at - right_at).abs() <= MOST_ASKEW * long
         && agree(length(there), length(&back));
     is_dart.then_some([a, b])
 }
@@ -47,10 +58,6 @@ pub(crate) fn within(value: f64, [least, most]: [f64; 2]) -> bool {
     (least..=most).contains(&value)
 }
 
-fn most_aside(a: f64, b: f64) -> f64 {
-    if b.abs() > a.abs() { b } else { a }
-}
-
 fn is_tip(ring: &[Point2], i: usize) -> bool {
     let n = ring.len();
     turn(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]).abs() >= TIP_TURN
@@ -60,7 +67,7 @@ fn is_tip(ring: &[Point2], i: usize) -> bool {
 mod tests {
     use super::*;
 
-    /// A diamond, a lens of two parabolas, a welt, a leaf with a blunt end and one bent aside.
+    /// A diamond, a lens of two parabolas; welts, a wide diamond and a crescent are none.
     #[test]
     fn narrow_rings_with_two_tips_are_darts() {
         let diamond = [[0.0, 0.0], [0.01, 0.1], [0.0, 0.2], [-0.01, 0.1]];
@@ -76,6 +83,8 @@ mod tests {
         assert_eq!(tips(&lens), Some([0, 20]));
         let welt = [[0.0, 0.0], [0.012, 0.0], [0.012, 0.14], [0.0, 0.14]];
         assert_eq!(tips(&welt), None);
+        let slanting = [[0.0, 0.0], [0.1, 0.0], [0.1073, 0.02], [0.0073, 0.02]];
+        assert_eq!(tips(&slanting), None);
         let wide = [[0.0, 0.0], [0.06, 0.1], [0.0, 0.2], [-0.06, 0.1]];
         assert_eq!(tips(&wide), None);
         let crescent = [[0.0, 0.0], [0.03, 0.1], [0.0, 0.2], [0.02, 0.1]];

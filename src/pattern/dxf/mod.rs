@@ -76,7 +76,7 @@ fn read_pattern(
     select::check(&pieces, unit, limits, findings)?;
     for piece in &mut pieces {
         drawn_notches::take_notches(piece, options.notches, findings);
-        drawn_darts::cut_darts(piece, options.darts, findings);
+        drawn_darts::cut_darts(piece, options.darts, limits, findings);
     }
     let name = labels.get("style name").or(options.name.as_deref());
     let name = name.unwrap_or("pattern");

@@ -79,11 +79,11 @@ impl Completeness {
             })
             .collect();
         doubt_spare(pattern, hints, &sewn, &mut loose);
-        let sewn_once = |i: &usize| {
-            steps
-                .iter()
-                .all(|step| step.panel % count != *i || step.panel == *i)
+        let is_copy = |of: usize, panel: usize| match pattern.panels.get(panel) {
+            Some(copy) => copy.copy_of.as_ref() == Some(&pattern.panels[of].id),
+            None => panel == of + count,
         };
+        let sewn_once = |i: &usize| !steps.iter().any(|step| is_copy(*i, step.panel));
         let lacking = sewn
             .iter()
             .filter(|i| sewn_once(i) && is_cut_again(pattern, garment, hints, **i));
@@ -293,7 +293,7 @@ fn reason(
 fn is_cut_again(pattern: &Pattern, garment: &GarmentModel, hints: &[NameHints], i: usize) -> bool {
     let is_round = |p: &LabeledPanel| matches!(p.kind, PanelKind::Skirt | PanelKind::Bodice);
     let quantity = pattern.panels[i].quantity;
-    quantity.is_some_and(|q| q.left + q.right > 1)
+    quantity.is_some_and(|q| q.left.saturating_add(q.right) > 1)
         && hints[i].front_back.is_none()
         && garment.parts.iter().any(|p| p.panel == i && is_round(p))
 }

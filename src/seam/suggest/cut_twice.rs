@@ -38,7 +38,7 @@ pub(super) fn assign_front_back(pattern: &Pattern, parts: &mut Vec<LabeledPanel>
 
 fn is_cut_again(pattern: &Pattern, panel: usize) -> bool {
     let quantity = pattern.panels[panel].quantity;
-    quantity.is_some_and(|quantity| quantity.left + quantity.right == 2)
+    quantity.is_some_and(|quantity| quantity.left.saturating_add(quantity.right) == 2)
 }
 
 fn is_copy(pattern: &Pattern, copy: &LabeledPanel, source: &LabeledPanel) -> bool {

@@ -44,6 +44,14 @@ impl Dart {
         ]
     }
 
+    /// Width of its mouth \[m\].
+    fn mouth(self, edges: &[EdgeFeatures]) -> f64 {
+        let count = edges.len();
+        let a = (self.inward + count + 1 - self.per_leg) % count;
+        let b = (self.outward + self.per_leg - 1) % count;
+        mouth_between(edges[a], edges[b])
+    }
+
     fn has(self, edge: usize, count: usize) -> bool {
         self.legs(count).concat().contains(&edge)
     }
@@ -67,16 +75,22 @@ pub(super) fn darts(edges: &[EdgeFeatures], turns: &[f64], slits: bool) -> Vec<D
         let taken = darts
             .iter()
             .any(|d| d.has(dart.inward, count) || d.has(dart.outward, count));
-        let [x, y] = sub(edges[dart.inward].ends[0], edges[tip].ends[1]);
-        let wide = x.hypot(y);
-        let narrow = turns[tip] < opening - PI && wide <= mouth;
-        let neck = narrow && wide > MIN_NECK_M && mouth < MAX_SLIT[1] && is_axis(edges, tip);
-        let narrow = narrow && !neck;
-        if !taken && narrow && are_legs(edges[dart.inward], edges[tip]) {
-            darts.push(lengthened(dart, edges, turns, mouth));
+        let narrow = turns[tip] < opening - PI && dart.mouth(edges) <= mouth;
+        if taken || !narrow || !are_legs(edges[dart.inward], edges[tip]) {
+            continue;
+        }
+        let dart = lengthened(dart, edges, turns, mouth);
+        let is_neck = !slits && dart.mouth(edges) > MIN_NECK_M && is_axis(edges, tip);
+        if !is_neck {
+            darts.push(dart);
         }
     }
     darts
+}
+
+fn mouth_between(inward: EdgeFeatures, outward: EdgeFeatures) -> f64 {
+    let [x, y] = sub(inward.ends[0], outward.ends[1]);
+    x.hypot(y)
 }
 
 /// Returns a dart with the edges beside its legs that go on along them.
@@ -86,10 +100,9 @@ fn lengthened(mut dart: Dart, edges: &[EdgeFeatures], turns: &[f64], mouth: f64)
     while 2 * (dart.per_leg + 1) + 3 <= count {
         let a = (dart.inward + count - dart.per_leg) % count;
         let b = (dart.outward + dart.per_leg) % count;
-        let [x, y] = sub(edges[a].ends[0], edges[b].ends[1]);
         let bends = [turns[(a + 1) % count], turns[b]];
         let goes_on = bends.iter().all(|turn| turn.abs() <= MAX_LEG_BEND)
-            && x.hypot(y) <= mouth
+            && mouth_between(edges[a], edges[b]) <= mouth
             && are_legs(edges[a], edges[b]);
         if !goes_on {
             break;

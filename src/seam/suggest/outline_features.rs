@@ -242,3 +242,31 @@ fn ring(turns: &[f64], left_out: &[LeftOut]) -> (Vec<usize>, Vec<f64>) {
 fn wrapped(angle: f64) -> f64 {
     (angle + PI).rem_euclid(TAU) - PI
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::FRAC_PI_2;
+
+    /// A strip whose right seam ends in a vent: the hem follows the seam at a right angle.
+    #[test]
+    fn vents_are_no_part_of_the_ring() {
+        let corners = [
+            [0.0, 0.0],
+            [0.0, 0.6],
+            [0.2, 0.6],
+            [0.2, 0.1],
+            [0.23, 0.1],
+            [0.23, 0.0],
+        ];
+        let panel = Panel::polygon("sleeve", &corners);
+        let features = OutlineFeatures::of(&panel, false, true);
+        assert_eq!(features.ring, [0, 1, 2, 5]);
+        for joint in &features.joints {
+            assert!((joint - FRAC_PI_2).abs() < 1e-12);
+        }
+        assert!(features.ends_in_vent(&[2]) && !features.ends_in_vent(&[0]));
+        let features = OutlineFeatures::of(&panel, false, false);
+        assert_eq!(features.ring.len(), 6);
+    }
+}

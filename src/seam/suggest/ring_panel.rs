@@ -68,7 +68,8 @@ impl RingPanel {
             return None;
         }
         let openings = panel.holes.iter().enumerate();
-        let openings = openings.filter(|(_, hole)| is_opening(hole));
+        let is_only = panel.holes.len() == 1;
+        let openings = openings.filter(|(_, hole)| is_opening(hole, is_only));
         let (hole, opening) = openings.max_by(|a, b| around(a.1).total_cmp(&around(b.1)))?;
         let place = if hints.kind == Some(PanelKind::Skirt) {
             RingPlace::Waist(0.0)
@@ -204,14 +205,17 @@ fn around(hole: &Hole) -> f64 {
     hole.edges.iter().map(|edge| edge.length_m).sum()
 }
 
-/// Returns true for a hole that a part of the body passes through.
-fn is_opening(hole: &Hole) -> bool {
+/// Returns true for a hole that a part of the body passes through. A narrow one is a dart, unless
+/// it is the only one and the head passes it.
+fn is_opening(hole: &Hole, is_only: bool) -> bool {
     let around = around(hole);
     let points = hole.edges.iter().flat_map(|edge| edge.points.windows(2));
     let twice: f64 = points
         .map(|pair| pair[0][0] * pair[1][1] - pair[1][0] * pair[0][1])
         .sum();
     let roundness = TAU * twice.abs() / (around * around).max(f64::MIN_POSITIVE);
-    !hole_dart::is_dart(hole)
-        && (around >= HEAD_M || around >= MIN_OPENING_M && roundness >= MIN_ROUNDNESS)
+    if hole_dart::is_dart(hole) {
+        return is_only && around >= HEAD_M;
+    }
+    around >= HEAD_M || around >= MIN_OPENING_M && roundness >= MIN_ROUNDNESS
 }

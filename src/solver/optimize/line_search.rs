@@ -65,7 +65,7 @@ pub(crate) struct AcceptedStep {
     pub(crate) share: f64,
     /// Decrease of the objective \[J\]; none where its differences are rounding.
     pub(crate) decrease: Option<f64>,
-    /// Slope at its end over that at its start, where the decrease is rounding; else 0.
+    /// Slope at its end over that at its start, where the energy does not tell; else 0.
     pub(crate) steepness: f64,
 }
 

@@ -36,6 +36,9 @@ const LINE_SEARCH_TRIALS: usize = 6;
 /// distance to the solution.
 const PROXIMAL_SHARE: f64 = 0.1;
 
+/// Steepness at the end of a step over that at its start from which on it was too short.
+const SHORT: f64 = 0.25;
+
 /// Fallbacks that were taken, the true second derivative among them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Fallbacks {
@@ -294,7 +297,7 @@ impl Newton {
             let predicted = search.predicted(accepted.share);
             self.pseudo_transient
                 .adapt(accepted.share, decrease, predicted);
-        } else if accepted.share >= 1.0 && accepted.steepness > 0.0 {
+        } else if accepted.share >= 1.0 && accepted.steepness > SHORT {
             // The energy tells nothing any more, but the step was too short.
             self.pseudo_transient.lengthen();
         }

@@ -87,3 +87,19 @@ impl PseudoTransient {
         self.gamma = gamma.clamp(SMALLEST_GAMMA * 10.0, LARGEST_GAMMA);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn short_steps_lengthen_up_to_the_largest_pseudo_time() {
+        let mut pseudo_transient = PseudoTransient::new(FIRST_GAMMA);
+        pseudo_transient.lengthen();
+        assert_eq!(pseudo_transient.gamma, 3.0 * FIRST_GAMMA);
+        for _ in 0..20 {
+            pseudo_transient.lengthen();
+        }
+        assert_eq!(pseudo_transient.gamma, LARGEST_GAMMA);
+    }
+}

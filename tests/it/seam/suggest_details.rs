@@ -4,7 +4,7 @@
 use super::drawn::{are_joined, bodice, drawn, middle, outer, suggested};
 use seamster::pattern::{Place, Quantity, Side};
 use seamster::seam::suggest::Suggestion;
-use seamster_fixtures::panels::{rectangle, with_hole};
+use seamster_fixtures::panels::{mirrored, rectangle, with_hole};
 
 #[test]
 fn outer_and_inner_parts_are_told_by_their_names() {
@@ -25,67 +25,23 @@ fn outer_and_inner_parts_are_told_by_their_names() {
 }
 
 #[test]
-fn vents_of_a_sleeve_of_two_parts_stay_open() {
-    let vent = [[0.075, -0.36], [0.105, -0.37], [0.10, -0.45]];
-    let upper = drawn(
-        "top_sleeve",
-        &[
-            &[[-0.08, -0.45]],
-            &[[-0.11, 0.0], [-0.08, 0.07], [-0.02, 0.10]],
-            &[[0.05, 0.09], [0.09, 0.05]],
-            &[[0.10, 0.02]],
-            &vent[..1],
-            &vent[1..2],
-            &vent[2..],
-        ],
-    );
-    let under = drawn(
-        "under_sleeve",
-        &[
-            &[[-0.05, -0.45]],
-            &[[-0.08, 0.0], [-0.02, -0.02], [0.04, -0.01]],
-            &[[0.08, 0.02]],
-            &[[0.062, -0.36]],
-            &[[0.092, -0.37]],
-            &[[0.09, -0.45]],
-        ],
-    );
-    let found = suggested(vec![
-        bodice("front", 0.10),
-        bodice("back", 0.04),
-        upper,
-        under,
-    ]);
-    let along = found
-        .seams
-        .iter()
-        .filter(|s| s.pair.id.starts_with("sleeve-"));
-    assert_eq!(along.clone().count(), 4, "two on each side");
-    assert!(along.clone().all(|seam| seam.confidence >= 0.5));
-    let at_vent = |place: &Place| matches!(place, Place::Corner(5 | 6));
-    let mut ends = along
-        .flat_map(|s| s.pair.a.runs())
-        .flat_map(|run| [&run.from, &run.to]);
-    assert!(!ends.any(at_vent), "{:?}", found.seams);
-}
-
-#[test]
 fn a_dart_inside_a_panel_is_sewn() {
     let lens = [[0.15, 0.15], [0.16, 0.22], [0.15, 0.29], [0.14, 0.22]];
     let back = with_hole(bodice("back", 0.04), &lens);
     let found = suggested(vec![bodice("front", 0.10), back]);
-    let dart = found
-        .seams
-        .iter()
-        .find(|s| s.pair.id.starts_with("dart-back-inside"));
-    let dart = dart.expect("a seam of the hole");
-    assert!(dart.confidence >= 0.5);
-    for side in [&dart.pair.a, &dart.pair.b] {
-        assert!(
-            side.runs()
-                .iter()
-                .all(|run| matches!(run.from, Place::HoleCorner { .. }))
-        );
+    for panel in ["back", "back~mirror"] {
+        let id = format!("dart-{panel}-inside-1");
+        let seams = found.seams.iter().filter(|s| s.pair.id.starts_with(&id));
+        let ends: Vec<[Place; 4]> = seams
+            .map(|seam| {
+                assert!(seam.confidence >= 0.5);
+                let [a, b] = [&seam.pair.a, &seam.pair.b].map(|side| &side.runs()[0]);
+                [a.from, a.to, b.from, b.to]
+            })
+            .collect();
+        let corner = |corner| Place::HoleCorner { hole: 0, corner };
+        let sides = [[0, 1, 0, 3], [1, 2, 3, 2]].map(|corners| corners.map(corner));
+        assert_eq!(ends, sides, "{panel}");
     }
 }
 
@@ -136,6 +92,34 @@ fn seams_that_leave_most_of_the_pattern_out_are_offers() {
         found.seams.iter().all(|seam| seam.confidence < 0.5),
         "{found:?}"
     );
+    let told = found
+        .warnings
+        .iter()
+        .filter(|w| w.detail.contains("its name or its size"));
+    assert!(told.count() >= 4, "{found:?}");
+}
+
+/// A half of which the file says that one is cut as drawn and one mirrored is sewn twice.
+#[test]
+fn a_stated_copy_counts_as_sewn() {
+    let pair = |id: &str, neck: f64| {
+        let mut half = bodice(id, neck);
+        half.quantity = Some(Quantity { left: 1, right: 1 });
+        let mut copy = mirrored(&half);
+        copy.id = format!("{id}~mirror");
+        [half, copy]
+    };
+    let panels = [pair("1", 0.10), pair("2", 0.04)].concat();
+    let found = suggested(panels);
+    assert!(
+        found.seams.iter().any(|seam| seam.confidence >= 0.5),
+        "{found:?}"
+    );
+    let doubted = found
+        .warnings
+        .iter()
+        .any(|w| w.detail.contains("cut several times"));
+    assert!(!doubted, "{found:?}");
 }
 
 /// A bodice of front, back and a side panel on each side: the band goes round all four.

@@ -7,6 +7,7 @@
 use super::chain::{JOINED, PathChain};
 use super::dxf_piece::DxfPiece;
 use super::measured::MeasuredChain;
+use crate::config::Limits;
 use crate::fault::PatternCode;
 use crate::pattern::DrawnDarts;
 use crate::pattern::crossing::{crossing, meeting};
@@ -28,8 +29,8 @@ const MOST_BULGE: f64 = 0.12;
 
 /// A mouth is so wide \[m\], and at most this share of a leg: lines that open further are yokes and
 /// necklines.
-const MOUTH: [f64; 2] = [0.004, 0.12];
-const WIDEST: f64 = 0.6;
+const MOUTH: [f64; 2] = [0.008, 0.12];
+const WIDEST: f64 = 0.5;
 
 /// The outline across a mouth is at most this many times its width: it is peaked where it follows
 /// the dart as folded.
@@ -60,8 +61,16 @@ struct RingPlace {
 }
 
 /// Cuts the darts that are drawn on a piece into it; they are warned about.
-pub(crate) fn cut_darts(piece: &mut DxfPiece, reading: DrawnDarts, findings: &mut DxfFindings) {
-    if reading == DrawnDarts::Lines {
+pub(crate) fn cut_darts(
+    piece: &mut DxfPiece,
+    reading: DrawnDarts,
+    limits: &Limits,
+    findings: &mut DxfFindings,
+) {
+    // An open sew line is closed later, where the piece is unfolded.
+    let is_open = piece.sew.as_ref().is_some_and(|sew| !sew.closed);
+    let is_large = sewn_line(piece).points.len() > limits.panel_vertices;
+    if reading == DrawnDarts::Lines || is_open || is_large {
         return;
     }
     let (mut looked_at, mut cut) = (0, 0);
@@ -70,7 +79,7 @@ pub(crate) fn cut_darts(piece: &mut DxfPiece, reading: DrawnDarts, findings: &mu
         looked_at += usize::from(shape.is_some());
         match shape {
             Some(DartShape::Open(legs)) if cut_into_outline(piece, &legs) => cut += 1,
-            Some(DartShape::Inside) if has_room(sewn_line(piece), &line) => {
+            Some(DartShape::Inside) if has_room(piece, &line.points) => {
                 piece.cutouts.push(line);
                 cut += 1;
             }
@@ -100,8 +109,7 @@ fn shape(line: &PathChain) -> Option<DartShape> {
 
 /// Returns the line along which a piece is sewn.
 fn sewn_line(piece: &DxfPiece) -> &PathChain {
-    let sew = piece.sew.as_ref().filter(|sew| sew.closed);
-    sew.unwrap_or(&piece.outline.chain)
+    piece.sew.as_ref().unwrap_or(&piece.outline.chain)
 }
 
 /// Returns the legs of an open line with one tip, or of a triangle, from the mouth to the tip.
@@ -133,13 +141,23 @@ fn open_at_mouth(points: &[Point2]) -> Option<Vec<Point2>> {
     Some((mouth.1..=mouth.0 + n).map(at).collect())
 }
 
-/// Returns true if a line lies within an outline, apart from it.
-fn has_room(outline: &PathChain, line: &PathChain) -> bool {
-    let is_apart = |p: Point2| {
-        contains(&outline.points, p)
-            && nearest(segments(&outline.points), p).is_some_and(|foot| foot.distance >= REACH)
+/// Returns true if a ring lies within a piece, apart from its outline and its holes.
+fn has_room(piece: &DxfPiece, ring: &[Point2]) -> bool {
+    let outline = &sewn_line(piece).points;
+    let is_apart = |p: &Point2| {
+        contains(outline, *p)
+            && nearest(segments(outline), *p).is_some_and(|foot| foot.distance >= REACH)
     };
-    line.points.iter().all(|p| is_apart(*p))
+    let lies_in = |inner: &[Point2], outer: &[Point2]| contains(outer, inner[0]);
+    let is_clear = |hole: &PathChain| {
+        !meet(ring, &hole.points) && !lies_in(ring, &hole.points) && !lies_in(&hole.points, ring)
+    };
+    ring.iter().all(is_apart) && !meet(ring, outline) && piece.cutouts.iter().all(is_clear)
+}
+
+/// Returns true if two rings meet.
+fn meet(a: &[Point2], b: &[Point2]) -> bool {
+    segments(a).any(|(p, q)| segments(b).any(|(r, s)| meeting(p, q, r, s).is_some()))
 }
 
 /// Cuts a dart into the line along which a piece is sewn; returns false if it does not fit there.
@@ -147,13 +165,20 @@ fn cut_into_outline(piece: &mut DxfPiece, legs: &[Vec<Point2>; 2]) -> bool {
     let Some((cut, corners)) = cut_into(sewn_line(piece), legs) else {
         return false;
     };
+    if piece
+        .cutouts
+        .iter()
+        .any(|hole| meet(&corners, &hole.points))
+    {
+        return false;
+    }
     // Turn points, where there are any, name all corners.
     if !piece.marks.turns.is_empty() {
         piece.marks.turns.extend(corners);
     }
     match &mut piece.sew {
-        Some(sew) if sew.closed => *sew = cut,
-        _ => piece.outline = MeasuredChain::new(cut),
+        Some(sew) => *sew = cut,
+        None => piece.outline = MeasuredChain::new(cut),
     }
     true
 }

@@ -1,13 +1,13 @@
 //! Vents: slits with an underlap at the lower end of a seam, which stay open.
 
-use crate::seam::suggest::edge_chain::{EdgeChain, EdgeStep};
+use crate::seam::suggest::edge_chain::{EdgeChain, EdgeStep, length};
 use crate::seam::suggest::garment_model::GarmentModel;
 
 /// Turn from which a corner within a seam is that of a vent \[rad\].
 const CORNER_RAD: f64 = 0.6;
 
 /// Returns what lies above a vent of a side of a seam, given from the hem: all up to its first
-/// sharp corner from the upper end.
+/// sharp corner from the upper end, if that is the longer part.
 pub(super) fn above(garment: &GarmentModel, side: EdgeChain) -> EdgeChain {
     let Some(part) = side
         .first()
@@ -24,5 +24,8 @@ pub(super) fn above(garment: &GarmentModel, side: EdgeChain) -> EdgeChain {
     let sharp = side
         .windows(2)
         .rposition(|pair| joint(&pair[0], &pair[1]) > CORNER_RAD);
-    sharp.map_or(side.clone(), |at| side[at + 1..].to_vec())
+    match sharp.map(|at| side.split_at(at + 1)) {
+        Some((below, above)) if length(above) >= length(below) => above.to_vec(),
+        _ => side,
+    }
 }
