@@ -77,7 +77,8 @@ pub(super) fn label_panels(pattern: &Pattern, rare: &[PanelKind]) -> Classificat
     let slits = hints.iter().any(|s| s.kind == Some(PanelKind::Godet));
     let of_two_parts = hints.iter().any(|s| s.kind == Some(PanelKind::UnderSleeve));
     let has_vents = |own: &names::NameHints| {
-        of_two_parts && matches!(own.kind, Some(PanelKind::Sleeve | PanelKind::UnderSleeve))
+        let is_sleeve = matches!(own.kind, Some(PanelKind::Sleeve | PanelKind::UnderSleeve));
+        of_two_parts && (is_sleeve || own.front_back == Some(FrontBack::Back))
     };
     let telling = hints.iter().any(|s| {
         s.front_back.is_some() || s.kind.is_some_and(|kind| PanelKind::BODY.contains(&kind))

@@ -292,8 +292,10 @@ fn reason(
 /// front or back: one that says so may be cut as two layers.
 fn is_cut_again(pattern: &Pattern, garment: &GarmentModel, hints: &[NameHints], i: usize) -> bool {
     let is_round = |p: &LabeledPanel| matches!(p.kind, PanelKind::Skirt | PanelKind::Bodice);
-    let quantity = pattern.panels[i].quantity;
-    quantity.is_some_and(|q| q.left.saturating_add(q.right) > 1)
+    let panel = &pattern.panels[i];
+    let quantity = panel.quantity;
+    panel.copy_of.is_none()
+        && quantity.is_some_and(|q| q.left.saturating_add(q.right) > 1)
         && hints[i].front_back.is_none()
         && garment.parts.iter().any(|p| p.panel == i && is_round(p))
 }

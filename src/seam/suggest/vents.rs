@@ -1,4 +1,4 @@
-//! Vents of sleeves: underlaps at the lower end of a seam, which stay open. The outline steps out
+//! Vents of jackets: underlaps at the lower end of a seam, which stay open. The outline steps out
 //! of the seam and runs beside it down to the hem.
 
 use std::ops::RangeInclusive;
