@@ -13,6 +13,7 @@ use super::panel_placement::{
 use crate::pattern::Panel;
 use crate::scene::Avatar;
 use nalgebra::{Vector2, Vector3};
+use std::cmp::Reverse;
 
 /// Share of the sum of squares that another pose must save to be taken: where a panel fits alike
 /// in several, it stays as it was placed.
@@ -55,11 +56,7 @@ pub fn place_panels(
         .iter()
         .map(|panel| !panel.placement.turns())
         .collect();
-    let joins_settled = |is_settled: &[bool], panel: usize| {
-        let mut own = of_panel[panel].iter();
-        !is_settled[panel] && own.any(|[_, other]| is_settled[other.panel])
-    };
-    while let Some(panel) = (0..panels.len()).find(|&panel| joins_settled(&is_settled, panel)) {
+    while let Some(panel) = most_joined(&of_panel, &is_settled) {
         let is_known = |[_, other]: &&OwnStitch| other.panel == panel || is_settled[other.panel];
         let known = of_panel[panel].iter().filter(is_known).copied().collect();
         let seams = Seams {
@@ -72,6 +69,20 @@ pub fn place_panels(
         is_settled[panel] = true;
     }
     placed
+}
+
+/// Returns the panel that has the most stitches to settled ones, of those that are not: a short
+/// seam tells little of how a panel lies.
+fn most_joined(of_panel: &[Vec<OwnStitch>], is_settled: &[bool]) -> Option<usize> {
+    let joins = |panel: usize| {
+        let known = of_panel[panel].iter();
+        known.filter(|[_, other]| is_settled[other.panel]).count()
+    };
+    let open = (0..of_panel.len()).filter(|&panel| !is_settled[panel]);
+    let (count, panel) = open
+        .map(|panel| (joins(panel), panel))
+        .max_by_key(|&(count, panel)| (count, Reverse(panel)))?;
+    (count > 0).then_some(panel)
 }
 
 /// Returns the stitches of a panel to itself, as pairs of points of its drawing \[m\].
