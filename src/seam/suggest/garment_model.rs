@@ -1,5 +1,6 @@
 //! The labeled panels of a garment round the body, and the seams proposed so far.
 
+use super::cut_twice;
 use super::edge_chain::{EdgeChain, EdgeStep, length, reversed};
 use super::join;
 use super::labeled_panel::{LabeledPanel, RoleSegment};
@@ -347,16 +348,21 @@ impl GarmentModel {
         (-0.5 * (ease / usual).powi(2)).exp().max(least)
     }
 
-    /// Returns the end of a reason, where shape alone tells what panels of a seam are.
+    /// Returns the end of a reason, where shape or quantity alone tell what panels of a seam are.
     fn judged_by_shape(&self, sides: [&EdgeChain; 2]) -> String {
         let part = |step: &EdgeStep| self.parts.iter().find(|p| p.panel == step.panel);
-        let parts = sides.into_iter().flatten().filter_map(part);
-        let kinds: BTreeSet<&str> = parts.filter(|p| !p.named).map(|p| p.kind.noun()).collect();
-        if kinds.is_empty() {
-            return String::new();
+        let parts: Vec<&LabeledPanel> = sides.into_iter().flatten().filter_map(part).collect();
+        let unnamed = parts.iter().filter(|p| !p.named);
+        let kinds: BTreeSet<&str> = unnamed.map(|p| p.kind.noun()).collect();
+        let mut told = String::new();
+        if !kinds.is_empty() {
+            let kinds: Vec<&str> = kinds.into_iter().collect();
+            told = format!("; no name says so: {} by shape alone", kinds.join(" and "));
         }
-        let kinds: Vec<&str> = kinds.into_iter().collect();
-        format!("; no name says so: {} by shape alone", kinds.join(" and "))
+        if cut_twice::are_front_and_back(&parts) {
+            told.push_str("; one panel that is cut twice is taken for the front and the back");
+        }
+        told
     }
 
     /// Returns how sure it is that the panels of a seam are what they are taken for, from 0 to 1.

@@ -45,7 +45,7 @@ fn a_dart_inside_a_panel_is_sewn() {
     }
 }
 
-/// Sides of 65 mm and legs like armholes: without the gusset they would be a top.
+/// The same panels are a whole top without it.
 #[test]
 fn a_gusset_that_fits_nowhere_makes_all_seams_offers() {
     let whole = suggested(vec![bodice("front", 0.10), bodice("back", 0.04)]);
@@ -79,7 +79,24 @@ fn a_panel_that_is_cut_twice_is_front_and_back() {
         assert!(ids(&twice).contains(&id.to_owned()), "{id}: {twice:?}");
     }
     are_joined(&twice, &[["skirt", "skirt"], ["skirt", "waistband"]]);
+    let side = twice.seams.iter().find(|s| s.pair.id == "skirt-side-left");
+    let because = &side.expect("found above").because;
+    assert!(because.contains("cut twice"), "{because}");
     assert_eq!(ids(&cut(3)), Vec::<String>::new());
+}
+
+/// A rectangle has no place for arms: called a top, it is no front and back.
+#[test]
+fn a_top_of_two_rectangles_is_not_sewn_shut() {
+    let mut panel = rectangle("tunic", 0.6, 0.9);
+    panel.quantity = Some(Quantity { left: 2, right: 0 });
+    let found = suggested(vec![panel]);
+    assert!(
+        found.seams.iter().all(|seam| seam.confidence < 0.5),
+        "{found:?}"
+    );
+    let unsewn = found.warnings.iter().any(|w| w.detail.contains("`tunic`"));
+    assert!(unsewn, "{found:?}");
 }
 
 /// Panels of a corset side by side, of which one would be closed on itself.
